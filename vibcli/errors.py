@@ -1,0 +1,45 @@
+"""What can go wrong, and where: places in a file, diagnostics, physical refusals, outcomes."""
+
+from typing import NamedTuple
+
+
+class Where(NamedTuple):
+    """A place in a file; line and column count from 1."""
+
+    file: str
+    line: int
+    column: int
+    width: int = 1
+
+    def shifted(self, offset, width=1):
+        """The place `offset` characters further along the same line."""
+        return Where(self.file, self.line, self.column + offset, width)
+
+
+class Diagnostic:
+    """One thing wrong with the input: where, what, and what to write instead."""
+
+    __slots__ = ("hint", "message", "where")
+
+    def __init__(self, where, message, hint=None):
+        self.where, self.message, self.hint = where, message, hint
+
+    def __repr__(self):
+        place = f"{self.where.line}:{self.where.column}" if self.where else "-"
+        return f"{place}: {self.message}" + (f" (hint: {self.hint})" if self.hint else "")
+
+
+class SpecError(Exception):
+    """The input is invalid; carries every diagnostic that was found. Exit code 3."""
+
+    def __init__(self, diagnostics):
+        super().__init__("\n".join(map(repr, diagnostics)))
+        self.diagnostics = list(diagnostics)
+
+
+class PhysicsError(Exception):
+    """The scene is well written but has no such answer, for a physical cause. Exit code 4."""
+
+    def __init__(self, message, hint=None, where=None):
+        super().__init__(message)
+        self.message, self.hint, self.where = message, hint, where

@@ -1,0 +1,30 @@
+"""Small oscillations, element by element: the data that the frequency methods work on.
+
+Every element acts through a scalar function s(q); at the equilibrium it leaves a row ∇s and a weight:
+
+    M = Σ w ∇s ∇sᵀ + M₊      C = Σ c ∇s ∇sᵀ + C₊      K = Σ k ∇s ∇sᵀ + K₊
+
+K₊ holds the geometric terms Σ V′∇²s and Σ m g ∇²y and whatever a scene gives as a matrix. Assembling the
+sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long as the method allows.
+"""
+
+
+class OscillatorElements:
+    """Rows and weights in one arithmetic: float, mpmath.mpf or Fraction.
+
+    n: number of coordinates. inertias, springs, dampers: tuples of (weight, row), where a row is a
+    dict {coordinate index: component}. M, C, G, K: what is not of that form, dicts {(i, j): value} with both
+    triangles written, empty where absent (G skew). K_size: for each entry of K, the sum of the magnitudes of the terms
+    it was added from, the scale of its rounding error. rational_rows: the spring rows as Fractions where they
+    are rational, else None. massless: indices of coordinates which no inertia moves, exactly.
+    """
+
+    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "inertias", "massless", "n", "rational_rows", "springs")
+
+    def __init__(self, n, inertias=(), springs=(), dampers=(), M=None, C=None, G=None, K=None,
+                 K_size=None, rational_rows=None, massless=()):
+        self.n = n
+        self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
+        self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
+        self.K_size = K_size or {}
+        self.rational_rows, self.massless = rational_rows, tuple(massless)
