@@ -1,0 +1,145 @@
+"""Derivatives and substitution, each memoised: a shared part is treated once."""
+
+from fractions import Fraction
+
+from vibcli.algebra.expression import HALF, ONE, reachable
+
+
+def gradient(node):
+    """{variable: ∂node/∂variable} for every variable that the node depends on. Memoised on the node."""
+    if node.gradient is None:
+        for part in _unfinished(node):
+            part.gradient = _RULES[part.op](part)
+    return node.gradient
+
+
+def _unfinished(node):
+    seen, pending = set(), [node]
+    while pending:
+        part = pending.pop()
+        if part in seen or part.gradient is not None:
+            continue
+        seen.add(part)
+        if part.op in ("sum", "product"):
+            pending.extend(arg for arg, _ in part.args)
+        else:
+            pending.extend(part.args)
+    return sorted(seen, key=lambda part: part.index)
+
+
+def derivative(node, variable):
+    """∂node/∂variable."""
+    return gradient(node).get(variable, node.table.zero)
+
+
+def hessian(node):
+    """{(a, b): ∂²node/∂a∂b}, both triangles, zero entries left out."""
+    return {(a, b): second for a, first in gradient(node).items() for b, second in gradient(first).items()}
+
+
+def _collect(table, pairs):
+    """Σ weight·(∂part/∂v) by variable, of (part, weight node or rational) pairs."""
+    terms = {}
+    for part, weight in pairs:
+        for variable, slope in part.gradient.items():
+            term = (slope, weight) if isinstance(weight, Fraction) else (slope * weight, ONE)
+            terms.setdefault(variable, []).append(term)
+    found = {variable: table.sum(*parts) for variable, parts in terms.items()}
+    return {variable: slope for variable, slope in found.items() if not slope.is_zero}
+
+
+def _symbol(node):
+    return {node: node.table.one} if node.mask else {}
+
+
+def _sum(node):
+    return _collect(node.table, node.args)
+
+
+def _product(node):
+    table = node.table
+    return _collect(table, [(base, table.scaled(table.product((node, ONE), (base, -ONE)), power))
+                            for base, power in node.args if base.mask])
+
+
+def _call(node):
+    if not node.mask:
+        return {}
+    outer = _OUTER[node.name](node, *node.args)
+    return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
+
+
+_RULES = {"number": lambda node: {}, "pi": lambda node: {}, "symbol": _symbol, "sum": _sum, "product": _product,
+          "call": _call}
+
+
+def _power_slopes(node, base, exponent):
+    return (exponent * node / base, node * node.table.call("log", base))
+
+
+def _atan2_slopes(node, y, x):
+    square = x * x + y * y
+    return (x / square, -(y / square))
+
+
+def _extreme(sign):
+    def slopes(node, a, b):
+        step = node.table.call("sign", a - b) * Fraction(sign, 2)
+        return (step + HALF, HALF - step)
+    return slopes
+
+
+_OUTER = {
+    "sin": lambda node, u: (node.table.call("cos", u),),
+    "cos": lambda node, u: (-node.table.call("sin", u),),
+    "tan": lambda node, u: (node * node + 1,),
+    "asin": lambda node, u: ((1 - u * u) ** -HALF,),
+    "acos": lambda node, u: (-((1 - u * u) ** -HALF),),
+    "atan": lambda node, u: (1 / (u * u + 1),),
+    "atan2": _atan2_slopes,
+    "sinh": lambda node, u: (node.table.call("cosh", u),),
+    "cosh": lambda node, u: (node.table.call("sinh", u),),
+    "tanh": lambda node, u: (1 - node * node,),
+    "exp": lambda node, u: (node,),
+    "log": lambda node, u: (1 / u,),
+    "abs": lambda node, u: (node.table.call("sign", u),),
+    "sign": lambda node, u: (node.table.zero,),
+    "min": _extreme(-1),
+    "max": _extreme(1),
+    "power": _power_slopes,
+}
+
+
+def substitute(nodes, values):
+    """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
+    done = dict(values)
+    for node in reachable(nodes):
+        if node in done:
+            continue
+        if node.op == "sum":
+            done[node] = _rebuilt(node, done, node.table.sum, lambda table, c: (table.number(c), ONE))
+        elif node.op == "product":
+            done[node] = _rebuilt(node, done, node.table.product, lambda table, c: (table.number(c), ONE))
+        elif node.op == "call":
+            args = [done[arg] for arg in node.args]
+            done[node] = node if all(map(_same, args, node.args)) else _recalled(node, args)
+        else:
+            done[node] = node
+    return [done[node] for node in nodes]
+
+
+def _same(a, b):
+    return a is b
+
+
+def _rebuilt(node, done, build, constant):
+    args = [(done[arg], c) for arg, c in node.args]
+    if all(new is old for (new, _), (old, _) in zip(args, node.args, strict=True)):
+        return node
+    return build(constant(node.table, node.coefficient), *args)
+
+
+def _recalled(node, args):
+    if node.name == "power":
+        return node.table.power(*args)
+    return node.table.call(node.name, *args)

@@ -1,0 +1,297 @@
+"""Hash-consed expressions: equal expressions are one object, so shared parts are differentiated and evaluated once.
+
+A node is one of
+
+    number   an exact rational                     symbol   a parameter or a variable (coordinate, velocity)
+    sum      c₀ + Σ cᵢ·nodeᵢ                        product  c·Π nodeᵢ^eᵢ, rational cᵢ, c, eᵢ
+    call     a function of nodes                   pi
+
+Only rational literals fold, and only while the result stays within BITS; parameters are leaves. Every walk is
+iterative, because a node is always made after its parts: ascending `index` is an order of evaluation.
+"""
+
+from fractions import Fraction
+from math import isqrt
+
+BITS = 256
+ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
+
+
+class Node:
+    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on."""
+
+    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
+
+    def __add__(self, other):
+        return self.table.sum((self, ONE), (self.table.node(other), ONE))
+
+    def __sub__(self, other):
+        return self.table.sum((self, ONE), (self.table.node(other), -ONE))
+
+    def __mul__(self, other):
+        return self.table.product((self, ONE), (self.table.node(other), ONE))
+
+    def __truediv__(self, other):
+        return self.table.product((self, ONE), (self.table.node(other), -ONE))
+
+    def __pow__(self, exponent):
+        return self.table.power(self, exponent)
+
+    def __neg__(self):
+        return self.table.scaled(self, -ONE)
+
+    def __rsub__(self, other):
+        return self.table.node(other) - self
+
+    def __rtruediv__(self, other):
+        return self.table.node(other) / self
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    @property
+    def is_zero(self):
+        return self.op == "number" and not self.coefficient
+
+    def __repr__(self):
+        if self.op in ("sum", "product"):
+            return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
+        return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
+
+
+def bits(value):
+    return value.numerator.bit_length() + value.denominator.bit_length()
+
+
+class Table:
+    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators."""
+
+    def __init__(self):
+        self._nodes = {}
+        self._count = 0
+        self.variables = []
+        self.positive = set()
+        self.zero, self.one = self.number(ZERO), self.number(ONE)
+        self.pi = self._make("pi", (), ONE, 0, "pi")
+        self.positive.add(self.pi)
+
+    def __len__(self):
+        return self._count
+
+    def _make(self, op, args, coefficient, mask, name=None):
+        key = (op, name, coefficient, args)
+        node = self._nodes.get(key)
+        if node is None:
+            node = self._nodes[key] = Node()
+            node.table, node.op, node.args, node.coefficient = self, op, args, coefficient
+            node.mask, node.name, node.index, node.gradient = mask, name, self._count, None
+            self._count += 1
+        return node
+
+    def number(self, value):
+        return self._make("number", (), Fraction(value), 0)
+
+    def node(self, value):
+        return value if isinstance(value, Node) else self.number(value)
+
+    def parameter(self, name, positive=True):
+        node = self._make("symbol", (), ONE, 0, name)
+        if positive:
+            self.positive.add(node)
+        return node
+
+    def variable(self, name):
+        """A symbol to differentiate by."""
+        known = self._nodes.get(("symbol", name, ONE, ()))
+        if known is not None:
+            return known
+        node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
+        self.variables.append(node)
+        return node
+
+    def scaled(self, node, factor):
+        """factor·node, the factor rational; over a sum it is distributed."""
+        if factor == 1:
+            return node
+        return self.sum((node, factor))
+
+    def sum(self, *terms):
+        """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
+        constant, collected = ZERO, {}
+        for node, factor in terms:
+            if node.op == "sum":
+                parts = node.args
+                constant += factor * node.coefficient
+            else:
+                parts = ((node, ONE),)
+            for part, c in parts:
+                if part.op == "number" and bits(part.coefficient) <= BITS:
+                    constant += factor * c * part.coefficient
+                    continue
+                if part.op == "product" and part.coefficient != 1:
+                    c = c * part.coefficient
+                    part = self._bare(part)
+                collected[part] = collected.get(part, ZERO) + factor * c
+        return self._sum(constant, collected)
+
+    def _bare(self, product):
+        """A product without its rational coefficient."""
+        args = product.args
+        if len(args) == 1 and args[0][1] == 1:
+            return args[0][0]
+        return self._make("product", args, ONE, product.mask)
+
+    def _sum(self, constant, collected):
+        if bits(constant) > BITS:
+            collected[self.number(constant)] = ONE
+            constant = ZERO
+        args = [(node, c) for node, c in collected.items() if c]
+        if not args:
+            return self.number(constant)
+        if len(args) == 1 and not constant:
+            node, c = args[0]
+            if c == 1:
+                return node
+            if node.op == "product":
+                return self._make("product", node.args, c, node.mask)
+            return self._make("product", ((node, ONE),), c, node.mask)
+        args.sort(key=lambda arg: arg[0].index)
+        mask = 0
+        for node, _ in args:
+            mask |= node.mask
+        return self._make("sum", tuple(args), constant, mask)
+
+    def product(self, *factors):
+        """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
+        coefficient, collected = ONE, {}
+        for node, exponent in factors:
+            coefficient = self._gather(node, exponent, coefficient, collected)
+        args = [(base, e) for base, e in collected.items() if e]
+        if not coefficient:
+            return self.zero
+        if bits(coefficient) > BITS:
+            args.append((self.number(coefficient), ONE))
+            coefficient = ONE
+        if not args:
+            return self.number(coefficient)
+        if len(args) == 1 and args[0][1] == 1:
+            base = args[0][0]
+            if coefficient == 1:
+                return base
+            if base.op == "sum":
+                return self.sum((base, coefficient))
+        args.sort(key=lambda arg: arg[0].index)
+        mask = 0
+        for base, _ in args:
+            mask |= base.mask
+        return self._make("product", tuple(args), coefficient, mask)
+
+    def _gather(self, node, exponent, coefficient, collected):
+        """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
+        pending = [(node, exponent)]
+        while pending:
+            base, e = pending.pop()
+            if base.op == "number":
+                value = _rational_power(base.coefficient, e)
+                if value is not None:
+                    coefficient *= value
+                    continue
+            elif base.op == "product" and (e.denominator == 1 or self._splits(base)):
+                value = _rational_power(base.coefficient, e)
+                if value is None:
+                    pending.append((self.number(base.coefficient), e))
+                else:
+                    coefficient *= value
+                pending.extend((part, power * e) for part, power in base.args)
+                continue
+            collected[base] = collected.get(base, ZERO) + e
+            if base.op == "number" and collected[base].denominator == 1:
+                pending.append((base, collected.pop(base)))
+        return coefficient
+
+    def _splits(self, product):
+        """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
+        return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
+
+    def is_positive(self, node):
+        if node.op == "number":
+            return node.coefficient > 0
+        return node in self.positive or node.name in ("exp", "cosh")
+
+    def power(self, base, exponent):
+        """base^exponent, the exponent a rational or a node."""
+        if isinstance(exponent, Node):
+            if exponent.op != "number":
+                return self.call("power", base, exponent)
+            exponent = exponent.coefficient
+        exponent = Fraction(exponent)
+        if abs(exponent.numerator) > 1000 or exponent.denominator > 1000:
+            return self.call("power", base, self.number(exponent))
+        if base.op == "number" and not base.coefficient and exponent <= 0:
+            if exponent == 0:
+                return self.one
+            raise ZeroDivisionError("division by zero")
+        return self.product((base, exponent))
+
+    def sqrt(self, node):
+        return self.power(node, HALF)
+
+    def call(self, name, *args):
+        """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
+        exact = _EXACT.get(name)
+        if exact is not None and args[0].op == "number" and args[0].coefficient == exact[0]:
+            return self.number(exact[1])
+        if name in _ODD and _is_negative(args[0]):
+            return -self.call(name, -args[0])
+        if name in _EVEN and _is_negative(args[0]):
+            return self.call(name, -args[0])
+        if name == "abs" and self.is_positive(args[0]):
+            return args[0]
+        mask = 0
+        for arg in args:
+            mask |= arg.mask
+        return self._make("call", tuple(args), ONE, mask, name)
+
+
+_EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
+          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0)}
+_ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
+_EVEN = {"cos", "cosh", "abs"}
+
+
+def _is_negative(node):
+    """Is -node the shorter way to write it? Only a matter of form."""
+    if node.op == "sum":
+        return all(c < 0 for _, c in node.args) and node.coefficient <= 0
+    return node.coefficient < 0
+
+
+def _rational_power(base, exponent):
+    """base^exponent where it is rational and within BITS, else None."""
+    if exponent == 1:
+        return base
+    if base == 1:
+        return ONE
+    if exponent.denominator == 1:
+        power = exponent.numerator
+        if not base and power <= 0:
+            raise ZeroDivisionError("division by zero")
+        return base**power if bits(base) * abs(power) <= BITS else None
+    if exponent.denominator == 2 and base >= 0:
+        up, down = isqrt(base.numerator), isqrt(base.denominator)
+        if up * up == base.numerator and down * down == base.denominator:
+            return _rational_power(Fraction(up, down), exponent * 2)
+    return None
+
+
+def reachable(nodes):
+    """All nodes below `nodes`, themselves included, in an order of evaluation."""
+    seen, pending = set(), list(nodes)
+    while pending:
+        node = pending.pop()
+        if node not in seen:
+            seen.add(node)
+            if node.op in ("sum", "product"):
+                pending.extend(arg for arg, _ in node.args if arg not in seen)
+            elif node.op == "call":
+                pending.extend(node.args)
+    return sorted(seen, key=lambda node: node.index)

@@ -1,0 +1,220 @@
+"""What a syntax tree means: its dimension, checked part by part, and the expression it stands for."""
+
+from fractions import Fraction
+
+from vibcli import units
+from vibcli.algebra.expression import HALF, ONE
+from vibcli.algebra.parse import ExpressionError
+
+ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
+
+
+def names_in(tree):
+    """(name, primes, start, end) of each name of a tree."""
+    pending, found = [tree], []
+    while pending:
+        part = pending.pop()
+        if part[0] == "name":
+            found.append((part[3], part[4], part[1], part[2]))
+        pending.extend(_children(part))
+    return found
+
+
+def quantities_in(tree):
+    """The quantity trees (`omega[1]`) within a tree."""
+    pending, found = [tree], []
+    while pending:
+        part = pending.pop()
+        if part[0] == "quantity":
+            found.append(part)
+        pending.extend(_children(part))
+    return found
+
+
+def literals_in(tree):
+    """The number trees within a tree."""
+    pending, found = [tree], []
+    while pending:
+        part = pending.pop()
+        if part[0] == "number":
+            found.append(part)
+        pending.extend(_children(part))
+    return found
+
+
+def _children(tree):
+    kind = tree[0]
+    if kind in ("sum", "product"):
+        return [part for _, part in tree[3]]
+    if kind == "call":
+        return tree[4]
+    if kind in ("power", "equation"):
+        return tree[3:5]
+    return ()
+
+
+def literal_unit(chain):
+    return units.combine([(name, power) for name, power, _, _ in chain])
+
+
+def whole_literal(tree):
+    """The number tree of a field that is one literal, perhaps with a sign; else None."""
+    if tree[0] == "sum" and len(tree[3]) == 1:
+        tree = tree[3][0][1]
+    return tree if tree[0] == "number" else None
+
+
+def counts_cycles(tree, cyclic=()):
+    """Does the tree give cycles (Hz) and not radians? True for a literal in Hz or a name in `cyclic`, times numbers."""
+    tree = whole_literal(tree) or tree
+    if tree[0] == "number":
+        return bool(tree[4]) and literal_unit(tree[4]).cycles
+    if tree[0] == "name":
+        return tree[3] in cyclic
+    if tree[0] in ("sum",):
+        return any(counts_cycles(part, cyclic) for _, part in tree[3])
+    if tree[0] == "product":
+        others = [part for _, part in tree[3] if not counts_cycles(part, cyclic)]
+        return len(others) < len(tree[3]) and all(part[0] == "number" for part in others)
+    return False
+
+
+class DimensionCheck:
+    """The dimension of trees, given `of(name, primes) -> dimension`; every misfit is raised as an ExpressionError.
+
+    `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity.
+    """
+
+    def __init__(self, dimensions, of, free_numbers=False, quantity=None):
+        self.dimensions, self.of, self.free_numbers, self.quantity = dimensions, of, free_numbers, quantity
+
+    def dimension(self, tree):
+        return getattr(self, "_" + tree[0])(tree)
+
+    def _number(self, tree):
+        if tree[4]:
+            return literal_unit(tree[4]).dimension
+        if not tree[3] or (self.free_numbers and (tree[3] >= 10 or tree[3].denominator > 1)):
+            return ANY
+        return units.NONE
+
+    def _name(self, tree):
+        if tree[3] == "pi" and not tree[4]:
+            return units.NONE
+        return self.of(tree[3], tree[4])
+
+    def _quantity(self, tree):
+        return self.quantity(tree) if self.quantity else ANY
+
+    def _sum(self, tree):
+        found, first = ANY, None
+        for _, part in tree[3]:
+            dimension = ANY if self.free_numbers and whole_literal(part) else self.dimension(part)
+            if dimension is ANY:
+                continue
+            if found is ANY:
+                found, first = dimension, part
+            elif not self.dimensions.equate(found, dimension):
+                raise ExpressionError(part[1], part[2] - part[1], "these terms cannot be added: "
+                                      f"{self._words(found)} and {self._words(dimension)}",
+                                      f"the first term of that kind starts at character {first[1] + 1}")
+        if found is ANY and not self.free_numbers and all(whole_literal(part) for _, part in tree[3]):
+            found = ANY if all(not whole_literal(part)[3] for _, part in tree[3]) else units.NONE
+        return found
+
+    def _words(self, dimension):
+        return units.name(self.dimensions.resolve(dimension))
+
+    def _product(self, tree):
+        found = units.NONE
+        for power, part in tree[3]:
+            dimension = self.dimension(part)
+            if dimension is ANY:
+                return ANY
+            found = units.times(found, dimension, power)
+        return found
+
+    def _power(self, tree):
+        base = self.dimension(tree[3])
+        exponent = constant(tree[4])
+        if exponent is None:
+            self._pure(tree[4], "an exponent")
+            if base is not ANY:
+                self._pure(tree[3], "the base of a power that is not a number")
+            return units.NONE
+        if abs(exponent) > 100:
+            raise ExpressionError(tree[4][1], tree[4][2] - tree[4][1], "powers are bounded by 100")
+        return base if base is ANY else units.raised(base, exponent)
+
+    def _pure(self, tree, what):
+        dimension = self.dimension(tree)
+        if dimension is not ANY and not self.dimensions.equate(dimension, units.NONE):
+            raise ExpressionError(tree[1], tree[2] - tree[1],
+                                  f"{what} is a pure number, found {self._words(dimension)}")
+
+    def _call(self, tree):
+        name, args = tree[3], tree[4]
+        if name == "sqrt":
+            dimension = self.dimension(args[0])
+            return dimension if dimension is ANY else units.raised(dimension, HALF)
+        if name == "abs":
+            return self.dimension(args[0])
+        if name == "sign":
+            self.dimension(args[0])
+            return units.NONE
+        if name in ("min", "max", "atan2"):
+            found = self._sum(("sum", tree[1], tree[2], [(1, arg) for arg in args]))
+            return units.NONE if name == "atan2" else found
+        self._pure(args[0], f"the argument of {name}")
+        return units.NONE
+
+
+def constant(tree):
+    """The rational value of a tree made of plain numbers, else None."""
+    if tree[0] == "number":
+        return None if tree[4] else tree[3]
+    if tree[0] in ("sum", "product"):
+        total = Fraction(0) if tree[0] == "sum" else ONE
+        for sign, part in tree[3]:
+            value = constant(part)
+            if value is None or (tree[0] == "product" and sign < 0 and not value):
+                return None
+            total = total + sign * value if tree[0] == "sum" else total * value**sign
+        return total
+    return None
+
+
+def lower(tree, table, symbol):
+    """The expression that a tree stands for; `symbol(name, primes, tree)` gives the node of a name or quantity."""
+    kind = tree[0]
+    if kind == "number":
+        return _literal(tree, table)
+    if kind == "name":
+        return table.pi if tree[3] == "pi" and not tree[4] else symbol(tree[3], tree[4], tree)
+    if kind == "quantity":
+        return symbol(tree[3], 0, tree)
+    try:
+        if kind == "sum":
+            return table.sum(*((lower(part, table, symbol), Fraction(sign)) for sign, part in tree[3]))
+        if kind == "product":
+            factors = [(lower(part, table, symbol), power) for power, part in tree[3]]
+            if any(power < 0 and node.is_zero for node, power in factors):
+                raise ZeroDivisionError
+            return table.product(*((node, Fraction(power)) for node, power in factors))
+        if kind == "power":
+            return table.power(lower(tree[3], table, symbol), lower(tree[4], table, symbol))
+        if kind == "equation":
+            return lower(tree[3], table, symbol) - lower(tree[4], table, symbol)
+        args = [lower(arg, table, symbol) for arg in tree[4]]
+        return table.sqrt(args[0]) if tree[3] == "sqrt" else table.call(tree[3], *args)
+    except ZeroDivisionError:
+        raise ExpressionError(tree[1], tree[2] - tree[1], "this divides by zero") from None
+
+
+def _literal(tree, table):
+    value = table.number(tree[3])
+    if not tree[4]:
+        return value
+    unit = literal_unit(tree[4])
+    node = table.number(tree[3] * unit.value)
+    return node if not unit.pi else table.product((node, ONE), (table.pi, Fraction(unit.pi)))

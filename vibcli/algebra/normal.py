@@ -1,0 +1,195 @@
+"""Expanded form: expressions as polynomials in their atoms, brought into the shape a textbook prints.
+
+The rules are few: expand, sin² + cos² = 1, the addition theorems for products of sines and cosines, and common
+factors taken out. Work is bounded; what grows beyond MOST terms is left as it is.
+"""
+
+from fractions import Fraction
+from functools import reduce
+from math import gcd, lcm
+
+from vibcli.algebra.expression import ONE, ZERO
+
+MOST = 300
+
+
+class TooLong(ArithmeticError):
+    """More than MOST terms."""
+
+
+def expanded(node):
+    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices."""
+    if node.op == "number":
+        return {(): node.coefficient} if node.coefficient else {}
+    if node.op == "sum":
+        found = {(): node.coefficient} if node.coefficient else {}
+        for part, c in node.args:
+            for monomial, value in expanded(part).items():
+                _add(found, monomial, c * value)
+        return found
+    if node.op == "product":
+        found = {(): node.coefficient}
+        for base, exponent in node.args:
+            found = _multiplied(found, _expanded_power(base, exponent))
+        return found
+    return {((node, ONE),): ONE}
+
+
+def _expanded_power(base, exponent):
+    if base.op == "sum":
+        if exponent.denominator == 1 and 0 < exponent <= 6:
+            return reduce(_multiplied, [expanded(base)] * int(exponent))
+        base = textbook(base)
+        if base.op != "sum":
+            return expanded(base.table.power(base, exponent))
+    return {((base, exponent),): ONE}
+
+
+def _add(found, monomial, value):
+    total = found.get(monomial, ZERO) + value
+    if total:
+        found[monomial] = total
+    else:
+        found.pop(monomial, None)
+    if len(found) > MOST:
+        raise TooLong
+
+
+def _multiplied(left, right):
+    found = {}
+    if len(left) * len(right) > 20 * MOST:
+        raise TooLong
+    for a, x in left.items():
+        for b, y in right.items():
+            _add(found, times(a, b), x * y)
+    return found
+
+
+def times(a, b, power=1):
+    """The monomial a·b^power."""
+    exponents = dict(a)
+    for atom, e in b:
+        total = exponents.get(atom, ZERO) + e * power
+        if total:
+            exponents[atom] = total
+        else:
+            exponents.pop(atom, None)
+    return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))
+
+
+def reduced(terms):
+    """The same polynomial with the trigonometric identities applied wherever they shorten it."""
+    changed = True
+    while changed:
+        changed = False
+        for monomial in list(terms):
+            if monomial in terms and _shorten(terms, monomial):
+                changed = True
+    return terms
+
+
+def _shorten(terms, monomial):
+    """Apply one identity that starts from `monomial`; True if one was found."""
+    sines = [(atom, e) for atom, e in monomial if atom.name in ("sin", "cos") and e >= 1 and e.denominator == 1]
+    for atom, e in sines:
+        if e >= 2 and _square(terms, monomial, atom):
+            return True
+    for i, (a, _) in enumerate(sines):
+        for b, _ in sines[i + 1:]:
+            if a.args != b.args and _addition(terms, monomial, a, b):
+                return True
+    return False
+
+
+def _square(terms, monomial, atom):
+    """c·R·f² + c·R·g² = c·R for f, g = sin u, cos u; and c·R − c·R·f² = c·R·g²."""
+    value = terms[monomial]
+    rest = times(monomial, ((atom, Fraction(2)),), -1)
+    other = atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
+    partner = times(rest, ((other, Fraction(2)),))
+    if terms.get(partner) == value:
+        _move(terms, (monomial, partner), rest, value)
+        return True
+    if terms.get(rest) == -value:
+        _move(terms, (monomial, rest), partner, -value)
+        return True
+    return False
+
+
+def _addition(terms, monomial, a, b):
+    """cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b)."""
+    table, value = a.table, terms[monomial]
+    swap = {"sin": "cos", "cos": "sin"}
+    rest = times(monomial, ((a, ONE), (b, ONE)), -1)
+    partner = times(rest, ((table.call(swap[a.name], *a.args), ONE), (table.call(swap[b.name], *b.args), ONE)))
+    other = terms.get(partner)
+    if other is None or abs(other) != abs(value):
+        return False
+    u, w = a.args[0], b.args[0]
+    if a.name == b.name:
+        cosine, sine = (value, other) if a.name == "cos" else (other, value)
+        new, factor = table.call("cos", u - w if sine == cosine else u + w), cosine
+    else:
+        sine_first = value if a.name == "sin" else other
+        cosine_first = other if a.name == "sin" else value
+        new, factor = table.call("sin", u + w if sine_first == cosine_first else u - w), sine_first
+    polynomial = _multiplied({rest: ONE}, expanded(new))
+    _move(terms, (monomial, partner), None, None)
+    for extra, c in polynomial.items():
+        _add(terms, extra, c * factor)
+    return True
+
+
+def _move(terms, old, new, value):
+    for monomial in old:
+        terms.pop(monomial)
+    if new is not None:
+        _add(terms, new, value)
+
+
+def is_zero(node):
+    """Is the expression zero by expansion and the identities? False where that does not show it."""
+    try:
+        return node.is_zero or not reduced(expanded(node))
+    except TooLong:
+        return False
+
+
+def textbook(node):
+    """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
+    try:
+        terms = reduced(expanded(node))
+    except TooLong:
+        return node
+    return collected(node.table, terms)
+
+
+def collected(table, terms):
+    """A polynomial as a node: Σ (factored coefficient of parameters)·(part that holds variables)."""
+    groups = {}
+    for monomial, value in terms.items():
+        variable = tuple(pair for pair in monomial if pair[0].mask)
+        fixed = tuple(pair for pair in monomial if not pair[0].mask)
+        groups.setdefault(variable, {})[fixed] = value
+    parts = [table.product((factored(table, fixed), ONE), *variable) for variable, fixed in groups.items()]
+    return table.sum(*((part, ONE) for part in parts))
+
+
+def factored(table, terms):
+    """A polynomial with its content — the common monomial and rational factor — taken out."""
+    monomials = list(terms)
+    if len(monomials) == 1:
+        return table.product((table.number(terms[monomials[0]]), ONE), *monomials[0])
+    common = {}
+    for atom in {atom for monomial in monomials for atom, _ in monomial}:
+        least = min(dict(monomial).get(atom, ZERO) for monomial in monomials)
+        if least:
+            common[atom] = least
+    content = tuple(sorted(common.items(), key=lambda pair: pair[0].index))
+    values = list(terms.values())
+    scale = Fraction(reduce(gcd, [v.numerator for v in values]), reduce(lcm, [v.denominator for v in values]))
+    if all(v < 0 for v in values):
+        scale = -scale
+    inner = table.sum(*((table.product(*times(monomial, content, -1)), value / scale)
+                        for monomial, value in terms.items()))
+    return table.product((table.number(scale), ONE), (inner, ONE), *content)

@@ -1,0 +1,257 @@
+"""Text to syntax tree: a Pratt parser over numbers with units, names, + - * / ^ and a closed list of functions.
+
+Trees are tuples (kind, start, end, …), the offsets being those of the text:
+
+    ("number", …, value, chain)        chain: [(unit, power, start, end)], empty for a plain number
+    ("name", …, name, primes)          primes: 1 for x', 2 for x''
+    ("quantity", …, text, head, indices, attribute)     omega[1], J[disc, O], centre[rod].x
+    ("sum", …, [(sign, tree)])         ("product", …, [(±1, tree)])
+    ("power", …, base, exponent)       ("call", …, name, trees)       ("equation", …, left, right)
+
+Sums and products are flat, so depth is that of the parentheses, and bounded. Nothing is ever evaluated as code.
+"""
+
+import re
+from fractions import Fraction
+
+from vibcli.units import UNITS
+
+LONGEST, DEEPEST, PARTS = 2000, 64, 400
+FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
+             "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2}
+GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
+    "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
+
+_NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
+_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(-?\d)(?!\d)|([²³⁴]))?(?![\w.(\[])")
+_INDEX = re.compile(r"\[([^][]{1,80})\]")
+_SUPERSCRIPTS = {"²": 2, "³": 3, "⁴": 4}
+_SPACE = re.compile(r"[ \t\n]*")
+
+
+class ExpressionError(Exception):
+    """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
+
+    def __init__(self, offset, width, message, hint=None):
+        super().__init__(message)
+        self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
+
+
+def plain_name(text):
+    """A name with Greek letters spelt out: φ1 is phi1."""
+    return text if text.isascii() else "".join(GREEK.get(letter, letter) for letter in text)
+
+
+def parse(text, equation=False):
+    """The syntax tree of `text`; with `equation`, of `left = right`."""
+    if len(text) > LONGEST:
+        raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}")
+    parser = _Parser(text)
+    tree = parser.expression(0)
+    if equation:
+        parser.skip()
+        if not parser.take("="):
+            raise ExpressionError(parser.at, 1, "expected an equation", "write it as `left = right`")
+        right = parser.expression(0)
+        tree = ("equation", 0, len(text), tree, right)
+    parser.finish()
+    return tree
+
+
+class _Parser:
+    def __init__(self, text):
+        self.text, self.at, self.depth = text, 0, 0
+
+    def skip(self):
+        self.at = _SPACE.match(self.text, self.at).end()
+
+    def take(self, token):
+        self.skip()
+        if self.text.startswith(token, self.at):
+            self.at += len(token)
+            return True
+        return False
+
+    def finish(self):
+        self.skip()
+        if self.at < len(self.text):
+            self.fail_after()
+
+    def fail_after(self):
+        """Something stands where an operator or the end was expected."""
+        found = self.text[self.at]
+        word = _NAME.match(self.text, self.at)
+        if found == "=":
+            raise ExpressionError(self.at, 1, "expected an expression, found an equation")
+        if found == ",":
+            raise ExpressionError(self.at, 1, "unexpected ','", "decimals are written with a point: 0.5")
+        if word or found in "(" or found.isdigit():
+            what = word.group() if word else found
+            raise ExpressionError(self.at, len(what), f"expected an operator before '{what}'",
+                                  "there is no implicit multiplication: write a * between factors")
+        raise ExpressionError(self.at, 1, f"unexpected '{found}'")
+
+    def expression(self, depth):
+        """A sum of products."""
+        if depth > DEEPEST:
+            raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses")
+        self.skip()
+        start, terms = self.at, []
+        sign = -1 if self.take("-") else 1
+        if sign == 1:
+            self.take("+")
+        while True:
+            terms.append((sign, self.product(depth)))
+            if len(terms) > PARTS:
+                raise ExpressionError(start, 1, f"more than {PARTS} terms in one sum")
+            if self.take("+"):
+                sign = 1
+            elif self.take("-"):
+                sign = -1
+            else:
+                break
+        if len(terms) == 1 and terms[0][0] == 1:
+            return terms[0][1]
+        return ("sum", start, self.at, terms)
+
+    def product(self, depth):
+        self.skip()
+        start, factors, power = self.at, [], 1
+        while True:
+            factors.append((power, self.power(depth)))
+            if len(factors) > PARTS:
+                raise ExpressionError(start, 1, f"more than {PARTS} factors in one product")
+            self.skip()
+            if self.text.startswith("**", self.at):
+                break
+            if self.take("*") or self.take("·"):
+                power = 1
+            elif self.take("/"):
+                power = -1
+            else:
+                break
+        return factors[0][1] if len(factors) == 1 else ("product", start, self.at, factors)
+
+    def power(self, depth):
+        self.skip()
+        start = self.at
+        base = self.atom(depth)
+        if self.take("^") or self.take("**"):
+            if depth > DEEPEST:
+                raise ExpressionError(self.at, 1, f"more than {DEEPEST} powers of powers")
+            self.skip()
+            inner = self.at
+            negative = self.take("-")
+            exponent = self.power(depth + 1)
+            if negative:
+                exponent = ("sum", inner, self.at, [(-1, exponent)])
+            return ("power", start, self.at, base, exponent)
+        return base
+
+    def atom(self, depth):
+        self.skip()
+        start = self.at
+        number = _NUMBER.match(self.text, start)
+        if number:
+            return self.number(number)
+        word = _NAME.match(self.text, start)
+        if word:
+            return self.word(word, depth)
+        if self.take("("):
+            inner = self.expression(depth + 1)
+            self.close(start, ")")
+            return inner
+        if start >= len(self.text):
+            raise ExpressionError(max(start - 1, 0), 1, "the expression ends too early")
+        if self.text[start] in "+-":
+            raise ExpressionError(start, 1, "two operators in a row", "put the signed factor in parentheses")
+        raise ExpressionError(start, 1, f"expected a number, a name or '(', found '{self.text[start]}'")
+
+    def close(self, start, bracket):
+        if not self.take(bracket):
+            self.skip()
+            if self.at >= len(self.text):
+                raise ExpressionError(start, 1, f"this bracket is never closed with '{bracket}'")
+            self.fail_after()
+
+    def number(self, match):
+        start, self.at = match.start(), match.end()
+        text = match.group()
+        digits, _, exponent = text.lower().partition("e")
+        if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 300:
+            raise ExpressionError(start, len(text), "this number is out of range",
+                                  "numbers lie between 1e-300 and 1e300 in size")
+        chain = self.units()
+        return ("number", start, self.at, Fraction(text), chain)
+
+    def units(self):
+        """The longest chain of units after a number."""
+        chain = []
+        while True:
+            match = _UNIT.match(self.text, self.at)
+            if not match or bool(match.group(1)) != bool(chain):
+                return chain
+            word = match.group(2).replace("μ", "µ")
+            if word not in UNITS:
+                if not chain:
+                    self.unknown_unit(match)
+                return chain
+            power = int(match.group(3) or _SUPERSCRIPTS.get(match.group(4), 1))
+            chain.append((word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
+            self.at = match.end()
+
+    def unknown_unit(self, match):
+        from difflib import get_close_matches
+
+        word = match.group(2)
+        near = get_close_matches(word, UNITS, 1)
+        hint = f"did you mean '{near[0]}'? " if near else ""
+        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
+                              hint + f"a product is written with *: {self.text[self.at - 1]} * {word}")
+
+    def word(self, match, depth):
+        start, self.at = match.start(), match.end()
+        name = match.group()
+        if len(name) > 32:
+            raise ExpressionError(start, len(name), "a name has at most 32 characters")
+        if self.text.startswith("(", self.at):
+            return self.call(start, name, depth)
+        if self.text.startswith("[", self.at):
+            return self.quantity(start, name)
+        primes = 0
+        while primes < 3 and self.text.startswith("'", self.at):
+            primes, self.at = primes + 1, self.at + 1
+        if primes > 2:
+            raise ExpressionError(start, self.at - start, "derivatives go up to the second: x''")
+        return ("name", start, self.at, plain_name(name), primes)
+
+    def call(self, start, name, depth):
+        if name not in FUNCTIONS:
+            from difflib import get_close_matches
+
+            near = get_close_matches(name, FUNCTIONS, 1)
+            raise ExpressionError(start, len(name), f"unknown function '{name}'",
+                                  f"did you mean '{near[0]}'?" if near else "functions: " + " ".join(FUNCTIONS))
+        self.at += 1
+        args = [self.expression(depth + 1)]
+        while self.take(","):
+            args.append(self.expression(depth + 1))
+        self.close(start + len(name), ")")
+        if len(args) != FUNCTIONS[name]:
+            raise ExpressionError(start, self.at - start, f"{name} takes {FUNCTIONS[name]} argument"
+                                  + ("s" if FUNCTIONS[name] > 1 else "") + f", found {len(args)}")
+        return ("call", start, self.at, name, args)
+
+    def quantity(self, start, head):
+        indices = []
+        while match := _INDEX.match(self.text, self.at):
+            indices.extend(plain_name(part.strip()) for part in match.group(1).split(","))
+            self.at = match.end()
+        if self.text.startswith("[", self.at):
+            raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
+        attribute = ""
+        if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
+            attribute, self.at = word.group(), word.end()
+        return ("quantity", start, self.at, self.text[start:self.at], head, tuple(indices), attribute)

@@ -1,0 +1,114 @@
+"""Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
+
+from vibcli import units
+from vibcli.algebra.meaning import DimensionCheck, counts_cycles, quantities_in, whole_literal
+from vibcli.algebra.parse import ExpressionError
+from vibcli.fields import nearest
+from vibcli.naming import check
+from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
+
+
+def check_answers(spec, reader):
+    """Report whatever is wrong with the answers of a file."""
+    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
+    spec.velocities |= {id(a.expected) for a in spec.answers}
+    for answer in spec.answers:
+        _answer(spec, reader, answer)
+
+
+def asked_dimension(spec, tree):
+    indices = [coordinate_name(spec, index) or index for index in tree[5]]
+    return dimension(tree[4], indices, spec.dimensions.of)
+
+
+def coordinate_name(spec, index):
+    """A coordinate by its name or its number from 1; None where there is none."""
+    names = list(spec.coordinates)
+    if index.isdigit():
+        return names[int(index) - 1] if 1 <= int(index) <= len(names) else None
+    return index if index in spec.coordinates else None
+
+
+def _answer(spec, reader, answer):
+    """The quantity asked for must exist, and the expected value must have its dimension."""
+    asked, expected = answer.asked, answer.expected
+    tree = asked.tree
+    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable") and not tree[4]:
+        tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
+        asked.tree = tree
+    whole = tree[0] == "quantity"
+    for quantity in quantities_in(tree):
+        if not _quantity(spec, reader, asked, quantity):
+            return
+    if not whole and not quantities_in(tree):
+        reader.report(asked.where, f"'{asked.text}' is not a quantity", nearest(asked.text.split("[")[0], ASKED))
+        return
+    head = tree[4] if whole else None
+    if head == "stable":
+        if expected.text not in ("true", "false"):
+            reader.report(expected.where, "expected true or false")
+        return
+    for quantity in quantities_in(expected.tree):
+        if not _quantity(spec, reader, expected, quantity):
+            return
+    _cycles(spec, reader, head, expected)
+    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates)
+    check(spec, reader, asked, spec.parameters, None)
+    dimension_asked = asked_dimension(spec, tree) if whole else _dimension_of(spec, asked)
+    check(spec, reader, expected, names, dimension_asked)
+    if answer.rtol is not None:
+        check(spec, reader, answer.rtol, spec.parameters, units.NONE)
+
+
+def _dimension_of(spec, expression):
+    try:
+        return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
+                              lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
+    except ExpressionError:
+        return None
+
+
+def _quantity(spec, reader, expression, tree):
+    """Is this a quantity that can be asked of this scene? Reports what is wrong with it."""
+    head, indices, attribute = tree[4], tree[5], tree[6]
+    place = expression.scalar.place(tree[1], tree[2] - tree[1])
+    asked = ASKED.get(head)
+    if asked is None:
+        reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
+        return False
+    usage = head + "".join(f"[{kind}]" for kind in asked.indices[:1])
+    if len(indices) != len(asked.indices) and not (head == "J" and len(indices) == 1):
+        reader.report(place, f"'{head}' takes {len(asked.indices)} indices, found {len(indices)}", f"as in {usage}")
+        return False
+    if attribute not in asked.attributes:
+        reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
+                      "write " + " or ".join(f"{tree[3].split('.')[0]}.{a}" for a in asked.attributes if a))
+        return False
+    return all(_index(spec, reader, place, head, kind, index)
+               for kind, index in zip(asked.indices, indices, strict=False))
+
+
+def _index(spec, reader, place, head, kind, index):
+    n = len(spec.coordinates)
+    bodies, points = spec.get("bodies") or {}, spec.get("points") or {}
+    if kind == "mode":
+        good, valid = index.isdigit() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
+    elif kind == "coordinate":
+        good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
+    elif kind == "body":
+        good, valid = index in bodies, list(bodies)
+    else:
+        good, valid = index in points or index in bodies, [*points, *bodies]
+    if not good:
+        reader.report(place, f"'{head}' has no {kind} '{index}' in this scene", nearest(index, valid))
+    return good
+
+
+def _cycles(spec, reader, head, expected):
+    """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
+    cyclic = {name for name, record in spec.parameters.items() if "value" in record and counts_cycles(record["value"].tree)}
+    if head in ("omega", "omega_d", "decay", "growth_rate") and counts_cycles(expected.tree, cyclic):
+        reader.report(expected.where, f"'{head}' is an angular frequency in rad/s, found Hz", "write 2*pi*f for f in Hz")
+    literal = whole_literal(expected.tree)
+    if head == "frequency" and literal and any(unit in ("rad", "rpm") for unit, _, _, _ in literal[4]):
+        reader.report(expected.where, "'frequency' is in Hz, found an angular frequency", "divide by 2*pi")

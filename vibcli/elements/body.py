@@ -1,0 +1,198 @@
+"""Bodies: what each is, where it is drawn, how it may move.
+
+A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weight; a lumped one, which has no place, ½ m u̇² or
+½ J φ̇². Several shapes welded together have m = Σ mᵢ, the common mass centre, and J_C = Σ (Jᵢ + mᵢ d²) by the
+parallel axis theorem; a part with `cut: true` counts negative.
+"""
+
+from vibcli.elements.shapes import LAWS, NEEDS
+from vibcli.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load, vector
+from vibcli.units import parse_unit
+
+_AT = vector("m", "a place [x, y]")
+_SHAPE = {
+    "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
+    "mass": Field(Quantity("kg"), "its mass; massless without it"),
+    "density": Field(Quantity(), "mass per area (or per length of a rod, ring or arch), instead of the mass"),
+    "at": Field(_AT, "where its mass centre is drawn; of a sector or arch the centre O of its circle"),
+    "from": Field(_AT, "one end of a rod"),
+    "to": Field(_AT, "the other end of a rod"),
+    "angle": Field(Quantity("rad"), "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
+                   "rectangle, a of an ellipse; 0 is along +x"),
+    "radius": Field(Quantity("m"), "radius of a disc, ring, sector or arch"),
+    "half_angle": Field(Quantity("rad"), "half the opening angle of a sector or arch"),
+    "width": Field(Quantity("m"), "width of a rectangle, along its angle"),
+    "height": Field(Quantity("m"), "height of a rectangle"),
+    "a": Field(Quantity("m"), "semi-axis of an ellipse, along its angle"),
+    "b": Field(Quantity("m"), "the other semi-axis of an ellipse"),
+}
+
+
+def _settle_density(record):
+    """Density is per length of a rod, ring or arch, per area of the rest."""
+    if "density" in record:
+        slender = record.get("shape") in ("rod", "ring", "arch")
+        record["density"].dimension = parse_unit("kg/m" if slender else "kg/m^2").dimension
+
+
+PART = Element("part", "One of several shapes welded into a body.",
+               {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
+               exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
+               settle=_settle_density)
+MOTIONS = ("slide", "pin", "roll", "move", "weld", "turn")
+ELEMENT = Element(
+    "body",
+    "A rigid body or particle: its shape and mass, where it is drawn, and the one key that says how it may move; "
+    "without one it is fixed. A body without a place is lumped, on an axis: `{mass: m, slide: x}` or "
+    "`{inertia: J, turn: phi}`.",
+    {
+        **_SHAPE,
+        "inertia": Field(Quantity("kg*m^2"), "moment of inertia about the mass centre, overriding the shape's"),
+        "gyration": Field(Quantity("m"), "radius of gyration about the mass centre, overriding the shape's"),
+        "parts": Field(Many(PART, 1, 50, "a list of parts"), "several shapes welded into this body"),
+        "slide": Field(Lazy("slide"), "translates along a direction"),
+        "pin": Field(Lazy("pin"), "turns about a point"),
+        "roll": Field(Lazy("roll"), "rolls without slip on a surface"),
+        "move": Field(Lazy("move"), "general plane motion [x, y, phi]"),
+        "weld": Field(Lazy("weld"), "carried rigidly by another body"),
+        "turn": Field(Lazy("turn"), "rotation of a body without a place"),
+    },
+    exclusive=(("mass", "density", "parts"), ("at", "from"), ("inertia", "gyration"), MOTIONS, ("shape", "parts")),
+    settle=_settle_density,
+    example="bodies_of_every_shape",
+)
+
+
+class Body:
+    """A body as built: drawn place and mass centre, mass and J_C (nodes), frame, or its lumped motion."""
+
+    __slots__ = ("centre", "drawn", "frame", "inertia", "lumped", "mass", "name", "record", "rolling_radius")
+
+    def __init__(self, name, record):
+        self.name, self.record = name, record
+        self.drawn = self.centre = self.frame = self.lumped = self.rolling_radius = None
+        self.mass = self.inertia = None
+
+
+def build(record, scene):
+    """The body of a record, its frame included; its energies are added to the scene."""
+    body = Body(record.name, record)
+    placed = any(key in record for key in ("at", "from", "parts"))
+    try:
+        _inertia(body, record, scene, placed)
+        motion = next((key for key in MOTIONS if key in record), None)
+        if placed:
+            _place(body, motion, scene)
+        else:
+            _lump(body, motion, scene)
+    except ZeroDivisionError:
+        scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn")
+    return body
+
+
+def _inertia(body, record, scene, placed):
+    """Set mass, J_C, drawn place, mass centre and rolling radius."""
+    if "parts" in record:
+        pieces = [_piece(part, scene, part.get("cut", False)) for part in record["parts"]]
+        mass, centre, inertia = _welded(pieces)
+        body.drawn = scene.pair(record["at"]) if "at" in record else pieces[0][3]
+    else:
+        mass, centre, inertia, body.drawn, body.rolling_radius = _piece(record, scene, False, placed)
+    if "inertia" in record:
+        inertia = scene.lower(record["inertia"])
+    elif "gyration" in record:
+        if mass is None:
+            scene.report(record.place("gyration"), f"'{body.name}' has a radius of gyration but no mass")
+        else:
+            inertia = mass * scene.lower(record["gyration"]) ** 2
+    body.mass, body.inertia, body.centre = mass, inertia, centre
+
+
+def _piece(record, scene, cut, placed=True):
+    """(mass, mass centre, J_C, drawn place, rolling radius) of one shape."""
+    table, shape = scene.table, record.get("shape", "particle")
+    missing = [key for key in NEEDS[shape] if key not in record]
+    if missing:
+        scene.report(record.where, f"a {shape} needs " + " and ".join(f"'{key}'" for key in missing))
+        return scene.nothing()
+    if shape == "rod":
+        (ax, ay), (bx, by) = scene.pair(record["from"]), scene.pair(record["to"])
+        drawn = ((ax + bx) / 2, (ay + by) / 2)
+        sizes = [scene.distance(bx - ax, by - ay)]
+    else:
+        if "from" in record:
+            scene.report(record.place("from"), f"'from' and 'to' are for rods, not for a {shape}")
+            return scene.nothing()
+        drawn = scene.pair(record["at"]) if placed else (table.zero, table.zero)
+        sizes = [scene.lower(record[key]) for key in NEEDS[shape]]
+    uniform = LAWS[shape](table, *sizes)
+    centre = drawn
+    if uniform.offset is not None:
+        angle = scene.lower(record["angle"]) if "angle" in record else table.zero
+        centre = (drawn[0] + uniform.offset * table.call("cos", angle),
+                  drawn[1] + uniform.offset * table.call("sin", angle))
+    mass = _mass(record, scene, uniform)
+    if mass is not None and cut:
+        mass = -mass
+    inertia = None if mass is None else mass * uniform.gyration2
+    return mass, centre, inertia, drawn, uniform.radius
+
+
+def _mass(record, scene, uniform):
+    if "mass" in record:
+        return scene.lower(record["mass"])
+    if "density" not in record:
+        return None
+    if uniform.measure is None:
+        scene.report(record.place("density"), "a particle has no area or length: give its mass")
+        return None
+    return scene.lower(record["density"]) * uniform.measure
+
+
+def _welded(pieces):
+    """Mass, mass centre and J_C of several pieces."""
+    mass = sum((piece[0] for piece in pieces[1:]), pieces[0][0])
+    x = sum((piece[0] * piece[1][0] for piece in pieces[1:]), pieces[0][0] * pieces[0][1][0]) / mass
+    y = sum((piece[0] * piece[1][1] for piece in pieces[1:]), pieces[0][0] * pieces[0][1][1]) / mass
+    inertia = None
+    for m, (px, py), own, _, _ in pieces:
+        term = own + m * ((px - x) ** 2 + (py - y) ** 2)
+        inertia = term if inertia is None else inertia + term
+    return mass, (x, y), inertia
+
+
+def _place(body, motion, scene):
+    """Give a placed body its frame, then its energies."""
+    record = body.record
+    if motion == "turn":
+        scene.report(record.place("turn"), f"'{body.name}' has a place, so it turns about a point",
+                     "write `pin: {at: …, by: …}`")
+        body.frame = scene.still(body.drawn)
+        return
+    body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.drawn)
+    x, y = body.frame.point(*body.centre)
+    if body.mass is not None:
+        scene.add_inertia(body.name, body.mass, x, "mass")
+        scene.add_inertia(body.name, body.mass, y, "mass")
+        scene.add_weight(body.name, body.mass, x, y)
+    if body.inertia is not None:
+        scene.add_inertia(body.name, body.inertia, body.frame.angle, "inertia")
+
+
+def _lump(body, motion, scene):
+    record = body.record
+    if motion not in ("slide", "turn"):
+        scene.report(record.where, f"'{body.name}' has no place" + (f" but a '{motion}'" if motion else " and no motion"),
+                     "say where it is drawn with `at: [x, y]`, or lump it: `slide: x` or `turn: phi`")
+        return
+    if motion == "slide" and not set(record["slide"].values) <= {"by"}:
+        scene.report(record.place("slide"), f"'{body.name}' has a direction or a carrier but no place",
+                     "say where it is drawn with `at: [x, y]`")
+        return
+    body.lumped = load(motion).lump(record[motion], scene)
+    weight, what = (body.mass, "mass") if motion == "slide" else (body.inertia, "inertia")
+    if weight is not None:
+        scene.add_inertia(body.name, weight, body.lumped[1], what)
+    elif motion == "turn" and body.mass is not None:
+        scene.report(record.where, f"'{body.name}' turns: it needs an inertia, not only a mass",
+                     "give `inertia: J`, `gyration: i` or a shape")

@@ -1,0 +1,35 @@
+"""Viscous dampers between two ends: Φ = ½ c ḋ², d being the distance of the ends."""
+
+from vibcli import units
+from vibcli.fields import ENDS, Element, Field, Quantity
+
+
+def _settle(record):
+    if "stretch" in record:
+        record["stretch"].dimension = units.NONE if "torsion" in record else units.LENGTH
+
+
+ELEMENT = Element(
+    "damper",
+    "A viscous damper between two ends: its force is c times the rate at which they part. `torsion` turns between two "
+    "bodies; `stretch` gives its deflection outright.",
+    {
+        "c": Field(Quantity("N*s/m"), "damping coefficient"),
+        "torsion": Field(Quantity("N*m*s"), "torsional damping coefficient"),
+        "between": Field(ENDS, "its two ends [A, B]"),
+        "stretch": Field(Quantity(), "its deflection as an expression of the coordinates, instead of two ends"),
+    },
+    exclusive=(("c", "torsion"), ("between", "stretch")),
+    needs=(("c", "torsion"), ("between", "stretch")),
+    settle=_settle,
+    example="mass_spring_damper",
+)
+
+
+def build(record, scene):
+    """Add the dissipation function of a damper to the scene."""
+    torsion = "torsion" in record
+    c = scene.lower(record["torsion" if torsion else "c"])
+    stretch = scene.stretch(record, torsion)
+    if stretch is not None:
+        scene.add_damper(record, c, stretch)

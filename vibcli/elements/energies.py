@@ -1,0 +1,21 @@
+"""Energies written out: what no element says."""
+
+from vibcli.fields import Element, Field, Quantity
+
+ELEMENT = Element(
+    "set of energies",
+    "Terms added to the kinetic energy T, the potential energy V and the dissipation function Phi, as expressions of "
+    "the coordinates (`x`) and velocities (`x'`).",
+    {
+        "T": Field(Quantity("J"), "kinetic energy"),
+        "V": Field(Quantity("J"), "potential energy, of the coordinates alone"),
+        "Phi": Field(Quantity("W"), "dissipation function: half the dissipated power of linear dampers"),
+    },
+    example="u_tube",
+)
+
+
+def build(record, scene):
+    for key in ("T", "V", "Phi"):
+        if key in record:
+            scene.add_energy(key, scene.lower(record[key]))

@@ -1,0 +1,41 @@
+"""General plane motion: displacement of the centre and rotation, each a coordinate or an expression."""
+
+from vibcli.document import Sequence
+from vibcli.fields import BODY, Element, Field, Kind, Motion
+
+_LENGTH, _ANGLE = Motion("m"), Motion("rad")
+
+
+class _Displacements(Kind):
+    wants = "three displacements [x, y, phi]"
+
+    def read(self, node, reader):
+        if not isinstance(node, Sequence) or len(node.items) != 3:
+            return reader.expected(node, self.wants, "of a body that does not turn, phi is 0")
+        kinds = (_LENGTH, _LENGTH, _ANGLE)
+        values = [kind.read(item, reader) for kind, item in zip(kinds, node.items, strict=True)]
+        return None if any(value is None for value in values) else values
+
+    def schema(self):
+        return {"type": "array", "items": _LENGTH.schema(), "minItems": 3, "maxItems": 3}
+
+
+ELEMENT = Element(
+    "move",
+    "General plane motion: the displacement of the body's centre in x and y and its rotation, each a coordinate or "
+    "an expression of coordinates, counted from the drawn position.",
+    {
+        "by": Field(_Displacements(), "[x, y, phi]", required=True),
+        "carrier": Field(BODY, "the body relative to which it moves; axes and angle turn with it"),
+    },
+    short="by",
+    example="bounce_and_pitch",
+)
+
+
+def build(move, body, scene):
+    """The frame of a body moved by (Δx, Δy, Δφ) in its carrier."""
+    dx, dy, turn = (scene.change(part) for part in move["by"])
+    carrier = scene.carrier(move)
+    x0, y0 = body.drawn
+    return scene.new_frame((x0, y0), carrier.point(x0 + dx, y0 + dy), carrier.angle + turn)

@@ -1,0 +1,26 @@
+"""Rotation about a pin, which may be carried by another body."""
+
+from vibcli.fields import BODY, PLACE, Element, Field, Flag, Motion
+
+ELEMENT = Element(
+    "pin",
+    "The body turns about a point. The angle is measured in the fixed frame, as textbooks do for double pendulums, "
+    "unless `relative: true`.",
+    {
+        "by": Field(Motion("rad"), "the angle of rotation, counter-clockwise", required=True),
+        "at": Field(PLACE, "the pin as drawn: a place or a point (default: the mass centre)"),
+        "carrier": Field(BODY, "the body that carries the pin (a point that is carried needs no other)"),
+        "relative": Field(Flag(), "`true`: the angle is measured from the carrier"),
+    },
+    short="by",
+    example="double_pendulum",
+)
+
+
+def build(pin, body, scene):
+    """The frame of a pinned body: the pin moves with its carrier, the body turns about it by φ."""
+    pivot, place, carrier = scene.pivot(pin, body)
+    angle = scene.change(pin["by"])
+    if pin.get("relative"):
+        angle = angle + carrier.angle
+    return scene.new_frame(pivot, place, angle)

@@ -1,0 +1,89 @@
+"""Rolling without slip on a line or a circle, fixed or carried.
+
+On a line with unit vector e and the body's centre on the side s = ±1 of its left normal: u = −s r θ.
+On a circle of radius R, the line of centres turning by ψ: ρ ψ = σ r θ, with ρ = R + r and σ = 1 outside,
+ρ = R − r and σ = −1 inside, and ρ = r − R, σ = 1 where the body encloses the circle (a ring on a peg).
+The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the fixed frame.
+"""
+
+from vibcli.fields import Element, Field, Motion, NameOf, Quantity
+
+ELEMENT = Element(
+    "roll",
+    "The body rolls without slip on a surface. One of `travel` (displacement of its centre along the surface, positive "
+    "from a line's first place to its second, counter-clockwise about a circle's centre), `turn` (rotation in the fixed "
+    "frame) and, on circles, `swing` (turn of the line of centres) says how far.",
+    {
+        "surface": Field(NameOf("the name of a surface", "surfaces"), "the surface", required=True),
+        "travel": Field(Motion("m"), "displacement of the centre relative to the surface"),
+        "turn": Field(Motion("rad"), "rotation in the fixed frame, counter-clockwise"),
+        "swing": Field(Motion("rad"), "turn of the line of centres, on circles"),
+        "radius": Field(Quantity("m"), "the radius it rolls on, where that is not the radius of its shape"),
+    },
+    exclusive=(("travel", "turn", "swing"),),
+    needs=(("travel", "turn", "swing"),),
+    example="rolling_in_a_track",
+)
+
+
+def build(roll, body, scene):
+    """The frame of a rolling body; its reference point is the centre of the rolling circle."""
+    surface = scene.surfaces[roll["surface"].text]
+    radius = scene.lower(roll["radius"]) if "radius" in roll else body.rolling_radius
+    if radius is None:
+        scene.report(roll.where, f"'{body.name}' has no radius to roll on", "give `radius`, or a shape that is round")
+        return scene.still(body.drawn)
+    carrier = scene.carrier(surface, "body")
+    on = _on_line if "line" in surface else _on_circle
+    return on(roll, body, scene, surface, radius, carrier)
+
+
+def _on_line(roll, body, scene, surface, radius, carrier):
+    (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])
+    ex, ey = scene.unit(bx - ax, by - ay, surface.where)
+    x0, y0 = body.drawn
+    height = (y0 - ay) * ex - (x0 - ax) * ey
+    side = scene.sign(height)
+    scene.require_equal(abs_of(height, side), radius, roll.where,
+                        f"'{body.name}' does not touch its line as drawn: its centre is {{}} from it, its radius is {{}}")
+    if "swing" in roll:
+        scene.report(roll.place("swing"), "'swing' is for circles", "on a line use `travel` or `turn`")
+        return scene.still(body.drawn)
+    if "travel" in roll:
+        travel = scene.change(roll["travel"])
+        turn = carrier.angle - travel * side / radius
+    else:
+        turn = scene.change(roll["turn"])
+        travel = -(turn - carrier.angle) * side * radius
+    place = carrier.point(x0 + travel * ex, y0 + travel * ey)
+    return scene.new_frame(body.drawn, place, turn)
+
+
+def abs_of(node, sign):
+    return node if sign > 0 else -node
+
+
+def _on_circle(roll, body, scene, surface, radius, carrier):
+    cx, cy = scene.pair(surface["circle"])
+    if "radius" not in surface:
+        scene.report(surface.where, "a circle needs 'radius'")
+        return scene.still(body.drawn)
+    track = scene.lower(surface["radius"])
+    x0, y0 = body.drawn
+    inside = surface.get("side") == "inside"
+    distance = scene.distance(x0 - cx, y0 - cy)
+    encloses = not inside and scene.sign(distance - track) < 0
+    arm = track - radius if inside else radius - track if encloses else track + radius
+    scene.require_equal(distance, arm, roll.where, f"'{body.name}' does not touch its circle as drawn: the centres are "
+                        f"{{}} apart, {'inside' if inside else 'outside'} it that should be {{}}")
+    sense = -1 if inside else 1
+    if "swing" in roll:
+        swing = scene.change(roll["swing"])
+    elif "travel" in roll:
+        swing = scene.change(roll["travel"]) / arm
+    else:
+        swing = (scene.change(roll["turn"]) - carrier.angle) * radius * sense / arm
+    turn = scene.change(roll["turn"]) if "turn" in roll else carrier.angle + swing * arm * sense / radius
+    centre = carrier.point(cx, cy)
+    frame = scene.new_frame((cx, cy), centre, carrier.angle + swing)
+    return scene.new_frame(body.drawn, frame.point(x0, y0), turn)

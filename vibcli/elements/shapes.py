@@ -1,0 +1,62 @@
+"""Uniform plane bodies: mass centre, moment of inertia, area or length.
+
+With R the radius, α the half angle, O the centre of a sector's or arch's circle and C the mass centre
+(Kovacić & Radomirović 2018, table 1.3.1):
+
+    disc       J_C = ½ m R²                     ring    J_C = m R²
+    sector     J_O = ½ m R², OC = 2 R sin α/(3α)    arch    J_O = m R², OC = R sin α/α
+    rectangle  J_C = m (a² + b²)/12             ellipse J_C = m (a² + b²)/4, semi-axes a, b
+    rod        J_C = m l²/12                    particle J_C = 0
+"""
+
+NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
+         "rectangle": ("width", "height"), "ellipse": ("a", "b"), "sector": ("radius", "half_angle"),
+         "arch": ("radius", "half_angle")}
+
+
+class Uniform:
+    """What a shape gives: the square of its radius of gyration about C, the offset OC along its axis, its measure
+    (area or length; None for a particle), and the radius it rolls on (None where it is not round)."""
+
+    __slots__ = ("gyration2", "measure", "offset", "radius")
+
+    def __init__(self, gyration2, measure, radius=None, offset=None):
+        self.gyration2, self.measure, self.radius, self.offset = gyration2, measure, radius, offset
+
+
+def _disc(table, radius):
+    return Uniform(radius * radius / 2, table.pi * radius * radius, radius)
+
+
+def _ring(table, radius):
+    return Uniform(radius * radius, 2 * table.pi * radius, radius)
+
+
+def _sector(table, radius, half):
+    offset = 2 * radius * table.call("sin", half) / (3 * half)
+    return Uniform(radius * radius / 2 - offset * offset, half * radius * radius, radius, offset)
+
+
+def _arch(table, radius, half):
+    offset = radius * table.call("sin", half) / half
+    return Uniform(radius * radius - offset * offset, 2 * half * radius, radius, offset)
+
+
+def _rectangle(table, width, height):
+    return Uniform((width * width + height * height) / 12, width * height)
+
+
+def _ellipse(table, a, b):
+    return Uniform((a * a + b * b) / 4, table.pi * a * b)
+
+
+def _rod(table, length):
+    return Uniform(length * length / 12, length)
+
+
+def _particle(table):
+    return Uniform(table.zero, None)
+
+
+LAWS = {"particle": _particle, "disc": _disc, "ring": _ring, "rod": _rod, "rectangle": _rectangle,
+        "ellipse": _ellipse, "sector": _sector, "arch": _arch}

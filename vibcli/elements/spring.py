@@ -1,0 +1,81 @@
+"""Linear springs between two ends: V = N d + ½ k d², d being the stretch from the drawn length.
+
+With a free length ℓ₀ the stretch is ℓ − ℓ₀ and N = 0. Stretch, tension and preload are positive in lengthening.
+"""
+
+from vibcli import units
+from vibcli.fields import ENDS, Choice, Element, Expression, Field, Kind, OneOf, Quantity
+
+
+class _Preload(Kind):
+    """A force (of a torsion spring a moment), or the word static."""
+
+    wants = "a force, or the word static"
+
+    def read(self, node, reader):
+        if getattr(node, "text", None) == "static":
+            return "static"
+        return Quantity().read(node, reader)
+
+    def schema(self):
+        return OneOf(self.wants, scalar=Choice("static")).schema() | {"anyOf": [{"const": "static"}, {"type": [
+            "string", "number"]}]}
+
+
+
+def _settle(record):
+    torsion = "torsion" in record
+    if "stretch" in record:
+        record["stretch"].dimension = units.NONE if torsion else units.LENGTH
+    if isinstance(record.get("preload"), Expression):
+        record["preload"].dimension = units.parse_unit("N*m" if torsion else "N").dimension
+
+
+ELEMENT = Element(
+    "spring",
+    "A linear spring between two ends: places, points, bodies, or `ground`. It is undeformed as drawn unless "
+    "`free_length` or `preload` says otherwise. `torsion` turns between two bodies; `stretch` gives the deflection "
+    "outright where no geometry is at hand.",
+    {
+        "k": Field(Quantity("N/m"), "stiffness"),
+        "torsion": Field(Quantity("N*m"), "torsional stiffness, per radian"),
+        "between": Field(ENDS, "its two ends [A, B]; the stretch grows as B leaves A"),
+        "stretch": Field(Quantity(), "the deflection as an expression of the coordinates, instead of two ends"),
+        "free_length": Field(Quantity("m"), "its length when undeformed"),
+        "preload": Field(_Preload(), "its tension as drawn; `static`: just what makes the drawn position the equilibrium"),
+    },
+    exclusive=(("k", "torsion"), ("between", "stretch"), ("free_length", "preload", "stretch"),
+               ("free_length", "torsion")),
+    needs=(("k", "torsion"), ("between", "stretch")),
+    settle=_settle,
+    example="preloaded_spring",
+)
+
+
+def build(record, scene):
+    """Add the potential energy of a spring to the scene."""
+    torsion = "torsion" in record
+    k = scene.lower(record["torsion" if torsion else "k"])
+    preload = _preload(record, scene)
+    if "free_length" in record and "between" in record:
+        free = scene.lower(record["free_length"])
+        dx, dy = scene.span(record)
+        if dx is None:
+            return
+        if free.is_zero:
+            scene.add_spring(record, k, preload, dx)
+            scene.add_spring(record, k, preload, dy)
+        else:
+            scene.add_spring(record, k, preload, scene.distance(dx, dy, record) - free)
+        return
+    stretch = scene.stretch(record, torsion)
+    if stretch is not None:
+        scene.add_spring(record, k, preload, stretch)
+
+
+def _preload(record, scene):
+    if "preload" not in record:
+        return scene.table.zero
+    if record["preload"] == "static":
+        return scene.static_preload(record)
+    return scene.lower(record["preload"])

@@ -1,0 +1,10 @@
+"""A body fixed rigidly to another one."""
+
+from vibcli.fields import BODY
+
+ELEMENT = BODY
+ABOUT = "The body is carried rigidly by another one: `weld: rod`."
+
+
+def build(weld, body, scene):
+    return scene.frame(weld)

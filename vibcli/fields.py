@@ -1,0 +1,378 @@
+"""Fields: what may stand where. One declaration gives the reading, the error messages, the manual and the schema.
+
+A kind reads a document node into a value, or reports what was expected and found. An Element is a mapping with
+declared keys; reading one gives a Record. Expressions are parsed here and kept as trees; what their names mean
+and whether their dimensions fit is settled by spec.py, once all names are known.
+"""
+
+from importlib import import_module
+
+from vibcli import units
+from vibcli.algebra.parse import ExpressionError, parse, plain_name
+from vibcli.document import Mapping, Scalar, Sequence
+from vibcli.errors import Diagnostic
+
+
+def nearest(word, words):
+    """A hint naming the nearest valid word, or all of them where none is near."""
+    from difflib import get_close_matches
+
+    words = [w for w in words if w]
+    near = get_close_matches(str(word), words, 1, 0.6) or [w for w in words if w.lower() == str(word).lower()]
+    if near:
+        return f"did you mean '{near[0]}'?"
+    return "valid here: " + ", ".join(sorted(words)) if words and len(words) <= 40 else None
+
+
+class Reader:
+    """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
+    move something (a bare name there is a coordinate), and every reference as (Name, namespace)."""
+
+    def __init__(self):
+        self.diagnostics, self.expressions, self.motions, self.references = [], [], [], []
+
+    def report(self, where, message, hint=None):
+        self.diagnostics.append(Diagnostic(where, message, hint))
+
+    def expected(self, node, what, hint=None):
+        self.report(node.where, f"expected {what}, found {_found(node)}", hint)
+
+
+def _found(node):
+    if isinstance(node, Mapping):
+        return "a mapping"
+    if isinstance(node, Sequence):
+        return "a list"
+    return f"'{node.text}'" if node.text else "nothing"
+
+
+class Expression:
+    """A parsed expression with its place, and the dimension that its field wants (None: settled elsewhere)."""
+
+    __slots__ = ("dimension", "scalar", "tree", "unit")
+
+    def __init__(self, scalar, tree, unit, dimension):
+        self.scalar, self.tree, self.unit, self.dimension = scalar, tree, unit, dimension
+
+    @property
+    def text(self):
+        return self.scalar.text
+
+    @property
+    def where(self):
+        return self.scalar.where
+
+
+class Name:
+    """A reference to something named elsewhere, with its place."""
+
+    __slots__ = ("text", "where")
+
+    def __init__(self, text, where):
+        self.text, self.where = text, where
+
+
+class Record:
+    """One element as written: its declared kind, its name, its values and the place of each key."""
+
+    __slots__ = ("element", "keys", "name", "values", "where")
+
+    def __init__(self, element, name, where, values, keys):
+        self.element, self.name, self.where, self.values, self.keys = element, name, where, values, keys
+
+    def __getitem__(self, key):
+        return self.values[key]
+
+    def get(self, key, default=None):
+        return self.values.get(key, default)
+
+    def __contains__(self, key):
+        return key in self.values
+
+    def place(self, key):
+        return self.keys.get(key, self.where)
+
+
+class Kind:
+    """What a field may hold: `read(node, reader)`, `schema()`, and `wants`, which completes "expected …"."""
+
+    wants = "a value"
+    about = None
+
+
+class Text(Kind):
+    wants = "text"
+
+    def read(self, node, reader):
+        if not isinstance(node, Scalar):
+            return reader.expected(node, self.wants)
+        return node.text
+
+    def schema(self):
+        return {"type": ["string", "number"]}
+
+
+class Quantity(Kind):
+    """An expression of a given dimension; `unit` None leaves it to be inferred."""
+
+    def __init__(self, unit=None, equation=False):
+        self.unit, self.equation = unit, equation
+        self.dimension = None if unit is None else units.parse_unit(unit).dimension
+
+    @property
+    def wants(self):
+        if self.equation:
+            return "an equation"
+        if self.unit is None:
+            return "an expression"
+        return "a pure number" if not self.dimension else units.name(self.dimension)
+
+    def read(self, node, reader):
+        if not isinstance(node, Scalar) or not node.text.strip():
+            return reader.expected(node, self.wants, f"write for example {self.sample}" if self.sample else None)
+        try:
+            tree = parse(node.text, self.equation)
+        except ExpressionError as error:
+            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
+        expression = Expression(node, tree, self.unit, self.dimension)
+        reader.expressions.append(expression)
+        return expression
+
+    @property
+    def sample(self):
+        return f"3 {self.unit}" if self.unit and self.dimension else None
+
+    def schema(self):
+        return {"type": ["string", "number"]}
+
+
+class Motion(Quantity):
+    """A displacement or rotation in coordinates; a bare name here, if no parameter, is a coordinate."""
+
+    def read(self, node, reader):
+        expression = super().read(node, reader)
+        if expression is not None:
+            reader.motions.append(expression)
+        return expression
+
+
+class NameOf(Kind):
+    """The name of something declared elsewhere in the file, in one of the namespaces of spec.py."""
+
+    def __init__(self, wants, *namespaces):
+        self.wants, self.namespaces = wants, namespaces
+
+    def read(self, node, reader):
+        if not isinstance(node, Scalar) or not node.text.strip():
+            return reader.expected(node, self.wants)
+        name = Name(plain_name(node.text.strip()), node.where)
+        reader.references.append((name, self.namespaces, self.wants))
+        return name
+
+    def schema(self):
+        return {"type": "string"}
+
+
+class Choice(Kind):
+    def __init__(self, *words):
+        self.words = words
+
+    @property
+    def wants(self):
+        return "one of " + ", ".join(self.words)
+
+    def read(self, node, reader):
+        if not isinstance(node, Scalar) or node.text not in self.words:
+            text = node.text if isinstance(node, Scalar) else ""
+            return reader.expected(node, self.wants, nearest(text, self.words) if text else None)
+        return node.text
+
+    def schema(self):
+        return {"enum": list(self.words)}
+
+
+class Flag(Choice):
+    def __init__(self):
+        super().__init__("true", "false")
+
+    def read(self, node, reader):
+        word = super().read(node, reader)
+        return None if word is None else word == "true"
+
+    def schema(self):
+        return {"type": "boolean"}
+
+
+class Many(Kind):
+    """A list of one kind; `least` and `most` bound its length."""
+
+    def __init__(self, kind, least=0, most=10000, wants=None):
+        self.kind, self.least, self.most = kind, least, most
+        self.wants = wants or (f"a list of {least}" if least == most else "a list")
+
+    def read(self, node, reader):
+        if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
+            if isinstance(node, Sequence):
+                return reader.report(node.where, f"expected {self.wants}, found {len(node.items)} items")
+            return reader.expected(node, self.wants)
+        items = [self.kind.read(item, reader) for item in node.items]
+        return None if any(item is None for item in items) else items
+
+    def schema(self):
+        return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
+
+
+def vector(unit, wants):
+    return Many(Quantity(unit), 2, 2, wants)
+
+
+class OneOf(Kind):
+    """Alternatives told apart by the node's form: {Scalar: kind, Sequence: kind, Mapping: kind}."""
+
+    def __init__(self, wants, scalar=None, sequence=None, mapping=None):
+        self.wants, self.kinds = wants, {Scalar: scalar, Sequence: sequence, Mapping: mapping}
+
+    def read(self, node, reader):
+        kind = self.kinds[type(node)]
+        return kind.read(node, reader) if kind else reader.expected(node, self.wants)
+
+    def schema(self):
+        return {"anyOf": [kind.schema() for kind in self.kinds.values() if kind]}
+
+
+PLACE = OneOf("a place [x, y] or the name of a point or body",
+              scalar=NameOf("the name of a point or body", "points", "bodies"), sequence=vector("m", "a place [x, y]"))
+END = OneOf("a place [x, y], the name of a point or body, or ground",
+            scalar=NameOf("the name of a point or body, or ground", "points", "bodies", "ground"),
+            sequence=vector("m", "a place [x, y]"))
+BODY = NameOf("the name of a body", "bodies")
+ENDS = Many(END, 2, 2, "two ends [A, B]")
+
+
+class Field:
+    """A key of an element: its kind and what it means, in a few words."""
+
+    __slots__ = ("about", "kind", "required")
+
+    def __init__(self, kind, about, required=False):
+        self.kind, self.about, self.required = kind, about, required
+
+
+class Element(Kind):
+    """A mapping with declared keys. `short` is the key that a bare value stands for (`slide: x` is `{by: x}`);
+    `exclusive` lists groups of keys of which at most one may stand, `needs` groups of which at least one must.
+    `settle(record)` sets dimensions that depend on the other keys."""
+
+    def __init__(self, name, about, fields, short=None, exclusive=(), needs=(), settle=None, example=None):
+        self.name, self.about, self.fields, self.short = name, about, fields, short
+        self.exclusive, self.needs, self.settle, self.example = exclusive, needs, settle, example
+
+    @property
+    def wants(self):
+        keys = ", ".join(list(self.fields)[:5]) + (", …" if len(self.fields) > 5 else "")
+        return f"a {self.name} as a mapping {{{keys}}}"
+
+    def read(self, node, reader, name=None, where=None):
+        where = where or node.where
+        if not isinstance(node, Mapping):
+            if self.short is None or (isinstance(node, Scalar) and not node.text.strip()):
+                return reader.expected(node, self.wants)
+            value = self.fields[self.short].kind.read(node, reader)
+            return None if value is None else Record(self, name, where, {self.short: value}, {self.short: node.where})
+        before = len(reader.diagnostics)
+        values, keys = {}, {}
+        for key, (key_node, value_node) in node.entries.items():
+            keys[key] = key_node.where
+            field = self.fields.get(key)
+            if field is None:
+                reader.report(key_node.where, f"unknown key '{key}' in a {self.name}", nearest(key, self.fields))
+                continue
+            value = field.kind.read(value_node, reader)
+            if value is not None:
+                values[key] = value
+        self._rules(reader, where, keys)
+        if len(reader.diagnostics) > before:
+            return None
+        record = Record(self, name, where, values, keys)
+        if self.settle:
+            self.settle(record)
+        return record
+
+    def _rules(self, reader, where, keys):
+        for key, field in self.fields.items():
+            if field.required and key not in keys:
+                reader.report(where, f"this {self.name} needs '{key}': {field.about}")
+        for group in self.exclusive:
+            present = [key for key in group if key in keys]
+            if len(present) > 1:
+                reader.report(keys[present[1]], f"'{present[1]}' contradicts '{present[0]}' in one {self.name}",
+                              "give one of " + ", ".join(group))
+        for group in self.needs:
+            if not any(key in keys for key in group):
+                reader.report(where, f"this {self.name} needs one of: " + ", ".join(group))
+
+    def schema(self):
+        mapping = {"type": "object", "additionalProperties": False, "properties": {
+            key: {**field.kind.schema(), "description": field.about} for key, field in self.fields.items()}}
+        required = [key for key, field in self.fields.items() if field.required]
+        if required:
+            mapping["required"] = required
+        if self.short is None:
+            return mapping
+        return {"anyOf": [self.fields[self.short].kind.schema(), mapping]}
+
+
+def load(name):
+    """The module of an element, vibcli/elements/NAME.py."""
+    return import_module("vibcli.elements." + name)
+
+
+class Lazy(Kind):
+    """An element by the name of its file, imported when a scene first uses it."""
+
+    def __init__(self, name):
+        self.name = name
+
+    def __getattr__(self, attribute):
+        return getattr(load(self.name).ELEMENT, attribute)
+
+    def read(self, node, reader, *named):
+        return load(self.name).ELEMENT.read(node, reader, *named)
+
+
+class Named(Kind):
+    """A mapping from names, chosen by the writer, to elements of one kind."""
+
+    def __init__(self, kind, wants):
+        self.kind, self.wants = kind, wants
+
+    def read(self, node, reader):
+        if not isinstance(node, Mapping):
+            return reader.expected(node, self.wants)
+        records = {}
+        for key, (key_node, value_node) in node.entries.items():
+            name = check_name(key_node, reader)
+            if name is None:
+                continue
+            if name in records:
+                reader.report(key_node.where, f"'{key}' is the same name as one before it")
+                continue
+            record = (self.kind.read(value_node, reader, name, key_node.where) if isinstance(self.kind, (Element, Lazy))
+                      else self.kind.read(value_node, reader))
+            if record is not None:
+                records[name] = record
+        return records
+
+    def schema(self):
+        return {"type": "object", "additionalProperties": self.kind.schema()}
+
+
+def check_name(node, reader, forbidden=()):
+    """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
+    name = plain_name(node.text)
+    if not name.isidentifier() or not name.isascii() or len(name) > 32:
+        return reader.report(node.where, f"'{node.text}' is not a name",
+                             "a name starts with a letter and holds letters, digits and _, at most 32")
+    if name in forbidden:
+        return reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here")
+    return name

@@ -1,0 +1,110 @@
+"""Values of parameters: from the file, from outside, exact or in any arithmetic."""
+
+from vibcli.algebra.expression import Table
+from vibcli.algebra.meaning import lower, names_in, whole_literal
+from vibcli.errors import Diagnostic, PhysicsError, SpecError
+
+
+def override(record, tree, scalar):
+    """Replace a parameter's value; a bare number takes the unit in which the file gives the parameter."""
+    from vibcli.fields import Expression
+
+    old, number = record.get("value"), whole_literal(tree)
+    if number and not number[4] and old is not None and (was := whole_literal(old.tree)) and was[4]:
+        tree = _with_unit(tree, was[4])
+    if old is None:
+        record.values["value"] = Expression(scalar, tree, None, None)
+    else:
+        old.tree, old.scalar = tree, scalar
+
+
+def _with_unit(tree, chain):
+    if tree[0] == "sum":
+        sign, number = tree[3][0]
+        return (*tree[:3], [(sign, _with_unit(number, chain))])
+    return (*tree[:4], chain)
+
+
+class Parameters:
+    """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value."""
+
+    def __init__(self, spec, table):
+        self.table = table
+        self.records = spec.parameters
+        self.nodes = {name: table.parameter(name, record.get("sign") != "any") for name, record in spec.parameters.items()}
+        self.order = _order(spec.parameters)
+        self.definitions = {name: lower(spec.parameters[name]["value"].tree, table, self._symbol) for name in self.order
+                            if "value" in spec.parameters[name]}
+        self.free = [name for name in spec.parameters if name not in self.definitions]
+        self.free += [name for name in self.order if name in self.definitions and self._depends_on_free(name)]
+        self.symbolic = bool(self.free)
+
+    def _symbol(self, name, primes, tree):
+        return self.nodes[name]
+
+    def _depends_on_free(self, name):
+        return any(other in self.free for other, _, _, _ in names_in(self.records[name]["value"].tree))
+
+    def values(self, arithmetic, given=None):
+        """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
+        from vibcli.algebra.evaluate import evaluate
+
+        found = dict(given or {})
+        for name in self.order:
+            if name in found or name not in self.definitions:
+                continue
+            try:
+                value, = evaluate([self.definitions[name]], arithmetic, found)
+            except KeyError:
+                continue
+            if hasattr(arithmetic, "isfinite") and not arithmetic.isfinite(value):
+                expression = self.records[name]["value"]
+                raise SpecError([Diagnostic(expression.where, f"the value of '{name}' is not a finite real number")])
+            found[name] = value
+        return found
+
+    def rational(self):
+        """Exact values of the parameters that have one, without those that are irrational."""
+        from vibcli.algebra.evaluate import evaluate_rational
+
+        found = {}
+        for name in self.order:
+            if name in self.definitions:
+                value = evaluate_rational([self.definitions[name]], found)
+                if value is not None:
+                    found[name] = value[0]
+        return found
+
+
+def _order(records):
+    """Names in an order in which each comes after those it is defined by (there are no circles)."""
+    needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in records] if "value" in record else []
+             for name, record in records.items()}
+    done, order = set(), []
+    for start in records:
+        stack = [start]
+        while stack:
+            name = stack[-1]
+            waiting = [n for n in needs[name] if n not in done]
+            if name in done or not waiting:
+                stack.pop()
+                if name not in done:
+                    done.add(name)
+                    order.append(name)
+            else:
+                stack.extend(waiting)
+    return order
+
+
+def standalone(text_value):
+    """The exact value in SI of a text such as '0.5 N/mm' that stands outside of any file: (node, table)."""
+    table = Table()
+    return lower(text_value, table, None), table
+
+
+def require_values(parameters, what):
+    """Refuse a numeric question about a scene that has symbols without value."""
+    if parameters.symbolic:
+        names = ", ".join(parameters.free)
+        raise PhysicsError(f"{what} needs numbers, and these parameters have none: {names}",
+                           "give them values in the file or with --set")

@@ -1,0 +1,53 @@
+"""What may be asked: the quantities that `answers` knows, and the words of `find`."""
+
+from vibcli import units
+
+FIND = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping")
+
+
+class Asked:
+    """A quantity: the kinds of its indices, the unit of its value (None: settled by its indices), what it is."""
+
+    __slots__ = ("about", "attributes", "indices", "unit")
+
+    def __init__(self, indices, unit, about, attributes=("",)):
+        self.indices, self.unit, self.about, self.attributes = indices, unit, about, attributes
+
+
+ASKED = {
+    "omega": Asked(("mode",), "rad/s", "natural angular frequency of mode i, without the dampers"),
+    "frequency": Asked(("mode",), "Hz", "natural frequency of mode i"),
+    "period": Asked(("mode",), "s", "period of mode i"),
+    "growth_rate": Asked(("mode",), "1/s", "growth rate of unstable mode i"),
+    "mode": Asked(("mode", "coordinate"), None, "amplitude of a coordinate in mode i, the first coordinate being 1"),
+    "zeta": Asked(("mode",), "1", "damping ratio of damped mode i, by ascending |λ|"),
+    "omega_d": Asked(("mode",), "rad/s", "damped angular frequency of damped mode i"),
+    "decay": Asked(("mode",), "1/s", "decay −Re λ of damped mode i"),
+    "equilibrium": Asked(("coordinate",), None, "a coordinate in equilibrium"),
+    "stable": Asked((), "1", "`true` where the equilibrium is stable"),
+    "equation": Asked(("coordinate",), None, "equation of small oscillations, the coordinates counted from equilibrium"),
+    "motion": Asked(("coordinate",), None, "full equation of motion"),
+    "M": Asked(("coordinate", "coordinate"), None, "entry of the mass matrix"),
+    "C": Asked(("coordinate", "coordinate"), None, "entry of the damping matrix"),
+    "K": Asked(("coordinate", "coordinate"), None, "entry of the stiffness matrix"),
+    "T": Asked((), "J", "kinetic energy, as a function of coordinates and velocities"),
+    "V": Asked((), "J", "potential energy, up to a constant"),
+    "Phi": Asked((), "W", "dissipation function"),
+    "J": Asked(("body", "place"), "kg*m^2", "moment of inertia of a body about its mass centre, or about a point"),
+    "centre": Asked(("body",), "m", "mass centre of a body as drawn", ("x", "y")),
+}
+STATE_FUNCTIONS = ("T", "V", "Phi", "equation", "motion")
+OF_SPEED = {"M": 2, "C": 1, "K": 0}
+
+
+def dimension(head, indices, coordinate):
+    """The dimension of a quantity; `coordinate(name)` gives that of a coordinate. None where any fits."""
+    asked = ASKED[head]
+    if asked.unit is not None:
+        return units.parse_unit(asked.unit).dimension
+    if head == "equilibrium":
+        return coordinate(indices[0])
+    if head in OF_SPEED:
+        energy = units.times(units.parse_unit("J").dimension, units.TIME, OF_SPEED[head])
+        return units.times(units.times(energy, coordinate(indices[0]), -1), coordinate(indices[1]), -1)
+    return None

@@ -1,0 +1,98 @@
+"""What springs and dampers join: places, bodies and the ground, and how far their ends are apart."""
+
+
+class Ends:
+    """The part of a Scene that turns two ends into a stretch."""
+
+    def stretch(self, record, torsion):
+        """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
+        if "stretch" in record:
+            return self._moving(record, self.lower(record["stretch"]))
+        if torsion:
+            return self._moving(record, self._difference(record, [self._angle(end) for end in record["between"]]))
+        lumped = [self._lumped(end) for end in record["between"]]
+        if any(part is not None and part != 0 for part in lumped):
+            return self._moving(record, self._lumped_stretch(record, lumped))
+        dx, dy = self.span(record)
+        if dx is None:
+            return None
+        length = self.distance(dx, dy)
+        drawn = self.at_drawn(length)[0]
+        if self.number(drawn) <= 0:
+            self.report(record.where, f"the ends of '{record.name}' coincide as drawn: its direction is not defined",
+                        "draw them apart, or give `free_length: 0` to a spring")
+            return None
+        return self._moving(record, length - drawn)
+
+    def _moving(self, record, stretch):
+        if stretch is not None and not stretch.mask:
+            self.report(record.where, f"'{record.name}' joins what never moves relative to one another",
+                        "check its ends, or take it out")
+            return None
+        return stretch
+
+    def span(self, record):
+        """(dx, dy) from the first end to the second; (None, None) where an end has no place."""
+        places = [self._place_of(end, record) for end in record["between"]]
+        if None in places:
+            return None, None
+        (ax, ay), (bx, by) = places
+        return bx - ax, by - ay
+
+    def _place_of(self, end, record):
+        if isinstance(end, list):
+            return self.pair(end)
+        if end.text == "ground":
+            self.report(end.where, f"'{record.name}' joins a place and bare ground", "say where on the ground: [x, y]")
+            return None
+        if end.text in self.bodies and self.bodies[end.text].frame is None:
+            self.report(end.where, f"'{end.text}' is lumped: it has no place", "join lumped bodies with each other or "
+                        "with `ground`, or say where it is drawn with `at`")
+            return None
+        return self.place(end)[1]
+
+    def _lumped(self, end):
+        """(kind, motion) of a lumped body, 0 for the ground, None for what has a place."""
+        if isinstance(end, list):
+            return None
+        if end.text == "ground":
+            return 0
+        return self.bodies[end.text].lumped if end.text in self.bodies else None
+
+    def _lumped_stretch(self, record, lumped):
+        motions = []
+        for end, part in zip(record["between"], lumped, strict=True):
+            if part is None:
+                where = end[0].where if isinstance(end, list) else end.where
+                self.report(where, f"'{record.name}' joins a lumped body and a place",
+                            "lumped bodies are joined with each other or with `ground`")
+                return None
+            if part and part[0] == "turn":
+                self.report(end.where, f"'{end.text}' turns: '{record.name}' must be a torsion element",
+                            "write `torsion:` instead")
+                return None
+            motions.append(part[1] if part else self.table.zero)
+        return motions[1] - motions[0]
+
+    def _angle(self, end):
+        """The rotation of an end; None where it has none."""
+        if isinstance(end, list):
+            self.report(end[0].where, "a place does not turn", "torsion acts between two bodies, or a body and `ground`")
+            return None
+        if end.text == "ground":
+            return self.table.zero
+        body = self.bodies.get(end.text)
+        if body is None:
+            self.report(end.where, f"the point '{end.text}' does not turn", "torsion acts between two bodies, or a body "
+                        "and `ground`")
+            return None
+        if body.frame is not None:
+            return body.frame.angle
+        if body.lumped[0] == "slide":
+            self.report(end.where, f"'{end.text}' slides: it has no rotation for a torsion element")
+            return None
+        return body.lumped[1]
+
+    @staticmethod
+    def _difference(record, angles):
+        return None if None in angles else angles[1] - angles[0]
