@@ -11,9 +11,6 @@ BIDI = "\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069"
 INVISIBLE = "\xad\u200b\u2028\u2029\u2060-\u2065\u206a-\u206f\ufeff\ufff9-\ufffb\U000e0000-\U000e007f"
 CONTROL = "\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff"
 FORBIDDEN = re.compile(f"[{CONTROL}{BIDI}{INVISIBLE}]")
-_BIDI = re.compile(f"[{BIDI}]")
-_INVISIBLE = re.compile(f"[{INVISIBLE}]")
-_LONE_RETURN = re.compile("\r(?!\n)")
 
 STAND_IN = "\ufffd"  # takes the place of a forbidden character, so that reading goes on with all columns kept
 
@@ -60,7 +57,8 @@ def too_long(file, size):
 
 def name_of(char):
     """What a forbidden character is, for a message."""
-    kind = "bidirectional" if _BIDI.match(char) else "invisible" if _INVISIBLE.match(char) else "control"
+    kinds = (("bidirectional", BIDI), ("invisible", INVISIBLE))
+    kind = next((kind for kind, members in kinds if re.match(f"[{members}]", char)), "control")
     return f"the {kind} character U+{ord(char):04X}"
 
 
@@ -79,16 +77,16 @@ def _not_utf8(data, index, file):
 
 def _without_forbidden(text, file):
     problems = []
-    for count, found in enumerate(FORBIDDEN.finditer(text)):
+    for found in FORBIDDEN.finditer(text):
         where = place(text, found.start(), file)
-        if count == MAX_SHOWN:
-            problems.append(Diagnostic(where, "further characters of this kind are not listed",
+        if len(problems) == MAX_SHOWN:
+            problems.append(Diagnostic(where, "more characters of this kind: reading stops here",
                                        "is this a text file?"))
-            break
+            return None, problems
         problems.append(Diagnostic(where, f"found {name_of(found[0])}", "delete it"))
     if problems:
         text = FORBIDDEN.sub(STAND_IN, text)
-    lone = _LONE_RETURN.search(text)
+    lone = re.search("\r(?!\n)", text) if "\r" in text else None
     if lone:
         problems.append(Diagnostic(place(text, lone.start(), file),
                                    "found a carriage return that no line feed follows",

@@ -11,7 +11,8 @@ import yaml
 
 from vibcli import decoding
 from vibcli.errors import Diagnostic, Where
-from vibcli.tree import Mapping, Scalar, Sequence, Slipped, Stopped, Tree
+from vibcli.nodes import Mapping, Scalar, Sequence
+from vibcli.tree import Slipped, Stopped, Tree
 
 __all__ = ["Mapping", "Scalar", "Sequence", "read", "read_file"]
 

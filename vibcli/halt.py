@@ -3,21 +3,27 @@
 import re
 
 from vibcli import decoding
+from vibcli.diagnostics import quoted
+
+CLOSER = {"[": "]", "{": "}"}
+LOOK_ABOVE = "compare the indentation, quotes and brackets with the lines above"
+QUOTE_IT = "put the whole value in quotes"
 
 _WORD = re.compile(r"[^\s,\[\]{}:'\"]+|.", re.DOTALL)
 
 
 class Halt:
-    """Where the parser gave up, why, and what stands there. Lines and columns count from 1."""
+    """Where the parser stopped: `index`, `where`, and the `char` and `word` there; `start`, the index of what
+    it could not finish, such as an opening quote."""
 
     def __init__(self, error, tree):
-        mark = getattr(error, "problem_mark", None)
-        start = getattr(error, "context_mark", None)
+        mark, start = getattr(error, "problem_mark", None), getattr(error, "context_mark", None)
         self.problem = f"{getattr(error, 'context', None)} {getattr(error, 'problem', None) or error}"
-        self.tree, self.source, self.file = tree, tree.source, tree.file
+        self.tree, self.file = tree, tree.file
+        self.source = tree.source.translate(tree.hidden) if tree.hidden else tree.source
         self.index = min(mark.index, len(self.source)) if mark else 0
-        self.start = start.index if start else None
-        self.where = decoding.place(self.source, self.index, self.file)
+        self.start = start.index if start else self.index
+        self.where = self.at(self.index)
         self.char = self.source[self.index : self.index + 1]
         self.word = _WORD.match(self.source, self.index)[0] if self.char else ""
         self.at_end = not self.source[self.index :].strip()
@@ -26,13 +32,20 @@ class Halt:
         return decoding.place(self.source, index, self.file, width)
 
     def here(self):
+        """The place of the word at which the parser stopped."""
         return self.where._replace(width=max(1, len(self.word)))
 
+    def found(self):
+        return "the file ends" if self.at_end else f"found {quoted(self.word)}"
+
     def before(self):
-        """The text of the line up to where the parser gave up."""
+        """The text of the line up to where the parser stopped."""
         return self.source[self.index - self.where.column + 1 : self.index]
 
     def line(self, where=None):
-        """The text of a line without its break."""
-        where = where or self.where
-        return decoding.split(self.source)[where.line - 1]
+        """The text of the line of a place."""
+        return decoding.split(self.source)[(where or self.where).line - 1]
+
+    def bracket(self):
+        """The index of the innermost open bracket."""
+        return next((i for _, _, i in reversed(self.tree.stack) if self.source[i] in CLOSER), self.index)

@@ -197,7 +197,7 @@ def _sides(checker, expression):
 
 
 def _fits(spec, reader, expression, found, expected):
-    if expected is None or found is ANY or (spec.free_numbers and whole_literal(expression.tree)):
+    if expected is None or found is ANY or (spec.free_numbers and _only_numbers(expression.tree)):
         return
     wanted = units.name(spec.dimensions.resolve(expected))
     if not spec.dimensions.equate(expected, found):
@@ -207,6 +207,10 @@ def _fits(spec, reader, expression, found, expected):
         if literal and not literal[4] and expression.unit:
             hint = f"write the unit: {expression.text} {expression.unit}"
         reader.report(expression.scalar.place(0, len(expression.text)), message, hint)
+
+
+def _only_numbers(tree):
+    return all(name == "pi" for name, _, _, _ in names_in(tree))
 
 
 def _primes(spec, reader, expression, name, primes, start, end):

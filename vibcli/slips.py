@@ -1,7 +1,7 @@
 """Expressions in flow collections that YAML cuts apart: `{omega[1]: 3}` and `{by: atan2(x, y)}`.
 
 The slip is reported, its brackets and commas are hidden behind stand-ins of the same length, and the file is
-read again: so the rest is checked, every column stays true, and the tree holds the expression as it was meant.
+read again: so the rest is checked, every column stays true, and the tree holds the expression as meant.
 """
 
 from vibcli import decoding
@@ -19,7 +19,7 @@ def comma(source, start, file):
     end = _expression_end(source, start)
     if end is None or "," not in source[start:end]:
         return None
-    text = source[start:end]
+    text = source[start:end].translate(SHOW)
     problem = Diagnostic(decoding.place(source, start, file, end - start),
                          f"inside [ ] and {{ }} the comma cuts {quoted(text)} in two",
                          f"write {_in_quotes(text)}, or give it a line of its own outside the brackets")
@@ -27,11 +27,11 @@ def comma(source, start, file):
 
 
 def bracket(source, start, file):
-    """(diagnostic, mended source, index) for a name at `start` that a [ follows in a flow collection, or None."""
+    """(diagnostic, mended source, index) for a name at `start` with a [ right after it, or None."""
     end = _expression_end(source, start)
     if end is None:
         return None
-    text = source[start:end]
+    text = source[start:end].translate(SHOW)
     problem = Diagnostic(decoding.place(source, start, file, end - start),
                          f"inside [ ] and {{ }} the brackets of {quoted(text)} need quotes",
                          f"write {_in_quotes(text)}, or give it a line of its own outside the brackets")

@@ -98,7 +98,13 @@ def _once(diagnostics):
 def _merged(root, part):
     """The scene with a case merged over it; answers and find are the case's own."""
     entries = {key: pair for key, pair in root.entries.items() if key not in ("cases", "answers", "find")}
-    return Mapping(_over(entries, part.entries), part.where)
+    return _mapping(_over(entries, part.entries), part.where)
+
+
+def _mapping(entries, where):
+    mapping = Mapping(where)
+    mapping.entries = entries
+    return mapping
 
 
 def _over(below, above):
@@ -106,7 +112,7 @@ def _over(below, above):
     for key, (key_node, value) in above.items():
         old = merged.get(key)
         if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping) and key != "answers":
-            value = Mapping(_over(old[1].entries, value.entries), value.where)
+            value = _mapping(_over(old[1].entries, value.entries), value.where)
         merged[key] = (key_node, value)
     return merged
 

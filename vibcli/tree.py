@@ -16,6 +16,7 @@ from yaml.events import (
 from vibcli import decoding
 from vibcli.diagnostics import quoted
 from vibcli.errors import Diagnostic, Where
+from vibcli.nodes import Mapping, Scalar, Sequence
 
 MAX_DEPTH = 32
 MAX_NODES = 200_000
@@ -23,43 +24,9 @@ MAX_TEXT = 4096
 MAX_PROBLEMS = 100
 MAX_TRIES = 50  # unbalanced parentheses in flow collections that are looked at for a comma
 
-_BREAK = re.compile("[\r\n]")
-_PROPERTY = re.compile(r"\s*([!&][^\s,\[\]{}]*)")
-_ESCAPE = re.compile(r"\\(?:x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|.)", re.DOTALL)
-
-
-class Scalar:
-    """A piece of text. `quoted` is true for '…', "…", | and >; a value left empty is '' and not quoted."""
-
-    __slots__ = ("inset", "quoted", "text", "where")
-
-    def __init__(self, text, where, quoted=False, inset=None):
-        self.text, self.where, self.quoted, self.inset = text, where, quoted, inset
-
-    def place(self, offset, width=1):
-        """The place of text[offset : offset + width]; the scalar's start where text was folded or escaped."""
-        if self.inset is None:
-            return self.where
-        offset = min(max(offset, 0), len(self.text))
-        return self.where.shifted(self.inset + offset, max(1, min(width, len(self.text) - offset)))
-
-
-class Sequence:
-    """A list of nodes."""
-
-    __slots__ = ("items", "where")
-
-    def __init__(self, where):
-        self.items, self.where = [], where
-
-
-class Mapping:
-    """Entries in file order: {key text: (key Scalar, value node)}."""
-
-    __slots__ = ("entries", "where")
-
-    def __init__(self, where):
-        self.entries, self.where = {}, where
+_BREAK = "[\r\n]"  # patterns are compiled where a file needs them: that costs more than reading most scenes
+_PROPERTY = r"\s*([!&][^\s,\[\]{}]*)"
+_ESCAPE = r"(?s)\\(?:x[0-9a-fA-F]{2}|u[0-9a-fA-F]{4}|U[0-9a-fA-F]{8}|.)"
 
 
 class Stopped(Exception):
@@ -77,8 +44,8 @@ _DROPPED = Scalar("", None)  # stands as the key of an entry that was refused: i
 class Tree:
     """The tree as it grows, the open collections on an explicit stack."""
 
-    __slots__ = ("count", "file", "flow", "hidden", "key", "last", "parent", "problems", "root", "source", "stack",
-                 "started", "tries")
+    __slots__ = ("count", "file", "flow", "hidden", "key", "last", "parent", "problems", "root", "source",
+                 "stack", "started", "tries")
 
     def __init__(self, source, file, hidden=None):
         """`hidden` maps back the characters that stand for hidden commas and brackets (see slips.py)."""
@@ -113,14 +80,16 @@ class Tree:
     def report(self, where, message, hint=None):
         self.problems.append(Diagnostic(where, message, hint))
         if len(self.problems) >= MAX_PROBLEMS:
-            self.problems.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
+            message = "too many problems: reading stops here"
+            self.problems.append(Diagnostic(where, message, "mend these first"))
             raise Stopped
 
     def _scalar(self, event):
         mark, end, text = event.start_mark, event.end_mark, event.value
         line, column = mark.line, mark.column
         width = end.column - column
-        if not 0 < width == len(text) <= MAX_TEXT or line != end.line or self.hidden or (self.flow and "(" in text):
+        usual = 0 < width == len(text) <= MAX_TEXT and line == end.line and not self.hidden
+        if not usual or (self.flow and "(" in text):
             self._unusual_scalar(event, mark, end)
             return
         self.last = event  # plain text on one line, without tag or anchor: those would have made it wider
@@ -132,7 +101,7 @@ class Tree:
         if text:
             self.last = event
             if len(text) > MAX_TEXT:
-                self.report(where, f"expected at most {MAX_TEXT} characters, found {len(text)}", "shorten the text")
+                self.report(where, f"expected at most {MAX_TEXT} characters, found {len(text)}", "shorten it")
                 text = text[:MAX_TEXT]
             if self.flow and not style and text.count("(") > text.count(")"):
                 self._comma(mark.index)
@@ -145,8 +114,10 @@ class Tree:
         self._add(Scalar(text, where, bool(style), inset))
 
     def _extent(self, mark, end, length, style):
-        """The place of a scalar, and where its text starts from there if the file holds it letter by letter."""
+        """The place of a scalar, and its text's offset from there if the file holds it letter by letter."""
         inset = None
+        if mark.index >= len(self.source):  # the parser starts a new line at the end of a file that has none
+            return decoding.place(self.source, len(self.source), self.file), inset
         if mark.line == end.line:
             width = end.column - mark.column
             if width == length:
@@ -156,7 +127,7 @@ class Tree:
         elif style == "|" or style == ">":
             width = 1
         else:
-            stop = _BREAK.search(self.source, mark.index)
+            stop = re.compile(_BREAK).search(self.source, mark.index)
             width = len(self.source[mark.index : stop.start() if stop else None].rstrip())
         return Where(self.file, mark.line + 1, mark.column + 1, width or 1), inset
 
@@ -189,8 +160,7 @@ class Tree:
         """Put a node where the parser stands: the top, the next item, the next key or its value."""
         self.count += 1
         if self.count > MAX_NODES and node is not None:
-            self.report(node.where, f"more than {MAX_NODES} values in one file",
-                        "is this the right file?")
+            self.report(node.where, f"more than {MAX_NODES} values in one file", "is this the right file?")
             raise Stopped
         parent = self.parent
         if parent is None:
@@ -231,7 +201,7 @@ class Tree:
         elif ":" in text and not node.quoted:
             name, _, value = text.partition(":")
             self.report(node.where, f"no space after the ':' in {quoted(text)}",
-                        f"write {name}: {value.strip()}" if name else "write key: value")
+                        f"write {name}: {value.strip()}"[:200] if name else "write key: value")
         else:
             return node
         return _DROPPED
@@ -248,7 +218,7 @@ class Tree:
         """Report the tag and the anchor that stand before a node."""
         index = event.start_mark.index
         for _ in range((event.tag is not None) + (event.anchor is not None)):
-            found = _PROPERTY.match(self.source, index)
+            found = re.compile(_PROPERTY).match(self.source, index)
             if not found:
                 break
             index, text = found.end(), found[1]
@@ -262,7 +232,7 @@ class Tree:
 
     def _escapes(self, mark, end, text):
         """Report characters that stand in double quotes as escapes but may not stand in a file."""
-        for found in _ESCAPE.finditer(self.source, mark.index, end.index):
+        for found in re.compile(_ESCAPE).finditer(self.source, mark.index, end.index):
             char = _meant(found[0])
             if char and decoding.FORBIDDEN.match(char):
                 where = decoding.place(self.source, found.start(), self.file, len(found[0]))

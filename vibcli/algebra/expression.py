@@ -244,6 +244,8 @@ class Table:
             return -self.call(name, -args[0])
         if name in _EVEN and _is_negative(args[0]):
             return self.call(name, -args[0])
+        if name in ("sin", "cos") and (value := self._at_multiple_of_pi(name, args[0])) is not None:
+            return value
         if name == "abs" and self.is_positive(args[0]):
             return args[0]
         mask = 0
@@ -252,6 +254,20 @@ class Table:
         return self._make("call", tuple(args), ONE, mask, name)
 
 
+    def _at_multiple_of_pi(self, name, angle):
+        """sin or cos of a multiple of π/6 or π/4; None of other angles."""
+        if angle is not self.pi and not (angle.op == "product" and angle.args == ((self.pi, ONE),)):
+            return None
+        turns = angle.coefficient / 2 + (Fraction(1, 4) if name == "cos" else ZERO)
+        turns %= 1
+        sign = -ONE if turns > HALF else ONE
+        turns = min(turns % HALF, HALF - turns % HALF)
+        square = _SQUARED_SINES.get(turns)
+        return None if square is None else self.scaled(self.sqrt(self.number(square)), sign)
+
+
+_SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): HALF, Fraction(1, 6): Fraction(3, 4),
+                  Fraction(1, 4): ONE}
 _EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
           "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0)}
 _ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}

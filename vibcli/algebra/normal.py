@@ -171,15 +171,15 @@ def collected(table, terms):
         variable = tuple(pair for pair in monomial if pair[0].mask)
         fixed = tuple(pair for pair in monomial if not pair[0].mask)
         groups.setdefault(variable, {})[fixed] = value
-    parts = [table.product((factored(table, fixed), ONE), *variable) for variable, fixed in groups.items()]
+    parts = [table.product(*factors_of(table, fixed), *variable) for variable, fixed in groups.items()]
     return table.sum(*((part, ONE) for part in parts))
 
 
-def factored(table, terms):
-    """A polynomial with its content — the common monomial and rational factor — taken out."""
+def factors_of(table, terms):
+    """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
     monomials = list(terms)
     if len(monomials) == 1:
-        return table.product((table.number(terms[monomials[0]]), ONE), *monomials[0])
+        return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
     common = {}
     for atom in {atom for monomial in monomials for atom, _ in monomial}:
         least = min(dict(monomial).get(atom, ZERO) for monomial in monomials)
@@ -192,4 +192,4 @@ def factored(table, terms):
         scale = -scale
     inner = table.sum(*((table.product(*times(monomial, content, -1)), value / scale)
                         for monomial, value in terms.items()))
-    return table.product((table.number(scale), ONE), (inner, ONE), *content)
+    return ((table.number(scale), ONE), (inner, ONE), *content)

@@ -1,6 +1,6 @@
 """The undamped eigenvalues of up to some forty coordinates, enclosed in fixed-point arithmetic.
 
-M̂ = L Lᵀ, A = L⁻¹ K̂ L⁻ᵀ, massless coordinates eliminated exactly first: K_aa − K_az K_zz⁻¹ K_za.
+M̂ = L Lᵀ, A = L⁻¹ K̂ L⁻ᵀ, massless coordinates eliminated first: K_aa − K_az K_zz⁻¹ K_za.
 """
 
 import math
@@ -11,46 +11,65 @@ from vibcli.analyses import fixed as fx
 from vibcli.analyses.scaled import exponent, mechanism, unmoved
 from vibcli.analyses.symmetric import spectrum
 
-GUARD = 160
+GUARDS = (160, 640, 2560)
 
 
 class Enclosed:
-    """Scaled eigenvalues with their radius, shapes in columns (floats) and data error, all of the pencil K̂, M̂."""
+    """Scaled eigenvalues λ̂ = ω̂² in fixed point with what bounds them, and M̂-normalised shapes in columns.
 
-    __slots__ = ("bits", "data", "radius", "shapes", "values", "zero", "zeros")
+    zeros: how many follow from the structure, or None; zero: flags of those that are zero. data: the relative
+    rounding of the data that each |λ̂| shows. radius, shift: as in Spectrum.
+    """
 
-    def __init__(self, spectrum, shapes, data, zeros):
-        self.values, self.bits = spectrum.values, spectrum.bits
-        self.radius, self.data, self.shapes, self.zeros = spectrum.radius, data, shapes, zeros
-        size = np.abs(fx.floats(self.values, self.bits))
-        if zeros is None:
-            self.zero = size <= self.radius + self.data
-        else:
-            self.zero = np.zeros(len(size), bool)
-            self.zero[np.argsort(size, kind="stable")[:zeros]] = True
+    __slots__ = ("bits", "data", "radius", "reduced", "shapes", "shift", "values", "vectors", "zero", "zeros")
+
+    def __init__(self, found, reduced, zeros):
+        self.values, self.bits, self.vectors = found.values, found.bits, found.vectors
+        self.radius, self.shift, self.zeros, self.reduced = found.radius, found.shift, zeros, reduced
+        self.shapes, self.data = reduced.full(found.vectors), 0.0
+        self.zero = self._zeros()
+
+    def _zeros(self):
+        size = self.sizes()
+        if self.zeros is None:
+            return size <= 2 * (np.ldexp(self.radius, -self.shift) + self.data)
+        zero = np.zeros(len(size), bool)
+        zero[np.argsort(size, kind="stable")[:self.zeros]] = True
+        return zero
+
+    def sizes(self):
+        """|λ̂| as floats."""
+        return np.abs(fx.floats(self.values, self.bits))
+
+    def add_data_error(self, elements, scale, unit):
+        """Takes the rounding of the data into the bounds; `unit`: relative, of every weight and component."""
+        rows, sums = sensitivity(elements, scale, fx.floats(self.shapes, self.bits), self.sizes())
+        self.data = unit * rows + max(unit, 2.0 ** -53 if not unit else 0.0) * sums
+        self.zero = self._zeros()
 
     def errors(self):
-        """Relative bound of √|λ̂|."""
-        size = np.abs(fx.floats(self.values, self.bits))
+        """Relative bounds of √|λ̂|, their last rounding not counted; 0 for zeros."""
+        size = self.sizes()
         size[self.zero] = np.inf
-        return 0.5 * (self.radius + self.data) / np.maximum(size - self.radius - self.data, 0.1 * size)
+        off = np.ldexp(self.radius, -self.shift) + self.data
+        return 0.5 * off / np.maximum(size - off, size / 4)
 
     def settled(self, goal):
         """Whether every value is known to `goal` and every zero follows from the structure."""
         return (self.zeros is not None or not self.zero.any()) and bool((self.errors() <= goal).all())
 
-    def in_floats(self):
-        """values, shapes, errors with those of the last rounding, and the flags of exact zeros."""
-        return (fx.floats(self.values, self.bits), self.shapes, self.errors() + 2.0 ** -52, self.zero)
 
-
-def enclosed(elements, scale, zeros, unit, goal=60, guard=GUARD):
-    """Encloses the eigenvalues; `unit`: the relative rounding of the numbers in `elements`, 0 if they are exact."""
-    bits = guard + goal + spread(elements, scale)
-    a, reduced = standard(elements, scale, bits)
-    found = spectrum(a, bits, goal, zeros or 0, reduced.error)
-    shapes = fx.floats(reduced.full(found.vectors), bits)
-    return Enclosed(found, shapes, data_error(elements, scale, shapes, found, unit), zeros)
+def enclosed(elements, scale, zeros, goal=60):
+    """Encloses the eigenvalues of the numbers in `elements`, taken as exact, to 2^-goal."""
+    for guard in GUARDS:
+        bits = guard + goal + spread(elements, scale)
+        a, reduced = standard(elements, scale, bits)
+        found = spectrum(a, bits, goal, zeros or 0, reduced.slack)
+        answer = Enclosed(found, reduced, zeros)
+        relative = np.log2(np.maximum(answer.radius, 1e-300) / np.where(answer.zero, np.inf, answer.sizes()))
+        if (relative - answer.shift <= 1 - goal).all():
+            break
+    return answer
 
 
 def spread(elements, scale):
@@ -65,14 +84,14 @@ def spread(elements, scale):
 
 
 class Reduced:
-    """What takes the vectors of A back to the coordinates."""
+    """What takes the vectors of A back to the coordinates; `slack`: A is known to 2^(slack − bits)."""
 
-    __slots__ = ("bits", "error", "follow", "lower", "massive", "massless", "n")
+    __slots__ = ("bits", "follow", "lower", "massive", "massless", "n", "slack")
 
-    def __init__(self, n, massive, massless, lower, follow, bits):
+    def __init__(self, n, massive, massless, lower, follow, bits, growth):
         self.n, self.massive, self.massless, self.bits = n, massive, massless, bits
         self.lower, self.follow = lower, follow
-        self.error = 64.0 * n * n * 2.0 ** -bits
+        self.slack = 4 + 2 * math.log2(n) + math.log2(growth)
 
     def full(self, vectors):
         """Shapes of all coordinates, M̂-normalised."""
@@ -100,9 +119,7 @@ def standard(elements, scale, bits):
         k, follow, growth = condensed(k, massive, massless, bits)
         m = m[np.ix_(massive, massive)]
     a, lower, more = reduced_by_mass(m, k, massive, bits)
-    back = Reduced(n, massive, massless, lower, follow, bits)
-    back.error *= growth * more
-    return a, back
+    return a, Reduced(n, massive, massless, lower, follow, bits, growth * more)
 
 
 def reduced_by_mass(m, k, massive, bits):
@@ -125,15 +142,14 @@ def reduced_by_mass(m, k, massive, bits):
 
 def condensed(k, massive, massless, bits):
     """The stiffness left to the massive coordinates when the massless ones follow: z = −follow a."""
-    free, tied = np.ix_(massive, massive), np.ix_(massless, massless)
-    inverse, growth = inverted(k[tied], massless, bits)
+    inverse, growth = inverted(k[np.ix_(massless, massless)], massless, bits)
     follow = fx.product(inverse, k[np.ix_(massless, massive)], bits)
-    left = k[free] - fx.product(k[np.ix_(massive, massless)], follow, bits)
+    left = k[np.ix_(massive, massive)] - fx.product(k[np.ix_(massive, massless)], follow, bits)
     return (left + left.T) >> 1, follow, growth
 
 
 def inverted(a, names, bits):
-    """The inverse of a symmetric fixed-point matrix by Gauss–Jordan elimination with pivots on the diagonal first."""
+    """The inverse of a fixed-point matrix by Gauss–Jordan elimination, the largest pivot of each column first."""
     n = len(a)
     work = np.concatenate([a, fx.identity(n, bits)], axis=1)
     left, order = list(range(n)), []
@@ -152,31 +168,27 @@ def inverted(a, names, bits):
     return out, (1.0 + np.abs(fx.floats(out, bits)).sum()) ** 4
 
 
-def data_error(elements, scale, shapes, found, unit):
-    """First-order effect on each λ̂ of the rounding in the data.
+def sensitivity(elements, scale, shapes, sizes):
+    """First-order change of each λ̂ per relative rounding: of every weight and component; of the sums in K."""
+    p, rows, sums = scale.coordinates, np.zeros(shapes.shape[1]), np.zeros(shapes.shape[1])
+    for terms, base, factor in ((elements.springs, scale.stiffness, 1.0), (elements.inertias, scale.mass, sizes)):
+        for weight, row in terms:
+            value, size = 0.0, 0.0
+            for i, x in row.items():
+                part = _scaled(x, p[i]) * shapes[i]
+                value, size = value + part, size + np.abs(part)
+            rows += factor * abs(_scaled(weight, -base)) * np.abs(value) * (3 * size)
+    for (i, j), x in (elements.K_size or {at: abs(x) for at, x in elements.K.items()}).items():
+        felt = np.abs(_scaled(x, p[i] + p[j] - scale.stiffness) * shapes[i] * shapes[j])
+        rows += felt
+        if elements.K_size:
+            sums += felt
+    for (i, j), x in elements.M.items():
+        rows += sizes * np.abs(_scaled(x, p[i] + p[j] - scale.mass) * shapes[i] * shapes[j])
+    return rows, sums
 
-    Every weight and row component carries `unit`; K carries K_size × max(unit, 2⁻⁵³), the rounding of its sums.
-    """
-    n, p = elements.n, scale.coordinates
-    out = np.zeros(shapes.shape[1])
-    alpha = np.abs(fx.floats(found.values, found.bits))
-    for terms, base, factor in ((elements.springs, scale.stiffness, 1.0), (elements.inertias, scale.mass, alpha)):
-        if unit:
-            for weight, row in terms:
-                m, e = fx.mantissa(weight)
-                value = np.zeros(shapes.shape[1])
-                size = np.zeros(shapes.shape[1])
-                for i, x in row.items():
-                    mx, ex = fx.mantissa(x)
-                    part = fx.to_float(mx, -(ex + p[i])) * shapes[i]
-                    value += part
-                    size += np.abs(part)
-                out += unit * factor * fx.to_float(abs(m), base - e) * np.abs(value) * (3 * size)
-    if elements.K_size:
-        rounding = unit if unit else 2.0 ** -53
-        for (i, j), x in elements.K_size.items():
-            mx, ex = fx.mantissa(x)
-            size = fx.to_float(abs(mx), scale.stiffness - ex - p[i] - p[j])
-            out += rounding * size * np.abs(shapes[i] * shapes[j])
-    del n
-    return out
+
+def _scaled(x, power):
+    """x 2^power as a float."""
+    m, e = fx.mantissa(x)
+    return fx.to_float(m, -(e + power))

@@ -10,13 +10,17 @@ from math import isqrt
 import numpy as np
 
 DOUBLE = 53
+FRACTION = 4096
 
 
 def mantissa(x):
-    """(m, e) with x = m 2^e exactly, for a float, an integer or an mpf."""
+    """(m, e) with x = m 2^e: exactly for a float, an integer or an mpf, to FRACTION bits for a Fraction."""
     if hasattr(x, "_mpf_"):
         sign, man, exp, _ = x._mpf_
         return (-int(man) if sign else int(man)), exp
+    if hasattr(x, "denominator"):
+        up = FRACTION + x.denominator.bit_length()
+        return (x.numerator << up) // x.denominator, -up
     m, e = math.frexp(x)
     return int(m * 9007199254740992.0), e - DOUBLE
 

@@ -1,7 +1,8 @@
 """Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
 
 Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic (certified.py);
-larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (floating.py).
+larger systems are solved in floats from the factors √k ∇s and √w ∇s, with a bound of their rounding
+(floating.py).
 """
 
 import math
@@ -11,47 +12,76 @@ from vibcli.analyses.scaled import mechanism, scaling
 
 CERTIFIED = 40
 UNIT = 2.0 ** -53
+EVALUATED = 4 * UNIT
 ESCALATE = 1e-13
 DIGITS = 60
 
 
 class Mode:
-    """One mode: q = shape · cos ωt, M-normalised; rigid: omega exactly 0; unstable: omega None, growth_rate > 0.
+    """One mode, q = shape · cos ωt with shapeᵀ M shape = 1.
 
-    error: bound of the relative error of omega or growth_rate. direction: shape but for one factor, its bits
-    independent of the units of mass, length and time.
+    omega: 0 exactly if rigid, None if unstable; growth_rate: > 0 if unstable, else None. error: bound of the
+    relative error of either. direction: shape but for one factor, its bits independent of the units of mass.
     """
 
     __slots__ = ("direction", "error", "growth_rate", "index", "omega", "rigid", "shape")
 
-    def __init__(self, index, omega, growth_rate, shape, direction, error, rigid):
-        self.index, self.omega, self.growth_rate = index, omega, growth_rate
-        self.shape, self.direction, self.error, self.rigid = shape, direction, error, rigid
+    def __init__(self, index, rate, unstable, shape, direction, error):
+        self.index, self.shape, self.direction, self.error = index, shape, direction, error
+        self.omega, self.growth_rate = (None, rate) if unstable else (rate, None)
+        self.rigid = not rate
 
 
 def undamped(elements, precise=None, digits=None):
-    """The modes by ascending ω² (unstable, then rigid, then the others), each with its relative error bound.
+    """The modes by ascending ω²: unstable, then rigid, then the others, each with its relative error bound.
 
-    `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide; without it the
-    floats are taken for exact. `digits`: this many correct digits, numbers of mpmath.
+    `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide; without
+    it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
     """
-    scale = scaling(elements)
-    check_ties(elements)
-    zeros = None if not factored(elements) else rigid_count(elements.n, *spring_rows(elements))
+    scale, zeros = prepared(elements)
     if digits is not None:
-        from vibcli.analyses.digits import undamped_digits
-
         return undamped_digits(elements, scale, zeros, precise, digits)
     if elements.n > CERTIFIED:
         from vibcli.analyses.floating import undamped_floats
 
-        return modes(elements, scale, *undamped_floats(elements, scale, zeros))
+        return undamped_floats(elements, scale, zeros)
+    from vibcli.analyses.precise import Floats
+
+    return modes(certain(elements, scale, zeros, precise), scale, Floats)
+
+
+def prepared(elements):
+    """The powers of two that scale the data, and the number of rigid modes or None where K has to tell."""
+    scale = scaling(elements)
+    check_ties(elements)
+    return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
+
+
+def certain(elements, scale, zeros, precise):
+    """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
     from vibcli.analyses.certified import enclosed
 
-    answer = enclosed(elements, scale, zeros, unit=0.0 if precise is None else 4 * UNIT)
-    if precise is not None and not answer.settled(ESCALATE):
-        answer = enclosed(precise(DIGITS), scale, zeros, unit=10.0 ** -(DIGITS - 2))
-    return modes(elements, scale, *answer.in_floats())
+    answer = enclosed(elements, scale, zeros)
+    if precise is None:
+        if elements.K_size:
+            answer.add_data_error(elements, scale, 0.0)
+        return answer
+    answer.add_data_error(elements, scale, EVALUATED)
+    if not answer.settled(ESCALATE):
+        exact = precise(DIGITS)
+        answer = enclosed(exact, scale, zeros)
+        answer.add_data_error(exact, scale, 10.0 ** (2 - DIGITS))
+    return answer
+
+
+def undamped_digits(elements, scale, zeros, precise, digits):
+    """The modes to `digits` correct digits, in numbers of mpmath."""
+    from vibcli.analyses.certified import enclosed
+    from vibcli.analyses.precise import Digits, working_bits
+
+    dps = digits + 40
+    exact = elements if precise is None else precise(dps)
+    return modes(enclosed(exact, scale, zeros, goal=working_bits(digits)), scale, Digits)
 
 
 def factored(elements):
@@ -75,19 +105,24 @@ def check_ties(elements):
             raise mechanism(i)
 
 
-def modes(elements, scale, values, shapes, errors, zero):
-    """Mode objects from scaled values λ̂ = ω̂², shapes q̂ in columns, errors of √|λ̂| and the flags of exact zeros."""
+def modes(answer, scale, numbers):
+    """Mode objects of enclosed eigenvalues, in floats or mpmath's numbers."""
     import numpy as np
 
-    direction = np.ldexp(shapes, np.array(scale.coordinates)[:, None])
-    odd, half = scale.mass % 2, scale.mass // 2
-    full = np.ldexp(direction / math.sqrt(2.0) if odd else direction, -half)
-    order = sorted(range(len(values)), key=lambda i: 0.0 if zero[i] else values[i])
+    bits = answer.bits
+    powers = bits - np.array(scale.coordinates, object)[:, None] + 0 * answer.shapes
+    if numbers.__name__ == "Floats":
+        powers = powers.astype(int)
+    direction = numbers.array(answer.shapes, powers)
+    shapes = answer.shapes
+    if scale.mass % 2:
+        shapes = shapes * math.isqrt(1 << (2 * bits - 1)) >> bits
+    full = numbers.array(shapes, powers + scale.mass // 2)
+    errors = answer.errors() + (2.0 ** -53 if numbers.__name__ == "Floats" else 0.0)
+    values = [0 if zero else int(x) for x, zero in zip(answer.values, answer.zero, strict=True)]
     out = []
-    for place, i in enumerate(order, 1):
-        value = 0.0 if zero[i] else float(values[i])
-        rate = math.ldexp(math.sqrt(abs(value)), scale.time)
-        unstable = value < 0
-        out.append(Mode(place, None if unstable else rate, rate if unstable else None, full[:, i], direction[:, i],
-                        0.0 if zero[i] else float(errors[i]), bool(zero[i])))
+    for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):
+        rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
+        error = float(errors[i]) if values[i] else 0.0
+        out.append(Mode(place, rate, values[i] < 0, full[:, i], direction[:, i], error))
     return out

@@ -1,121 +1,137 @@
 """Eigenvalues of a symmetric matrix in fixed point, each with a rigorous bound.
 
 Approximate eigenvectors Q (from floats) bring A to QᵀAQ, QᵀQ ≈ I. With α = diag(QᵀAQ)/diag(QᵀQ) and
-H = QᵀAQ − QᵀQ diag(α), A is similar to diag(α) + E, E = (QᵀQ)⁻¹H. Gershgorin discs of a scaled E bound what is
-left; if that is too much, Q takes a step of first order in E and the next E is of second order
+H = QᵀAQ − QᵀQ diag(α), A is similar to diag(α) + E, E = (QᵀQ)⁻¹H. Gershgorin discs of a scaled E bound what
+is left; if that is too much, Q takes a step of first order in E and the next E is of second order
 (Ogita & Aishima 2018). Eigenvalues too close for that are separated by a small dense problem of their own.
 """
+
+import math
 
 import numpy as np
 
 from vibcli.analyses.fixed import fixed, floats, identity
 
-STEPS = 16
+STEPS = 24
 
 
 class Spectrum:
-    """values: fixed-point eigenvalues; radius: floats, |exact − value| <= radius; vectors: fixed point, QᵀQ = I."""
+    """Eigenpairs in fixed point, QᵀQ = I.
 
-    __slots__ = ("bits", "radius", "values", "vectors")
+    |exact − value| <= radius · 2^-shift: a float and a power, so that hundreds of digits fit.
+    """
 
-    def __init__(self, values, radius, vectors, bits):
-        self.values, self.radius, self.vectors, self.bits = values, radius, vectors, bits
+    __slots__ = ("bits", "radius", "shift", "values", "vectors")
+
+    def __init__(self, values, radius, shift, vectors, bits):
+        self.values, self.radius, self.shift = values, radius, shift
+        self.vectors, self.bits = vectors, bits
 
 
-def spectrum(a, bits, goal, zeros=0, error=0.0, start=None):
-    """The eigenpairs of the symmetric fixed-point matrix a, known to `error` in norm.
+def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
+    """The eigenpairs of the symmetric fixed-point matrix a, known to 2^(slack − bits) in norm.
 
-    Each radius is at most 2^-goal |value| where bits and error allow it. `zeros`: how many eigenvalues are known to
-    vanish. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
+    Each radius is at most 2^-goal |value| where bits and slack allow it. `zeros`: how many eigenvalues are known
+    to vanish. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
     """
     n = len(a)
     if start is None:
         start = np.linalg.eigh(floats(a, bits))[1]
-    q = fixed(start, bits)
-    error = error + 4.0 * n * n * 2.0 ** -bits
-    previous = np.inf
+    q, one = fixed(start, bits), identity(n, bits)
+    slack = max(slack, 0) + 2 + 2 * math.log2(n)
+    previous = math.inf
     for _ in range(STEPS):
         gram = q.T.dot(q) >> bits
         s = q.T.dot(a.dot(q) >> bits) >> bits
         alpha = (s.diagonal() << bits) // gram.diagonal()
         h = s - (gram * alpha >> bits)
         gaps = np.subtract.outer(alpha, alpha)
-        off = Offset(floats(h, bits), floats(gram - identity(n, bits), bits), floats(alpha, bits),
-                     floats(gaps, bits), zeros, error)
+        off = Offset(h, gram - one, alpha, gaps, zeros, slack, bits)
         radius = off.radius()
         worst = off.worst(radius)
-        if worst <= 2.0 ** -goal or worst >= previous / 4 and previous < 2.0 ** -40:
+        if worst <= -goal or (worst > previous - 4 and previous < -30):
             break
         previous = worst
         q = q.dot(step(h, gram, alpha, gaps, off.clusters(), bits)) >> bits
-    x = _first_order(h, gram, gaps, off.clusters(), bits)
-    return Spectrum(alpha, radius, (q.dot(x) >> bits) if worst > 0 else q, bits)
+    if worst > -2 * goal:
+        q = q.dot(_first_order(h, gram, gaps, off.clusters(), bits)) >> bits
+    return Spectrum(alpha, radius, off.shift, q, bits)
 
 
 class Offset:
-    """diag(α) + E in floats: how far α is from the eigenvalues."""
+    """diag(α) + 2^-shift E in floats: how far α is from the eigenvalues."""
 
-    __slots__ = ("alpha", "e", "gap", "near", "scaled", "zero")
+    __slots__ = ("alpha", "e", "gap", "scaled", "shift", "zero")
 
-    def __init__(self, h, excess, alpha, gap, zeros, error):
-        size = np.abs(h)
-        self.e = size + 1.1 * np.abs(excess) @ size + error
-        self.alpha, self.gap = alpha, np.abs(gap)
+    def __init__(self, h, excess, alpha, gap, zeros, slack, bits):
+        top = max(abs(x) for x in h.ravel().tolist()).bit_length()
+        self.shift = bits - max(top, math.ceil(slack), 1)
+        size = np.abs(floats(h, bits - self.shift))
+        spoiled = np.abs(floats(excess, bits))
+        self.e = size + 1.1 * spoiled @ size + 2.0 ** (slack + self.shift - bits)
+        self.alpha, self.gap = floats(alpha, bits), np.abs(floats(gap, bits))
         self.zero = np.zeros(len(alpha), bool)
-        self.zero[np.argsort(np.abs(alpha), kind="stable")[:zeros]] = True
-        least = np.min(np.abs(alpha[~self.zero]), initial=np.inf, where=alpha[~self.zero] != 0)
-        root = np.sqrt(np.where(self.zero | (alpha == 0), least if np.isfinite(least) else 1.0, np.abs(alpha)))
+        self.zero[np.argsort(np.abs(self.alpha), kind="stable")[:zeros]] = True
+        size = np.abs(self.alpha)
+        judged = size[~self.zero & (size > 0)]
+        root = np.sqrt(np.where(self.zero | (size == 0), judged.min() if len(judged) else 1.0, size))
         self.scaled = self.e * (root[:, None] / root[None, :])
 
     def clusters(self):
         """Lists of eigenvalues that first-order steps cannot tell apart."""
-        close = self.scaled + self.scaled.T > 0.05 * self.gap
+        close = np.ldexp(self.scaled + self.scaled.T, -self.shift) > 0.05 * self.gap
         np.fill_diagonal(close, False)
-        return _components(close)
+        return components(close)
 
     def radius(self):
-        """For each value a distance within which its eigenvalue lies (Gershgorin; Wilkinson 1965, ch. 2)."""
-        disc = self.scaled.sum(axis=1)
-        own = self.scaled.diagonal()
-        with np.errstate(divide="ignore", invalid="ignore"):
-            room = (self.gap / 2 - disc[None, :]) / self.scaled.T
+        """For each value a distance, over 2^-shift, within which its eigenvalue lies.
+
+        Gershgorin's discs of E scaled by √|α|; a disc that stays alone while its row is scaled down further
+        (Wilkinson 1965, ch. 2) shrinks to second order.
+        """
+        disc, own = self.scaled.sum(axis=1), self.scaled.diagonal()
+        half = self.gap / 2
+        with np.errstate(divide="ignore", over="ignore"):
+            room = np.ldexp((half - np.ldexp(disc, -self.shift)[None, :]) / self.scaled.T, self.shift)
         np.fill_diagonal(room, np.inf)
+        np.fill_diagonal(half, np.inf)
         stretch = room.min(axis=1)
-        half = np.where(np.eye(len(disc), dtype=bool), np.inf, self.gap / 2).min(axis=1)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            alone = own + (disc - own) / stretch
-        isolated = (stretch >= 1) & (alone <= half)
-        return np.where(isolated, alone, _union(self.alpha, disc))
+        alone = own + (disc - own) / np.maximum(stretch, 1.0)
+        isolated = (stretch >= 1) & (np.ldexp(alone, -self.shift) < half.min(axis=1))
+        if isolated.all():
+            return alone
+        return np.where(isolated, alone, self._union(disc))
 
     def worst(self, radius):
-        """The largest radius relative to its value, those known to be zero set aside."""
+        """log2 of the largest radius relative to its value, those known or bound to be zero set aside."""
         size = np.abs(self.alpha)
-        tiny = size + radius <= 1e3 * self.e.min()
-        judged = ~self.zero & ~tiny
+        judged = ~self.zero & (size > np.ldexp(1e3 * (self.e.min() + radius), -self.shift))
+        undecided = ~self.zero & ~judged & (radius > 1e3 * self.e.min())
+        if undecided.any():
+            return math.inf
         if not judged.any():
-            return float(self.scaled.max() > 1e-15)
-        with np.errstate(divide="ignore"):
-            return float((radius / size)[judged].max())
+            return -math.inf if self.e.max() < 1e6 * self.e.min() or len(size) == 1 else math.inf
+        return float(np.log2(radius[judged] / size[judged]).max()) - self.shift
+
+    def _union(self, disc):
+        """How far the union of overlapping discs about the sorted values reaches from each."""
+        disc = np.ldexp(disc, -self.shift)
+        out, group, reach = np.empty(len(disc)), [], -np.inf
+        for i in [*np.argsort(self.alpha, kind="stable").tolist(), None]:
+            if group and (i is None or self.alpha[i] - disc[i] > reach):
+                low = min(self.alpha[j] - disc[j] for j in group)
+                for j in group:
+                    out[j] = max(reach - self.alpha[j], self.alpha[j] - low, disc[j])
+                group, reach = [], -np.inf
+            if i is not None:
+                group.append(i)
+                reach = max(reach, self.alpha[i] + disc[i])
+        with np.errstate(over="ignore"):
+            return np.ldexp(out, self.shift)
 
 
-def _union(alpha, disc):
-    """How far the union of overlapping discs about the sorted alpha reaches from each."""
-    order = np.argsort(alpha, kind="stable")
-    out, group, reach = np.empty(len(alpha)), [], -np.inf
-    for i in [*order.tolist(), None]:
-        if i is None or (group and alpha[i] - disc[i] > reach):
-            low = min(alpha[j] - disc[j] for j in group)
-            for j in group:
-                out[j] = max(reach - alpha[j], alpha[j] - low, disc[j])
-            group, reach = [], -np.inf
-        if i is not None:
-            group.append(i)
-            reach = max(reach, alpha[i] + disc[i])
-    return out
-
-
-def _components(close):
-    """Connected components of more than one index of a boolean relation."""
+def components(close):
+    """Connected components of more than one index of a symmetric boolean relation."""
     left, out = set(np.flatnonzero(close.any(axis=1)).tolist()), []
     while left:
         stack, part = [left.pop()], []
@@ -131,19 +147,13 @@ def _components(close):
 
 def _first_order(h, gram, gaps, clusters, bits):
     """I + X, X = E/(αⱼ − αᵢ) between separated eigenvalues, orthonormalising within clusters."""
-    n = len(gram)
-    one = 1 << bits
-    together = np.zeros((n, n), bool)
+    n, one = len(gram), 1 << bits
+    together = np.eye(n, dtype=bool)
     for part in clusters:
         together[np.ix_(part, part)] = True
-    np.fill_diagonal(together, True)
-    x = identity(n, bits)
-    for i in range(n):
-        for j in range(n):
-            if not together[i, j]:
-                x[i, j] = (h[i, j] << bits) // -gaps[i, j]
-            else:
-                x[i, j] -= (gram[i, j] - (one if i == j else 0)) >> 1
+    safe = np.where(together, one, -gaps)
+    x = np.where(together, -(gram >> 1), (h << bits) // safe)
+    x[range(n), range(n)] = (3 * one - gram.diagonal()) >> 1
     return x
 
 

@@ -54,7 +54,7 @@ class Scene(Terms, Ends):
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
                          for name, node in zip(self.coordinates, nodes, strict=True)}
         self.drawn = {node: self._drawn_value(name) for name, node in zip(self.coordinates, self.q, strict=True)}
-        self.sample = self.parameters.values(Floats, _samples(self.parameters.free, attempt))
+        self.sample = self.parameters.values(Floats, sample_values(self.parameters.free, attempt))
         self.surfaces = spec.get("surfaces") or {}
         self.bodies, self.points = {}, {}
         self.ground = Frame((table.zero, table.zero), (table.zero, table.zero), table.zero)
@@ -201,7 +201,7 @@ class Scene(Terms, Ends):
         return drawn, present, self.carrier(record, "body")
 
 
-def _samples(names, attempt):
+def sample_values(names, attempt):
     """Values for symbols without one: positive, unrelated, and others at each attempt."""
     return {name: 0.6 + 1.7 * ((Fraction(7919 * (i + 1) + 104729 * attempt, 10007) * (attempt + 3)) % 1)
             for i, name in enumerate(names)}

@@ -1,0 +1,60 @@
+"""T, V and Φ of a scene as expressions, from the scalar functions of its elements."""
+
+from vibcli.algebra.calculus import gradient
+from vibcli.algebra.expression import HALF, ONE
+from vibcli.algebra.normal import textbook
+
+
+def rate(scene, s):
+    """ṡ = Σ (∂s/∂qᵢ) q̇ᵢ."""
+    speed = dict(zip(scene.q, scene.v, strict=True))
+    return scene.table.sum(*((slope * speed[q], ONE) for q, slope in gradient(s).items() if q in speed))
+
+
+def potential(scene):
+    """V = Σ (N s + ½ k s²) + Σ f s + what is written out."""
+    terms = [(term.force * term.s + term.weight * term.s * term.s * HALF, ONE) for term in scene.springs]
+    terms += [(term.weight * term.s, ONE) for term in scene.weights]
+    if "K" in scene.matrices:
+        terms += _quadratic(scene, "K", scene.q)
+    return scene.table.sum(*terms, (scene.energies["V"], ONE))
+
+
+def kinetic(scene):
+    """T = ½ Σ w ṡ² + what is written out."""
+    terms = []
+    for term in scene.inertias:
+        speed = rate(scene, term.s)
+        terms.append((term.weight * speed * speed, HALF))
+    return scene.table.sum(*terms, *_quadratic(scene, "M", scene.v), (scene.energies["T"], ONE))
+
+
+def dissipation(scene):
+    """Φ = ½ Σ c ṡ² + what is written out."""
+    terms = []
+    for term in scene.dampers:
+        speed = rate(scene, term.s)
+        terms.append((term.weight * speed * speed, HALF))
+    return scene.table.sum(*terms, *_quadratic(scene, "C", scene.v), (scene.energies["Phi"], ONE))
+
+
+def _quadratic(scene, key, symbols):
+    """½ xᵀ A x of a matrix given outright, as terms of a sum."""
+    rows = scene.matrices.get(key, ())
+    return [(rows[i][j] * symbols[i] * symbols[j], HALF) for i in range(len(rows)) for j in range(len(rows))]
+
+
+def effective_potential(scene):
+    """V − T at rest: what is stationary in (relative) equilibrium."""
+    from vibcli.algebra.calculus import substitute
+
+    rest = {v: scene.table.zero for v in scene.v}
+    return potential(scene) - substitute([scene.energies["T"]], rest)[0]
+
+
+def textbook_energies(scene):
+    """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
+    V = textbook(potential(scene))
+    if V.op == "sum":
+        V = scene.table.sum(*((part, c) for part, c in V.args if part.mask))
+    return {"T": textbook(kinetic(scene)), "V": V, "Phi": textbook(dissipation(scene))}

@@ -1,0 +1,188 @@
+"""Equilibrium by virtual work, r(q) = 0, reached from the drawn position by descending the potential energy.
+
+Steps are those of a trust region on V(q) with its exact Hessian (Conn, Gould & Toint 2000, alg. 7.3.1): where the
+Hessian is singular or indefinite the step goes downhill. Coordinates are scaled by the size of the figure (angles by 1), so that
+units change nothing. The end is polished by plain Newton steps until the residual is that of rounding.
+"""
+
+import math
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.errors import PhysicsError
+from vibcli.mechanics.linearise import in_numbers
+
+EPSILON = 2.0**-52
+STEPS, POLISH, FAR = 300, 12, 1e6
+
+
+class Equilibrium:
+    """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
+    relative to the sum of the magnitudes of its terms."""
+
+    __slots__ = ("drawn", "residual", "steps", "values")
+
+    def __init__(self, values, drawn, residual, steps=0):
+        self.values, self.drawn, self.residual, self.steps = values, drawn, residual, steps
+
+
+def relative_residual(numbers):
+    return max((abs(r) / size for r, size in zip(numbers.residual, numbers.residual_size, strict=True) if size),
+               default=0.0)
+
+
+def is_balanced(numbers, terms=8):
+    """Does the residual vanish but for the rounding of its terms?"""
+    return relative_residual(numbers) <= 4 * terms * EPSILON
+
+
+def find_equilibrium(problem, start):
+    """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
+    search = _Search(problem)
+    q = search.vector(start)
+    numbers = search.at(q)
+    radius, steps = search.first_radius, 0
+    while not search.flat(numbers):
+        steps += 1
+        if steps > STEPS or search.far(q):
+            raise search.unbounded(q)
+        q, numbers, radius, moved = search.step(q, numbers, radius)
+        if not moved:
+            break
+    q, numbers = search.polished(q, numbers)
+    if relative_residual(numbers) > 1e-9:
+        raise search.unbounded(q)
+    return Equilibrium(search.named(q), False, relative_residual(numbers), steps)
+
+
+class _Search:
+    """The potential energy of a scene as a function to be descended."""
+
+    def __init__(self, problem):
+        import numpy as np
+
+        self.np, self.problem, self.scene = np, problem, problem.scene
+        self.names = self.scene.coordinates
+        size = figure_size(problem)
+        self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
+        self.first_radius = 0.5 if size else math.inf
+        self.potential = problem.potential
+
+    def vector(self, values):
+        return self.np.array([values[name] for name in self.names], dtype=float)
+
+    def named(self, q):
+        return {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
+
+    def at(self, q):
+        numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **self.named(q)})
+        if not all(map(math.isfinite, numbers.residual)):
+            raise PhysicsError("the forces of this scene are not defined in a position that the search for its "
+                               "equilibrium passes", "draw the scene nearer to its equilibrium")
+        return numbers
+
+    def energy(self, q):
+        return evaluate([self.potential], Floats, {**self.problem.floats, **self.named(q)})[0]
+
+    def flat(self, numbers):
+        return relative_residual(numbers) <= 1e-13
+
+    def far(self, q):
+        return bool(self.np.any(self.np.abs(q) > FAR * self.scale)) if math.isfinite(self.first_radius) else False
+
+    def hessian(self, numbers):
+        np, n = self.np, len(self.names)
+        K = np.zeros((n, n))
+        for k, row in numbers.elements.springs:
+            for i, x in row.items():
+                for j, y in row.items():
+                    K[i, j] += k * x * y
+        for (i, j), value in numbers.elements.K.items():
+            K[i, j] += value
+        return K * np.outer(self.scale, self.scale)
+
+    def step(self, q, numbers, radius):
+        """One accepted step: (q, numbers, radius, True), or False where no step lowers V any more."""
+        np = self.np
+        gradient = np.array(numbers.residual) * self.scale
+        values, vectors = np.linalg.eigh(self.hessian(numbers))
+        slope = vectors.T @ gradient
+        before = self.energy(q)
+        for _ in range(60):
+            p = _trust_step(values, slope, radius)
+            predicted = -(slope @ p + 0.5 * p @ (values * p))
+            trial = q + self.scale * (vectors @ p)
+            gained = before - self.energy(trial)
+            noise = 64 * EPSILON * (abs(before) + abs(predicted))
+            if math.isfinite(gained) and (gained >= 0.1 * predicted or predicted <= noise):
+                if predicted <= noise and not self._nearer(trial, numbers):
+                    return q, numbers, radius, False
+                length = float(np.linalg.norm(p))
+                if gained > 0.75 * predicted and length > 0.9 * radius:
+                    radius *= 2.0
+                elif math.isinf(radius) and gained < 0.5 * predicted:
+                    radius = length
+                return trial, self.at(trial), radius, True
+            radius = 0.25 * min(radius, float(np.linalg.norm(p)))
+        return q, numbers, radius, False
+
+    def _nearer(self, trial, numbers):
+        return relative_residual(self.at(trial)) < relative_residual(numbers)
+
+    def polished(self, q, numbers):
+        """Newton steps as long as they lower the residual."""
+        np = self.np
+        for _ in range(POLISH):
+            step = np.linalg.lstsq(self.hessian(numbers), -np.array(numbers.residual) * self.scale, rcond=1e-14)[0]
+            trial = q + self.scale * step
+            after = self.at(trial)
+            if relative_residual(after) >= relative_residual(numbers):
+                break
+            q, numbers = trial, after
+        return q, numbers
+
+    def unbounded(self, q):
+        np = self.np
+        start = self.vector(self.problem.drawn_floats)
+        name = self.names[int(np.argmax(np.abs(q - start) / self.scale))]
+        return PhysicsError(f"no equilibrium is reached from the drawn position: nothing holds '{name}', "
+                            "the potential energy keeps falling along it",
+                            "add the spring or support that carries the load, or start elsewhere with `equilibrium:`")
+
+
+def _trust_step(values, slope, radius):
+    """argmin slope·p + ½ Σ values p² within |p| ≤ radius, in the axes of the Hessian."""
+    import numpy as np
+
+    least = values[0]
+    tiny = 1e-14 * float(np.max(np.abs(values)) or 1.0)
+
+    def at(shift):
+        bottom = values + shift
+        return np.where(np.abs(slope) > 0, -slope / np.where(bottom > tiny, bottom, tiny), 0.0)
+
+    if least > tiny or (least >= -tiny and not np.any(slope[values <= tiny])):
+        p = at(0.0)
+        if np.linalg.norm(p) <= radius:
+            return p
+    if math.isinf(radius):
+        radius = float(np.linalg.norm(slope) / max(np.max(np.abs(values)), 1e-300)) or 1.0
+    low = max(0.0, -least)
+    high = low + float(np.linalg.norm(slope)) / radius + tiny
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if np.linalg.norm(at(middle)) > radius else (low, middle)
+    return at(high)
+
+
+def figure_size(problem):
+    """The extent of the drawn figure in metres; 0 where nothing has a place."""
+    scene = problem.scene
+    places = [body.drawn for body in scene.bodies.values() if body.frame is not None]
+    ends = [scene.pair(end) for record in (problem.spec.get("springs") or {}).values()
+            for end in record.get("between", ()) if isinstance(end, list)]
+    nodes = [node for place in places + ends for node in place]
+    values = evaluate(nodes, Floats, {**problem.floats, **problem.drawn_floats})
+    if not values:
+        return 0.0
+    extent = max(max(values[0::2]) - min(values[0::2]), max(values[1::2]) - min(values[1::2]))
+    return extent or max(map(abs, values))

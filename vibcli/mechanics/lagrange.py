@@ -1,0 +1,98 @@
+"""Lagrange's equations of the second kind in letters: d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q = 0.
+
+The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K q = 0, q being the deviation from it:
+in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
+"""
+
+from vibcli.algebra.calculus import gradient
+from vibcli.algebra.expression import ONE
+from vibcli.algebra.normal import textbook
+from vibcli.mechanics.energies import dissipation, kinetic, potential
+
+LETTERS = 16        # most coordinates for which equations are written in letters
+
+
+class Equations:
+    """full: left sides of the equations of motion; M, C, G, K: matrices {(i, j): expression or float} of the small
+    oscillations, their entries in letters or in numbers (`in_letters`); linear: left sides of their equations."""
+
+    __slots__ = ("C", "G", "K", "M", "full", "in_letters", "linear")
+
+
+def full_equations(scene):
+    """The left side of each equation of motion, simplified."""
+    T, V, Phi = textbook(kinetic(scene)), potential(scene), dissipation(scene)
+    slope_T, slope_V, slope_Phi = gradient(T), gradient(V), gradient(Phi)
+    table, zero = scene.table, scene.table.zero
+    speed = dict(zip(scene.q, scene.v, strict=True)) | dict(zip(scene.v, scene.a, strict=True))
+    found = []
+    for q, v in zip(scene.q, scene.v, strict=True):
+        momentum = gradient(slope_T.get(v, zero))
+        rate = table.sum(*((slope * speed[x], ONE) for x, slope in momentum.items() if x in speed))
+        left = rate - slope_T.get(q, zero) + slope_V.get(q, zero) + slope_Phi.get(v, zero)
+        found.append(textbook(left))
+    return found
+
+
+def equations(problem):
+    """The Equations of a problem."""
+    found = Equations()
+    scene = problem.scene
+    found.full = full_equations(scene) if len(scene.q) <= LETTERS else []
+    found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
+    if found.in_letters:
+        found.M, found.C, found.G, found.K = matrices_in_letters(problem.letters_form)
+        found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
+    else:
+        found.M, found.C, found.G, found.K = matrices_in_numbers(problem.elements)
+        found.linear = []
+    return found
+
+
+def matrices_in_letters(form):
+    """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
+    M = _assembled(form.table, form.inertias, [form.M])
+    C = _assembled(form.table, form.dampers, [form.C])
+    geometric = [{pair: force * second for pair, second in curvature.items()} for force, curvature, _ in form.curved]
+    K = _assembled(form.table, form.springs, geometric + form.K)
+    return M, C, _simplified({pair: [node] for pair, node in form.G.items()}, form.table), K
+
+
+def _assembled(table, terms, parts):
+    """Σ weight·rowᵢ·rowⱼ + parts."""
+    found = {}
+    for weight, row in terms:
+        for i, x in row.items():
+            for j, y in row.items():
+                found.setdefault((i, j), []).append(weight * x * y)
+    for part in parts:
+        for pair, node in part.items():
+            found.setdefault(pair, []).append(node)
+    return _simplified(found, table)
+
+
+def _simplified(found, table):
+    entries = {pair: textbook(table.sum(*((node, ONE) for node in nodes))) for pair, nodes in found.items()}
+    return {pair: node for pair, node in entries.items() if not node.is_zero}
+
+
+def matrices_in_numbers(elements):
+    """M, C, G, K of the element data as {(i, j): number}."""
+    found = []
+    for rows, extra in ((elements.inertias, elements.M), (elements.dampers, elements.C), ((), elements.G),
+                        (elements.springs, elements.K)):
+        matrix = dict(extra)
+        for weight, row in rows:
+            for i, x in row.items():
+                for j, y in row.items():
+                    matrix[i, j] = matrix.get((i, j), 0) + weight * x * y
+        found.append(matrix)
+    return found
+
+
+def _left_side(scene, found, i):
+    terms = []
+    for matrices, symbols in (((found.M,), scene.a), ((found.C, found.G), scene.v), ((found.K,), scene.q)):
+        for j, symbol in enumerate(symbols):
+            terms += [(matrix[i, j] * symbol, ONE) for matrix in matrices if (i, j) in matrix]
+    return scene.table.sum(*terms)

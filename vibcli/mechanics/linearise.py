@@ -1,0 +1,217 @@
+"""Small oscillations about a position: rows ∇s and weights of every element, in any arithmetic.
+
+With s(q) the scalar functions of the scene (engine of the terms T = ½ Σ w ṡ², V = Σ (N s + ½ k s²) + Σ f s, Φ = ½ Σ c ṡ²):
+
+    M = Σ w ∇s ∇sᵀ + ∂²T/∂q̇²      C = Σ c ∇s ∇sᵀ + ∂²Φ/∂q̇²
+    K = Σ k ∇s ∇sᵀ + Σ (N + k s) ∇²s + Σ f ∇²s + ∂²V/∂q² − ∂²T/∂q²      r = Σ (N + k s) ∇s + Σ f ∇s + ∂V/∂q − ∂T/∂q
+
+The second term of K is the geometric stiffness of preloads (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
+"""
+
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.evaluate import evaluate, evaluate_rational
+from vibcli.mechanics.elements import OscillatorElements
+
+
+class Linearisation:
+    """The expressions of all rows and weights, in the coordinates or with the drawn position substituted.
+
+    inertias, springs, dampers: [(weight, {i: ∂s/∂qᵢ})]; curved: [(force, {(i, j): ∂²s/∂qᵢ∂qⱼ}, {i: ∂s/∂qᵢ})], the force
+    being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}.
+    """
+
+    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "inertias", "n", "residual", "springs", "table")
+
+
+def linearise(scene):
+    """The Linearisation of a scene as functions of the coordinates."""
+    number = {node: i for i, node in enumerate(scene.q)}
+    found = Linearisation()
+    found.n, found.table = len(scene.q), scene.table
+    found.inertias = [(term.weight, _row(term.s, number)) for term in scene.inertias]
+    found.dampers = [(term.weight, _row(term.s, number)) for term in scene.dampers]
+    found.springs, found.curved = [], []
+    for term in scene.springs:
+        row = _row(term.s, number)
+        found.springs.append((term.weight, row))
+        found.curved.append((term.force + term.weight * term.s, _curvature(row, number), row))
+    for term in scene.weights:
+        row = _row(term.s, number)
+        found.curved.append((term.weight, _curvature(row, number), row))
+    _written_out(scene, found, number)
+    return found
+
+
+def _row(s, number):
+    return {number[q]: slope for q, slope in gradient(s).items() if q in number}
+
+
+def _curvature(row, number):
+    return {(i, number[q]): second for i, slope in row.items() for q, second in gradient(slope).items() if q in number}
+
+
+def _written_out(scene, found, number):
+    """What `energies` and `matrices` add."""
+    speeds = {node: i for i, node in enumerate(scene.v)}
+    rest = {v: scene.table.zero for v in scene.v}
+    T, V, Phi = (scene.energies[key] for key in ("T", "V", "Phi"))
+    momentum = {speeds[v]: p for v, p in gradient(T).items() if v in speeds}
+    force = {speeds[v]: p for v, p in gradient(Phi).items() if v in speeds}
+    found.M = _at_rest(_blocks(momentum, speeds), rest)
+    found.C = _at_rest(_blocks(force, speeds), rest)
+    slips = _at_rest(_blocks(momentum, number), rest)
+    found.G = {pair: slips.get(pair, scene.table.zero) - slips.get(pair[::-1], scene.table.zero)
+               for pair in set(slips) | {(j, i) for i, j in slips}}
+    found.G = {pair: node for pair, node in found.G.items() if not node.is_zero}
+    slope_V = {number[q]: s for q, s in gradient(V).items() if q in number}
+    slope_T = {number[q]: s for q, s in gradient(T).items() if q in number}
+    found.K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
+    found.residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
+    for i in range(found.n):
+        for j in range(found.n):
+            _given(scene, found, i, j)
+    if "K" in scene.matrices:
+        rows = scene.matrices["K"]
+        found.residual.append({i: scene.table.sum(*((q * k, scene.table.one.coefficient)
+                                                    for q, k in zip(scene.q, row, strict=True)))
+                               for i, row in enumerate(rows)})
+
+
+def _given(scene, found, i, j):
+    """Entry (i, j) of the matrices that the scene gives outright; C = sym C + G."""
+    for key, place in (("M", found.M), ("C", found.C)):
+        if key in scene.matrices:
+            entries = scene.matrices[key]
+            half = (entries[i][j] + entries[j][i]) / 2
+            if not half.is_zero:
+                place[i, j] = place.get((i, j), scene.table.zero) + half
+    if "C" in scene.matrices:
+        skew = (scene.matrices["C"][i][j] - scene.matrices["C"][j][i]) / 2
+        if not skew.is_zero:
+            found.G[i, j] = found.G.get((i, j), scene.table.zero) + skew
+    if "K" in scene.matrices and not scene.matrices["K"][i][j].is_zero:
+        found.K.append({(i, j): scene.matrices["K"][i][j]})
+
+
+def _blocks(slopes, number):
+    """{(i, j): ∂slopeᵢ/∂xⱼ} of {i: slope}, by the symbols in `number`."""
+    return {(i, number[x]): second for i, slope in slopes.items() for x, second in gradient(slope).items()
+            if x in number}
+
+
+def _negated(slopes):
+    return {i: -slope for i, slope in slopes.items()}
+
+
+def _at_rest(entries, rest):
+    values = substitute(list(entries.values()), rest)
+    return {key: node for key, node in zip(entries, values, strict=True) if not node.is_zero}
+
+
+def at_position(form, values):
+    """The Linearisation with coordinates replaced, {symbol: node}; what vanishes there is left out.
+
+    In letters, so that what is zero by structure is exactly zero.
+    """
+    nodes = []
+    _each(form, lambda node: nodes.append(node) or node)
+    moved = dict(zip(nodes, substitute(nodes, values), strict=True))
+    return _each(form, moved.__getitem__)
+
+
+def _each(form, change):
+    """A Linearisation with `change` applied to every expression in a fixed order."""
+    found = Linearisation()
+    found.n, found.table = form.n, form.table
+
+    def entries(mapping):
+        changed = {key: change(node) for key, node in mapping.items()}
+        return {key: node for key, node in changed.items() if not node.is_zero}
+
+    for kind in ("inertias", "springs", "dampers"):
+        setattr(found, kind, [(change(weight), entries(row)) for weight, row in getattr(form, kind)])
+    found.curved = [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved]
+    for kind in ("M", "C", "G"):
+        setattr(found, kind, entries(getattr(form, kind)))
+    found.K = [entries(part) for part in form.K]
+    found.residual = [entries(part) for part in form.residual]
+    return found
+
+
+class Numbers:
+    """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
+
+    __slots__ = ("elements", "residual", "residual_size")
+
+    def __init__(self, elements, residual, residual_size):
+        self.elements, self.residual, self.residual_size = elements, residual, residual_size
+
+
+def in_numbers(form, arithmetic, values, rational=None):
+    """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
+    nodes = []
+    _each(form, lambda node: nodes.append(node) or node)
+    unique = list(dict.fromkeys(nodes))
+    known = dict(zip(unique, evaluate(unique, arithmetic, values), strict=True))
+    data = _Evaluated(known)
+    n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
+    K, size = {}, {}
+    residual, residual_size = [zero] * n, [zero] * n
+    for force, curvature, row in form.curved:
+        f = known[force]
+        for pair, second in curvature.items():
+            _accumulate(K, size, pair, f * known[second])
+        for i, slope in row.items():
+            _gather(residual, residual_size, i, f * known[slope])
+    for part in form.K:
+        for pair, node in part.items():
+            _accumulate(K, size, pair, known[node])
+    for part in form.residual:
+        for i, node in part.items():
+            _gather(residual, residual_size, i, known[node])
+    elements = OscillatorElements(
+        n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
+        C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form),
+        rational_rows=_rational_rows(form, rational))
+    return Numbers(elements, residual, residual_size)
+
+
+def _accumulate(K, size, pair, term):
+    if term:
+        K[pair] = K.get(pair, 0) + term
+        size[pair] = size.get(pair, 0) + abs(term)
+
+
+def _gather(residual, size, i, term):
+    residual[i] = residual[i] + term
+    size[i] = size[i] + abs(term)
+
+
+class _Evaluated:
+    def __init__(self, known):
+        self.known = known
+
+    def rows(self, terms):
+        known = self.known
+        return [(known[weight], {i: known[node] for i, node in row.items()}) for weight, row in terms]
+
+    def entries(self, mapping):
+        return {pair: self.known[node] for pair, node in mapping.items()}
+
+
+def massless(form):
+    """Coordinates which no inertia moves: those in no row of T and in no entry of M."""
+    moving = {i for weight, row in form.inertias if not weight.is_zero for i in row}
+    moving |= {i for i, _ in form.M}
+    return [i for i in range(form.n) if i not in moving]
+
+
+def _rational_rows(form, rational):
+    if rational is None:
+        return None
+    nodes = [node for _, row in form.springs for node in row.values()]
+    values = evaluate_rational(nodes, rational)
+    if values is None:
+        return None
+    known = dict(zip(nodes, values, strict=True))
+    return [{i: known[node] for i, node in row.items()} for _, row in form.springs]

@@ -1,0 +1,142 @@
+"""Static preloads: the tensions that make the drawn position the equilibrium.
+
+In the drawn position r₀ + Σ Nⱼ ∇sⱼ = 0 is linear in the unknown tensions Nⱼ. It is solved on the rows and columns
+that a pivoted elimination picks out in floats, in letters, so that every later question sees exact expressions.
+"""
+
+from vibcli.algebra.calculus import substitute
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.normal import textbook
+from vibcli.errors import PhysicsError
+from vibcli.mechanics.linearise import at_position, linearise
+
+LOOSE = 1e-9
+
+
+def settle_static_preloads(scene):
+    """Replace every `preload: static` of the scene by its tension."""
+    if not scene.static_preloads:
+        return {}
+    names = [record.name for _, record in scene.static_preloads]
+    unknowns = [node for node, _ in scene.static_preloads]
+    form = at_position(linearise(scene), scene.drawn)
+    columns = [_column(form, unknown) for unknown in unknowns]
+    rest = _residual(form, {unknown: scene.table.zero for unknown in unknowns})
+    numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
+    rows, picked = _pivots([row[:-1] for row in numbers])
+    tensions = _solved(scene.table, [[columns[j][i] for j in picked] + [-rest[i]] for i in rows])
+    values = {unknown: scene.table.zero for unknown in unknowns}
+    values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
+    _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
+    if len(picked) < len(unknowns):
+        _harmless(scene, form, unknowns, columns, rows, picked, names)
+    scene.springs = [term._replace(force=substitute([term.force], values)[0]) for term in scene.springs]
+    return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
+
+
+def _column(form, unknown):
+    """∂r/∂N of one tension, by coordinate: r is linear in it."""
+    found = [form.table.zero] * form.n
+    for force, _, row in form.curved:
+        share = _share(force, unknown)
+        for i, slope in row.items():
+            found[i] = found[i] + share * slope
+    return found
+
+
+def _share(force, unknown):
+    """The coefficient of a symbol in a force that is linear in it."""
+    one, zero = unknown.table.one, unknown.table.zero
+    with_one, without = substitute([force], {unknown: one})[0], substitute([force], {unknown: zero})[0]
+    return with_one - without
+
+
+def _residual(form, values):
+    found = [form.table.zero] * form.n
+    for force, _, row in form.curved:
+        tension = substitute([force], values)[0]
+        for i, slope in row.items():
+            found[i] = found[i] + tension * slope
+    for part in form.residual:
+        for i, node in part.items():
+            found[i] = found[i] + node
+    return found
+
+
+def _floats(scene, rows):
+    flat = evaluate([node for row in rows for node in row], Floats, scene.sample)
+    width = len(rows[0]) if rows else 0
+    return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
+
+
+def _pivots(rows):
+    """(rows, columns) of a largest regular block, by elimination with full pivoting on scaled rows."""
+    work = [[x / (max(map(abs, row)) or 1.0) for x in row] for row in rows]
+    chosen_rows, chosen_columns = [], []
+    while True:
+        best = max(((abs(work[i][j]), i, j) for i in range(len(work)) if i not in chosen_rows
+                    for j in range(len(work[i])) if j not in chosen_columns), default=(0.0, 0, 0))
+        if best[0] <= LOOSE:
+            return chosen_rows, chosen_columns
+        _, i, j = best
+        chosen_rows.append(i)
+        chosen_columns.append(j)
+        for other in range(len(work)):
+            if other not in chosen_rows and work[other][j]:
+                factor = work[other][j] / work[i][j]
+                work[other] = [x - factor * y for x, y in zip(work[other], work[i], strict=True)]
+
+
+def solve_linear(rows, zero):
+    """The solution of a regular system [A | b] whose diagonal pivots do not vanish, over any field."""
+    work = [list(row) for row in rows]
+    for i, row in enumerate(work):
+        pivot = row[i]
+        for other in work[i + 1:]:
+            factor = other[i] / pivot
+            for column in range(i, len(row)):
+                other[column] = other[column] - factor * row[column]
+    solution = [zero] * len(work)
+    for i in reversed(range(len(work))):
+        total = work[i][-1]
+        for j in range(i + 1, len(work)):
+            total = total - work[i][j] * solution[j]
+        solution[i] = total / work[i][i]
+    return solution
+
+
+def _solved(table, rows):
+    return solve_linear(rows, table.zero)
+
+
+def _consistent(scene, numbers, tensions, names):
+    """All equations must hold, not only those that were solved."""
+    values = evaluate(tensions, Floats, scene.sample)
+    for i, row in enumerate(numbers):
+        terms = [a * N for a, N in zip(row[:-1], values, strict=True)] + [row[-1]]
+        if abs(sum(terms)) > LOOSE * sum(map(abs, terms)):
+            raise PhysicsError(
+                f"no preload of {_listed(names)} makes the drawn position an equilibrium: the condition for "
+                f"'{scene.coordinates[i]}' is left with {sum(terms):.6g}",
+                "draw the position of equilibrium, or let a spring act along that coordinate")
+
+
+def _harmless(scene, form, unknowns, columns, rows, picked, names):
+    """What the conditions leave open must not change the stiffness."""
+    free = next(j for j in range(len(unknowns)) if j not in picked)
+    shares = _solved(scene.table, [[columns[j][i] for j in picked] + [-columns[free][i]] for i in rows])
+    total = {}
+    for j, share in [(free, scene.table.one), *zip(picked, shares, strict=True)]:
+        for force, curvature, _ in form.curved:
+            weight = _share(force, unknowns[j]) * share
+            for pair, second in curvature.items():
+                total.setdefault(pair, []).append(weight * second)
+    for terms in total.values():
+        values = evaluate(terms, Floats, scene.sample)
+        if abs(sum(values)) > LOOSE * sum(map(abs, values)):
+            raise PhysicsError(f"the conditions of equilibrium do not fix the preloads of {_listed(names)}, and the "
+                               "stiffness depends on them", "give the tension of one of them: `preload: 20 N`")
+
+
+def _listed(names):
+    return " and ".join(f"'{name}'" for name in names)

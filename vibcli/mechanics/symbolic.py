@@ -1,0 +1,48 @@
+"""Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.expression import ONE
+from vibcli.algebra.normal import is_zero, textbook
+from vibcli.errors import PhysicsError
+from vibcli.mechanics.lagrange import matrices_in_letters
+from vibcli.mechanics.preload import solve_linear
+from vibcli.scene.build import sample_values
+
+
+def vanishes(scene, terms):
+    """Is the sum of these expressions zero: by expansion, or at several unrelated sets of values?"""
+    total = scene.table.sum(*((term, ONE) for term in terms))
+    if is_zero(total):
+        return True
+    for attempt in range(3):
+        values = scene.parameters.values(Floats, sample_values(scene.parameters.free, attempt + 50))
+        numbers = evaluate(terms, Floats, values)
+        if not abs(sum(numbers)) <= 1e-13 * sum(map(abs, numbers)):
+            return False
+    return True
+
+
+def equilibrium_in_letters(problem):
+    """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
+    scene = problem.scene
+    if problem.balanced_as_drawn:
+        return dict(zip(scene.coordinates, scene.drawn.values(), strict=True))
+    if not problem.is_linear:
+        raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is not "
+                           "found in letters", "draw it in equilibrium (`preload: static` helps), or give numbers with "
+                           "--set")
+    _, _, _, K = matrices_in_letters(problem.form)
+    n, zero = len(scene.q), scene.table.zero
+    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in problem.drawn_residual]
+    held = [i for i in range(n) if any((i, j) in K for j in range(n))]
+    for i in range(n):
+        if i not in held and not load[i].is_zero:
+            raise PhysicsError(f"no equilibrium: nothing holds '{scene.coordinates[i]}'", "add the spring that carries "
+                               "the load")
+    rows = [[K.get((i, j), zero) for j in held] + [-load[i]] for i in held]
+    try:
+        shift = dict(zip(held, solve_linear(rows, zero), strict=True))
+    except ZeroDivisionError:
+        raise PhysicsError("the equilibrium of this scene is not unique in letters", "give numbers with --set") from None
+    drawn = list(scene.drawn.values())
+    return {name: textbook(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}

@@ -1,0 +1,283 @@
+"""Problem: the lazy pipeline from a Spec to its answers — the only cache, the only place that decides what to compute.
+
+    scene → form (linearised expressions) → equilibrium → elements → modes, damped modes
+                 └ energies, equations of motion in letters
+
+Each stage is computed on first touch, by one call to a pure function whose module is imported there.
+"""
+
+from fractions import Fraction
+from functools import cached_property
+from time import perf_counter
+
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
+
+
+class _Stage(cached_property):
+    """A cached property that records what it cost."""
+
+    def __get__(self, problem, owner=None):
+        if problem is None:
+            return self
+        known = problem.__dict__
+        if self.attrname in known:
+            return known[self.attrname]
+        before, inner = perf_counter(), problem.inner
+        problem.inner = 0.0
+        value = super().__get__(problem, owner)
+        spent = perf_counter() - before
+        problem.costs[self.attrname] = spent - problem.inner
+        problem.inner = inner + spent
+        return value
+
+
+class Problem:
+    """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
+
+    def __init__(self, spec, given=None):
+        self.spec, self.given = spec, dict(given or {})
+        self.costs, self.inner = {}, 0.0
+
+    def with_values(self, given):
+        """The same scene with values for its symbols."""
+        return Problem(self.spec, {**self.given, **given})
+
+    def case(self, name):
+        return Problem(self.spec.cases[name], self.given)
+
+    def dimension(self, coordinate):
+        """The dimension of a coordinate; a length where nothing settles it."""
+        from vibcli.units import LENGTH
+
+        found = self.spec.dimensions.of(coordinate)
+        return LENGTH if any(base.startswith("?") for base in found) else found
+
+    @_Stage
+    def scene(self):
+        from vibcli.mechanics.preload import settle_static_preloads
+        from vibcli.scene.build import build_scene
+
+        scene = build_scene(self.spec)
+        if self.given:
+            scene.sample = scene.parameters.values(_floats(), {k: float(v) for k, v in self.given.items()})
+        self.preloads = settle_static_preloads(scene)
+        return scene
+
+    @property
+    def symbolic(self):
+        """Are there parameters without value?"""
+        return any(name not in self.given for name in self.scene.parameters.free
+                   if name not in self.scene.parameters.definitions)
+
+    @_Stage
+    def form(self):
+        from vibcli.mechanics.linearise import linearise
+
+        return linearise(self.scene)
+
+    @cached_property
+    def drawn_form(self):
+        """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
+        from vibcli.mechanics.linearise import at_position
+
+        return at_position(self.form, self.scene.drawn)
+
+    @cached_property
+    def is_linear(self):
+        """Do the equations not depend on where the scene is linearised?"""
+        form = self.form
+        rows = [node for rows in (form.inertias, form.springs, form.dampers) for _, row in rows for node in row.values()]
+        parts = [node for part in (form.M, form.C, form.G, *form.K) for node in part.values()]
+        return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
+
+    @cached_property
+    def linear_in_letters(self):
+        """Can the small oscillations be written in letters: is the equilibrium drawn, or does its place not matter?"""
+        return self.is_linear or self.balanced_as_drawn
+
+    @property
+    def letters_form(self):
+        return self.drawn_form if self.balanced_as_drawn else self.form
+
+    @cached_property
+    def balanced_as_drawn(self):
+        if self.symbolic:
+            from vibcli.mechanics.symbolic import vanishes
+
+            return all(vanishes(self.scene, terms) for terms in self.drawn_residual)
+        return self.equilibrium.drawn
+
+    @cached_property
+    def drawn_residual(self):
+        """The terms of each condition of equilibrium as drawn: lists of expressions."""
+        found = [[] for _ in self.scene.q]
+        for force, _, row in self.drawn_form.curved:
+            for i, slope in row.items():
+                found[i].append(force * slope)
+        for part in self.drawn_form.residual:
+            for i, node in part.items():
+                found[i].append(node)
+        return found
+
+    # numbers
+
+    def values(self, arithmetic):
+        """{parameter: number} in an arithmetic."""
+        from vibcli.parameters import require_values
+
+        if self.symbolic:
+            require_values(self.scene.parameters, "this")
+        given = {name: arithmetic.number(value) for name, value in self.given.items()}
+        return self.scene.parameters.values(arithmetic, given)
+
+    @cached_property
+    def floats(self):
+        return self.values(_floats())
+
+    @cached_property
+    def drawn_floats(self):
+        from vibcli.algebra.evaluate import evaluate
+
+        nodes = list(self.scene.drawn.values())
+        return dict(zip(self.scene.coordinates, evaluate(nodes, _floats(), self.floats), strict=True))
+
+    @cached_property
+    def rational(self):
+        """Exact values of the parameters that have a rational one."""
+        return {**self.scene.parameters.rational(), **self.given}
+
+    @cached_property
+    def potential(self):
+        """V of the whole scene less the kinetic energy at rest, as an expression."""
+        from vibcli.mechanics.energies import effective_potential
+
+        return effective_potential(self.scene)
+
+    @_Stage
+    def equilibrium(self):
+        from vibcli.mechanics import equilibrium
+
+        start = self.spec.get("equilibrium")
+        if start is None and self.drawn_numbers is not None:
+            return equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
+        return equilibrium.find_equilibrium(self, self._start(start or {}))
+
+    def _start(self, start):
+        from vibcli.algebra.evaluate import evaluate
+
+        nodes = [self.scene.lower(expression) for expression in start.values()]
+        return {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+
+    @cached_property
+    def drawn_numbers(self):
+        """The numbers in the drawn position where that is an equilibrium, else None."""
+        from vibcli.mechanics.equilibrium import is_balanced
+        from vibcli.mechanics.linearise import in_numbers
+
+        numbers = in_numbers(self.drawn_form, _floats(), self.floats, self.rational)
+        terms = len(self.drawn_form.curved) + len(self.drawn_form.residual)
+        return numbers if is_balanced(numbers, terms + 2) else None
+
+    @_Stage
+    def elements(self):
+        """The element data at the equilibrium, in floats that are correct but for their own rounding."""
+        from vibcli.mechanics.linearise import in_numbers
+
+        if self.equilibrium.drawn:
+            return self.drawn_numbers.elements
+        if self.is_linear:
+            return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
+        from vibcli.mechanics.precise import rounded_elements
+
+        return rounded_elements(self)
+
+    def precise_elements(self, digits):
+        """The element data at the equilibrium to so many digits, as mpmath numbers."""
+        from vibcli.mechanics.precise import elements_to
+
+        return elements_to(self, digits)
+
+    def exact_elements(self):
+        """The element data as Fractions, None where they are irrational or the equilibrium is not the drawn position."""
+        from vibcli.algebra.evaluate import Rationals
+        from vibcli.mechanics.linearise import in_numbers
+
+        form = self.drawn_form if self.equilibrium.drawn else self.form if self.is_linear else None
+        if form is None:
+            return None
+        try:
+            anywhere = dict.fromkeys(self.scene.coordinates, Fraction(0))
+            return in_numbers(form, Rationals(), {**self.rational, **anywhere}).elements
+        except (Rationals.Irrational, KeyError, ZeroDivisionError):
+            return None
+
+    @_Stage
+    def modes(self):
+        """The undamped modes."""
+        from vibcli.analyses.modal import undamped
+
+        return self._named(undamped, self.elements, self.precise_elements)
+
+    @_Stage
+    def damped(self):
+        """The damped modes; None where nothing damps."""
+        elements = self.elements
+        if not (elements.dampers or elements.C or elements.G):
+            return None
+        from vibcli.analyses.damped import damped
+
+        return self._named(damped, elements, self.precise_elements, self.exact_elements)
+
+    def _named(self, solve, *args, **options):
+        """Solve, and give a physical refusal the name of its coordinate."""
+        from vibcli.errors import PhysicsError
+
+        try:
+            return solve(*args, **options)
+        except PhysicsError as error:
+            index = getattr(error, "coordinate", None)
+            if index is not None:
+                name = self.scene.coordinates[index]
+                error.message = error.message.format(coordinate=name).replace(f"coordinate {index + 1}", f"'{name}'")
+                error.where = error.where or self.spec.coordinates[name].where
+            raise
+
+    def to_digits(self, digits):
+        """(modes, damped modes) recomputed to so many correct digits."""
+        from vibcli.analyses.damped import damped
+        from vibcli.analyses.modal import undamped
+
+        elements = self.elements
+        modes = self._named(undamped, elements, self.precise_elements, digits=digits)
+        if not (elements.dampers or elements.C or elements.G):
+            return modes, None
+        return modes, self._named(damped, elements, self.precise_elements, self.exact_elements, digits=digits)
+
+    # letters
+
+    @_Stage
+    def energies(self):
+        """T, V and Φ of the scene, brought into the form a textbook prints."""
+        from vibcli.mechanics.energies import textbook_energies
+
+        return textbook_energies(self.scene)
+
+    @_Stage
+    def equations(self):
+        """Lagrange's equations, full and for small oscillations, in letters."""
+        from vibcli.mechanics.lagrange import equations
+
+        return equations(self)
+
+    @_Stage
+    def closed_forms(self):
+        """Natural frequencies and modes in letters, by SymPy."""
+        from vibcli.analyses.closed import closed_forms
+
+        return closed_forms(self)
+
+
+def _floats():
+    from vibcli.algebra.evaluate import Floats
+
+    return Floats

@@ -1,0 +1,272 @@
+"""Expressions as text (m·L²·φ̈/3) and as LaTeX, in the notation of the field: dots for time derivatives."""
+
+import re
+from fractions import Fraction
+
+from vibcli.algebra.expression import HALF, ONE
+
+_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
+          "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
+          "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
+          "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
+          "Omega": "Ω"}
+_NAME = re.compile(rf"({'|'.join(sorted(_GREEK, key=len, reverse=True))}|[A-Za-z])(.*)")
+_SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
+_PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
+                "u\u0308": "ü", "r\u0307": "ṙ"}
+
+
+def split_name(name):
+    """('φ', '1', "'") of phi1': letter, subscript, primes. A name of several letters keeps its first as the letter."""
+    bare = name.rstrip("'")
+    match = _NAME.fullmatch(bare)
+    primes = name[len(bare):]
+    if match is None:
+        return bare, "", primes
+    letter, rest = match.groups()
+    return letter, rest.removeprefix("_"), primes
+
+
+class Notation:
+    """Writes nodes; the subclasses say how symbols, products, powers and brackets look."""
+
+    def __call__(self, node):
+        return self.write(node, 0)
+
+    def write(self, node, tightness):
+        """`tightness`: 0 within a sum, 1 within a product, 2 as the base of a power or argument."""
+        return getattr(self, "_" + node.op)(node, tightness)
+
+    def _number(self, node, tightness):
+        text = self.number(node.coefficient)
+        loose = node.coefficient < 0 or (tightness > 1 and node.coefficient.denominator > 1)
+        return self.brackets(text) if loose and tightness else text
+
+    def _pi(self, node, tightness):
+        return self.symbol("pi")
+
+    def _symbol(self, node, tightness):
+        return self.symbol(node.name)
+
+    def _sum(self, node, tightness):
+        terms = sorted(node.args, key=_rank)
+        parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
+        pieces = [(value < 0, self._term(abs(value), part)) for value, part in parts]
+        if node.coefficient:
+            pieces.append((node.coefficient < 0, self.number(abs(node.coefficient))))
+        if pieces[0][0]:
+            first = next((i for i, piece in enumerate(pieces) if not piece[0]), 0)
+            pieces.insert(0, pieces.pop(first))
+        text = ("−" if pieces[0][0] else "") + pieces[0][1]
+        text += "".join((" − " if negative else " + ") + piece for negative, piece in pieces[1:])
+        return self.brackets(self.minus(text)) if tightness else self.minus(text)
+
+    def _term(self, value, part):
+        if part.op == "product":
+            return self.product(value, part.args)
+        return self.product(value, ((part, ONE),))
+
+    def _product(self, node, tightness):
+        text = self.product(abs(node.coefficient), node.args)
+        if node.coefficient < 0:
+            text = self.minus("−" + text)
+        return self.brackets(text) if tightness > 1 or (tightness and node.coefficient < 0) else text
+
+    def _call(self, node, tightness):
+        if node.name == "power":
+            return self.power(self.write(node.args[0], 2), self.write(node.args[1], 0))
+        if len(node.args) == 1:
+            return self.call(node.name, node.args[0], ONE)
+        return self.function(node.name, [self.write(arg, 0) for arg in node.args])
+
+    def factors(self, value, args):
+        """(above, below, under the root above, below it): lists of (node, exponent) and the rational parts."""
+        above, below, root_above, root_below = [], [], [], []
+        for base, exponent in sorted(args, key=_factor_rank):
+            if exponent.denominator == 2:
+                whole = exponent - HALF if exponent > 0 else exponent + HALF
+                (root_above if exponent > 0 else root_below).append((base, ONE))
+                exponent = whole
+            if exponent > 0:
+                above.append((base, exponent))
+            elif exponent < 0:
+                below.append((base, -exponent))
+        return above, below, root_above, root_below
+
+    def powered(self, base, exponent, alone):
+        if base.op == "call" and base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh") and exponent != 1:
+            return self.call(base.name, base.args[0], exponent)
+        if exponent == 1:
+            return self.write(base, 0 if alone else 1)
+        return self.power(self.write(base, 2), self.number(exponent))
+
+
+class Plain(Notation):
+    """Unicode text."""
+
+    def number(self, value):
+        return decimal(value)
+
+    def minus(self, text):
+        return text
+
+    def symbol(self, name):
+        letter, rest, primes = split_name(name)
+        dotted = _GREEK.get(letter, letter) + _DOTS[primes]
+        dotted = _PRECOMPOSED.get(dotted, dotted)
+        return dotted + (rest.translate(_SUBSCRIPT) if rest.isdigit() else "_" + rest if len(rest) > 1 else rest)
+
+    def brackets(self, text):
+        return f"({text})"
+
+    def power(self, base, exponent):
+        if re.fullmatch(r"-?\d+", exponent):
+            return base + exponent.translate(_SUPERSCRIPT)
+        return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
+
+    def function(self, name, args):
+        return f"{name}({', '.join(args)})"
+
+    def call(self, name, arg, exponent):
+        head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
+        inner = self.write(arg, 0)
+        return f"{head} {inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
+
+    def product(self, value, args):
+        above, below, root_above, root_below = self.factors(value, args)
+        single = len(above) + bool(root_above or root_below) == 1 and value.numerator == 1 and not below
+        tops = [self.powered(base, e, single and value == 1) for base, e in above]
+        if root_above or root_below:
+            tops.insert(0 if not above else len(tops), self.root(root_above, root_below))
+        bottoms = [self.powered(base, e, False) for base, e in below]
+        if value.denominator > 1 and not _shown_as_decimal(value):
+            bottoms.insert(0, str(value.denominator))
+            value = Fraction(value.numerator)
+        if value != 1 or not tops:
+            tops.insert(0, decimal(value))
+        text = "·".join(tops)
+        if not bottoms:
+            return text
+        return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'·'.join(bottoms)})")
+
+    def root(self, above, below):
+        inner = self.product(ONE, above) if above else "1"
+        if below:
+            bottom = self.product(ONE, below)
+            inner += "/" + (bottom if len(below) == 1 and below[0][0].op in ("symbol", "number") else f"({bottom})")
+        simple = re.fullmatch(r"[\w₀-₉]+", inner)
+        return "√" + (inner if simple else f"({inner.removeprefix('(').removesuffix(')') if _enclosed(inner) else inner})")
+
+
+def _enclosed(text):
+    """Is the text one pair of brackets around everything?"""
+    depth = 0
+    for i, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if depth == 0:
+            return text.startswith("(") and i == len(text) - 1
+    return False
+
+
+class Latex(Notation):
+    """LaTeX, for math mode."""
+
+    def number(self, value):
+        if value.denominator == 1 or _shown_as_decimal(value):
+            return decimal(value)
+        sign = "-" if value < 0 else ""
+        return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+
+    def minus(self, text):
+        return text.replace("−", "-")
+
+    def symbol(self, name):
+        letter, rest, primes = split_name(name)
+        if letter in _GREEK:
+            letter = "\\" + {"phi": "varphi", "epsilon": "varepsilon"}.get(letter, letter)
+        accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]
+        word = rest if len(rest) < 2 or rest.isdigit() else rf"\mathrm{{{rest}}}"
+        return accent.format(letter) + (f"_{{{word}}}".replace("_", r"\_").replace(r"\_", "_", 1) if rest else "")
+
+    def brackets(self, text):
+        return rf"\left({text}\right)"
+
+    def power(self, base, exponent):
+        return f"{base}^{{{exponent}}}"
+
+    def function(self, name, args):
+        return rf"\operatorname{{{name}}}\left({', '.join(args)}\right)"
+
+    def call(self, name, arg, exponent):
+        known = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}.get(name, name)
+        head = rf"\operatorname{{{known}}}" if known in ("sign", "abs") else "\\" + known
+        head += "" if exponent == 1 else f"^{{{decimal(exponent)}}}"
+        inner = self.write(arg, 0)
+        return f"{head} {inner}" if arg.op in ("symbol", "pi") else rf"{head}\left({inner}\right)"
+
+    def product(self, value, args):
+        above, below, root_above, root_below = self.factors(value, args)
+        alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
+        thin = r" \, "
+        plain = not below and (value.denominator == 1 or _shown_as_decimal(value))
+        tops = [self.powered(base, e, alone and (not plain or value == 1)) for base, e in above]
+        if root_above or root_below:
+            tops.append(self.root(root_above, root_below))
+        if plain:
+            if value != 1 or not tops:
+                tops.insert(0, decimal(value))
+            return thin.join(tops)
+        bottoms = [self.powered(base, e, len(below) == 1 and value.denominator == 1) for base, e in below]
+        if value.denominator > 1:
+            bottoms.insert(0, str(value.denominator))
+        if value.numerator != 1 or not tops:
+            tops.insert(0, str(value.numerator))
+        return rf"\frac{{{thin.join(tops)}}}{{{thin.join(bottoms)}}}"
+
+    def root(self, above, below):
+        top = self.product(ONE, above) if above else "1"
+        return rf"\sqrt{{\frac{{{top}}}{{{self.product(ONE, below)}}}}}" if below else rf"\sqrt{{{top}}}"
+
+
+def _shown_as_decimal(value):
+    """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
+    return value.denominator > 48
+
+
+def decimal(value):
+    """A rational as text: an integer, p/q, or a decimal where that is short enough, else 12 digits."""
+    if value.denominator == 1:
+        text = str(value.numerator)
+        return text if len(text) < 16 else f"{float(value):.12g}"
+    if not _shown_as_decimal(value):
+        return f"{value.numerator}/{value.denominator}".replace("-", "−")
+    return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
+
+
+def _rank(pair):
+    """Accelerations first, then what moves, then constants; otherwise in the order of making."""
+    node = pair[0]
+    deepest = _most_primes(node)
+    return (-deepest if deepest > 1 else 0, not node.mask, node.index)
+
+
+def _most_primes(node):
+    if node.op == "symbol":
+        return len(node.name) - len(node.name.rstrip("'"))
+    if node.op == "product":
+        return max((_most_primes(base) for base, _ in node.args), default=0)
+    return 0
+
+
+def _factor_rank(pair):
+    """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
+    base = pair[0]
+    kind = 0 if base.op == "number" else 1 if base.op in ("symbol", "pi") and not base.mask else 2 if base.op == "sum" else 3
+    if kind == 3:
+        kind = 3 if base.op == "call" else 4 + _most_primes(base)
+    return kind, base.index
+
+
+plain, latex = Plain(), Latex()
