@@ -66,8 +66,8 @@ def enclosed(elements, scale, zeros, goal=60):
         a, reduced = standard(elements, scale, bits)
         found = spectrum(a, bits, goal, zeros or 0, reduced.slack)
         answer = Enclosed(found, reduced, zeros)
-        relative = np.log2(np.maximum(answer.radius, 1e-300) / np.where(answer.zero, np.inf, answer.sizes()))
-        if (relative - answer.shift <= 1 - goal).all():
+        size = np.where(answer.zero, np.inf, answer.sizes())
+        if (np.log2(answer.radius) - np.log2(size) - answer.shift <= 1 - goal).all():
             break
     return answer
 

@@ -49,11 +49,12 @@ def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
         off = Offset(h, gram - one, alpha, gaps, zeros, slack, bits)
         radius = off.radius()
         worst = off.worst(radius)
-        if worst <= -goal or (worst > previous - 4 and previous < -30):
+        rough = off.rough()
+        if (worst <= -goal and rough <= -goal / 2) or (worst > previous - 4 and rough < -30 and previous < -30):
             break
         previous = worst
         q = q.dot(step(h, gram, alpha, gaps, off.clusters(), bits)) >> bits
-    if worst > -2 * goal:
+    if rough > -2 * goal:
         q = q.dot(_first_order(h, gram, gaps, off.clusters(), bits)) >> bits
     return Spectrum(alpha, radius, off.shift, q, bits)
 
@@ -61,13 +62,14 @@ def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
 class Offset:
     """diag(α) + 2^-shift E in floats: how far α is from the eigenvalues."""
 
-    __slots__ = ("alpha", "e", "gap", "scaled", "shift", "zero")
+    __slots__ = ("alpha", "e", "gap", "scaled", "shift", "skew", "zero")
 
     def __init__(self, h, excess, alpha, gap, zeros, slack, bits):
         top = max(abs(x) for x in h.ravel().tolist()).bit_length()
         self.shift = bits - max(top, math.ceil(slack), 1)
         size = np.abs(floats(h, bits - self.shift))
         spoiled = np.abs(floats(excess, bits))
+        self.skew = max(abs(x) for x in excess.ravel().tolist()).bit_length() - bits
         self.e = size + 1.1 * spoiled @ size + 2.0 ** (slack + self.shift - bits)
         self.alpha, self.gap = floats(alpha, bits), np.abs(floats(gap, bits))
         self.zero = np.zeros(len(alpha), bool)
@@ -112,6 +114,14 @@ class Offset:
         if not judged.any():
             return -math.inf if self.e.max() < 1e6 * self.e.min() or len(size) == 1 else math.inf
         return float(np.log2(radius[judged] / size[judged]).max()) - self.shift
+
+    def rough(self):
+        """log2 of how far the vectors are from orthonormal eigenvectors."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            tilt = self.e / self.gap
+        apart = np.ldexp(self.scaled + self.scaled.T, -self.shift) <= 0.05 * self.gap
+        np.fill_diagonal(apart, False)
+        return max(float(self.skew), math.log2(tilt[apart].max(initial=1e-300)) - self.shift)
 
     def _union(self, disc):
         """How far the union of overlapping discs about the sorted values reaches from each."""

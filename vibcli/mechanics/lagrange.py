@@ -19,19 +19,20 @@ class Equations:
     __slots__ = ("C", "G", "K", "M", "full", "in_letters", "linear")
 
 
+def equation_of(scene, i, T=None, V=None, Phi=None):
+    """The left side of the equation of motion of coordinate i, as it comes from the energies."""
+    T, V, Phi = T or kinetic(scene), V or potential(scene), Phi or dissipation(scene)
+    q, v, zero = scene.q[i], scene.v[i], scene.table.zero
+    speed = dict(zip(scene.q, scene.v, strict=True)) | dict(zip(scene.v, scene.a, strict=True))
+    momentum = gradient(gradient(T).get(v, zero))
+    rate = scene.table.sum(*((slope * speed[x], ONE) for x, slope in momentum.items() if x in speed))
+    return rate - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
+
+
 def full_equations(scene):
     """The left side of each equation of motion, simplified."""
     T, V, Phi = textbook(kinetic(scene)), potential(scene), dissipation(scene)
-    slope_T, slope_V, slope_Phi = gradient(T), gradient(V), gradient(Phi)
-    table, zero = scene.table, scene.table.zero
-    speed = dict(zip(scene.q, scene.v, strict=True)) | dict(zip(scene.v, scene.a, strict=True))
-    found = []
-    for q, v in zip(scene.q, scene.v, strict=True):
-        momentum = gradient(slope_T.get(v, zero))
-        rate = table.sum(*((slope * speed[x], ONE) for x, slope in momentum.items() if x in speed))
-        left = rate - slope_T.get(q, zero) + slope_V.get(q, zero) + slope_Phi.get(v, zero)
-        found.append(textbook(left))
-    return found
+    return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
 def equations(problem):

@@ -1,0 +1,198 @@
+"""Random oscillators of every kind that breaks solvers, and their eigenvalues in many digits.
+
+Each family is a function (random, n, ratio) -> OscillatorElements; ratio is the quotient of the stiffest and the
+softest spring.
+"""
+
+import math
+from fractions import Fraction
+
+import mpmath
+
+from vibcli.mechanics.elements import OscillatorElements
+
+
+def _weight(random, ratio):
+    return ratio ** random.random()
+
+
+def _masses(random, n, ratio=10.0):
+    return [(_weight(random, ratio), {i: 1.0}) for i in range(n)]
+
+
+def _with_rows(n, inertias, springs, **more):
+    rows = tuple({i: Fraction(x) for i, x in row.items()} for _, row in springs)
+    return OscillatorElements(n, inertias, springs, rational_rows=rows, **more)
+
+
+def chain(random, n, ratio, grounded=True):
+    """Masses in a row."""
+    springs = [(_weight(random, ratio), {i: 1.0, i - 1: -1.0}) for i in range(1, n)]
+    if grounded:
+        springs.append((_weight(random, ratio), {0: 1.0}))
+    return _with_rows(n, _masses(random, n), springs)
+
+
+def free_chain(random, n, ratio):
+    """Masses in a row, tied to nothing."""
+    return chain(random, n, ratio, grounded=False)
+
+
+def tree(random, n, ratio):
+    """Each mass hung on an earlier one."""
+    springs = [(_weight(random, ratio), {i: 1.0, random.randrange(i): -1.0}) for i in range(1, n)]
+    springs.append((_weight(random, ratio), {random.randrange(n): 1.0}))
+    return _with_rows(n, _masses(random, n), springs)
+
+
+def ring(random, n, ratio):
+    """A chain closed on itself, with some cross ties and now and then one to the ground."""
+    springs = [(_weight(random, ratio), {i: 1.0, (i + 1) % n: -1.0}) for i in range(n) if n > 1]
+    for _ in range(random.randrange(3)):
+        i, j = random.randrange(n), random.randrange(n)
+        if i != j:
+            springs.append((_weight(random, ratio), {i: 1.0, j: -1.0}))
+    if random.random() < 0.5:
+        springs.append((_weight(random, ratio), {random.randrange(n): 1.0}))
+    return _with_rows(n, _masses(random, n), springs)
+
+
+def levers(random, n, ratio):
+    """Rigid bars (x and angle by turns) tied to each other and to the ground at points along them."""
+    n += n % 2
+    inertias = [(_weight(random, 10.0), {i: 1.0}) for i in range(n)]
+    springs = []
+    for i in range(0, n, 2):
+        for _ in range(2):
+            row = {i: 1.0, i + 1: random.choice((-1.0, -0.75, 0.5, 1.0, 1.25))}
+            if i and random.random() < 0.6:
+                j = 2 * random.randrange(i // 2)
+                row |= {j: -1.0, j + 1: random.choice((-1.0, 0.25, 0.5, 1.0))}
+            springs.append((_weight(random, ratio), row))
+    return _with_rows(n, inertias, springs)
+
+
+def general(random, n, ratio):
+    """Rows of any components, as of a planar truss; one spring more than coordinates."""
+    springs = [(_weight(random, ratio), {i: random.uniform(-1, 1) for i in random.sample(range(n), min(n, 4))})
+               for _ in range(n + 1)]
+    return _with_rows(n, _masses(random, n), springs)
+
+
+def full_mass(random, n, ratio):
+    """Coordinates coupled through the masses, as relative coordinates are."""
+    inertias = [(_weight(random, 1e3), {j: 1.0 for j in range(i + 1)}) for i in range(n)]
+    inertias += [(_weight(random, 1e3), {i: random.uniform(-1, 1), (i + 1) % n: 1.0}) for i in range(n)]
+    springs = [(_weight(random, ratio), {i: 1.0}) for i in range(n)]
+    return _with_rows(n, inertias, springs)
+
+
+def preloaded(random, n, ratio):
+    """A chain with a symmetric, mostly indefinite matrix added to its stiffness."""
+    base = chain(random, n, ratio)
+    k = {}
+    for i in range(n):
+        for j in range(i + 1):
+            if i == j or random.random() < 0.4:
+                k[i, j] = k[j, i] = random.uniform(-2, 1)
+    return OscillatorElements(n, base.inertias, base.springs, K=k)
+
+
+def repeated(random, n, ratio):
+    """A ring of equal masses and springs: its frequencies come in pairs."""
+    k = _weight(random, ratio)
+    springs = [(k, {i: 1.0, (i + 1) % n: -1.0}) for i in range(n) if n > 2] + [(k / 2, {i: 1.0}) for i in range(n)]
+    return _with_rows(n, [(3.0, {i: 1.0}) for i in range(n)], springs)
+
+
+def massless_nodes(random, n, ratio):
+    """A chain with some nodes of no mass."""
+    base = chain(random, n, ratio)
+    bare = sorted(random.sample(range(n), max(1, n // 3))) if n > 1 else []
+    inertias = [term for i, term in enumerate(base.inertias) if i not in bare]
+    return _with_rows(n, inertias, base.springs, massless=bare)
+
+
+ONE_AXIS = (chain, free_chain, tree, ring, levers)
+UNDAMPED = (*ONE_AXIS, general, full_mass, preloaded, repeated, massless_nodes)
+
+
+def damped_chain(random, n, ratio, size=1.0, grounded=True):
+    """A chain with dampers anywhere, their strengths about `size`."""
+    base = chain(random, n, ratio, grounded)
+    dampers = []
+    for _ in range(random.randrange(1, n + 2)):
+        i, j = random.randrange(n), random.randrange(n)
+        row = {i: 1.0} if i == j else {i: 1.0, j: -1.0}
+        dampers.append((size * _weight(random, 10.0), row))
+    return _with_rows(n, base.inertias, base.springs, dampers=dampers)
+
+
+def gyroscopic(random, n, ratio, size=1.0, grounded=True):
+    """A chain with a random skew matrix and no damping."""
+    base = chain(random, n, ratio, grounded)
+    g = {}
+    for i in range(n):
+        for j in range(i):
+            g[i, j] = size * random.uniform(-1, 1)
+            g[j, i] = -g[i, j]
+    return _with_rows(n, base.inertias, base.springs, G=g)
+
+
+def rotor(random, n, ratio, size=1.0):
+    """Skew, damping and indefinite stiffness together."""
+    base, turning = preloaded(random, n, ratio), gyroscopic(random, n, ratio, size)
+    dampers = damped_chain(random, n, ratio, size).dampers
+    return OscillatorElements(n, base.inertias, base.springs, dampers, G=turning.G, K=base.K)
+
+
+def dense(terms, matrix, n):
+    """Σ w s sᵀ + matrix in mpmath."""
+    out = mpmath.zeros(n, n)
+    for weight, row in terms:
+        for i, x in row.items():
+            for j, y in row.items():
+                out[i, j] += mpmath.mpf(weight) * x * y
+    for (i, j), x in matrix.items():
+        out[i, j] += x
+    return out
+
+
+def pencil(elements):
+    """M, C + G, K in mpmath."""
+    n = elements.n
+    c = dense(elements.dampers, elements.C, n)
+    for (i, j), x in elements.G.items():
+        c[i, j] += x
+    return dense(elements.inertias, elements.M, n), c, dense(elements.springs, elements.K, n)
+
+
+def squares(elements):
+    """ω² ascending, massless coordinates condensed, at the precision that mpmath has now."""
+    m, _, k = pencil(elements)
+    bare = sorted(elements.massless)
+    kept = [i for i in range(elements.n) if i not in bare]
+    if bare:
+        part = lambda a, r, c: mpmath.matrix([[a[i, j] for j in c] for i in r])  # noqa: E731
+        follow = mpmath.lu_solve(part(k, bare, bare), part(k, bare, kept)) if len(kept) == 1 else \
+            part(k, bare, bare) ** -1 * part(k, bare, kept)
+        k, m = part(k, kept, kept) - part(k, kept, bare) * follow, part(m, kept, kept)
+    inverse = mpmath.cholesky(m) ** -1
+    a = inverse * k * inverse.T
+    return sorted(mpmath.eigsy((a + a.T) / 2, eigvals_only=True))
+
+
+def eigenvalues(elements):
+    """All 2n eigenvalues λ of λ²M + λ(C + G) + K, at the precision that mpmath has now."""
+    m, c, k = pencil(elements)
+    n, inverse = elements.n, m ** -1
+    a = mpmath.zeros(2 * n, 2 * n)
+    for i in range(n):
+        a[i, n + i] = 1
+    a[n:, :n], a[n:, n:] = -(inverse * k), -(inverse * c)
+    return list(mpmath.eig(a, left=False, right=False))
+
+
+def hypotenuse(values):
+    """√Σx²: the size of the largest in a list of mpmath numbers, near enough."""
+    return math.sqrt(sum(float(abs(x)) ** 2 for x in values))

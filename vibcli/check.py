@@ -1,0 +1,243 @@
+"""Answers against results: a verdict per line of `answers`.
+
+Numbers are compared within the tolerance of the digits written, expressions to rounding and the result's own error
+bound; equations of motion up to a non-zero factor, V up to a constant, at random states. A scene with symbols is
+checked at several sets of random values of its symbols.
+"""
+
+import random
+import re
+from fractions import Fraction
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.meaning import lower, quantities_in, whole_literal
+from vibcli.asking import coordinate_name
+from vibcli.errors import PhysicsError
+from vibcli.measured import measure
+from vibcli.mechanics.energies import dissipation, kinetic, potential
+
+EXACT, WIDEST = 1e-9, 0.005
+DRAWS, STATES = 3, 5
+
+
+class Verdict:
+    """One answer compared: expected and found (numbers or None), whether they agree, and a remark."""
+
+    __slots__ = ("agrees", "answer", "case", "expected", "found", "remark", "tolerance")
+
+    def __init__(self, answer, agrees, expected=None, found=None, tolerance=None, remark=None, case=None):
+        self.answer, self.agrees, self.expected, self.found = answer, agrees, expected, found
+        self.tolerance, self.remark, self.case = tolerance, remark, case
+
+
+def check(problem):
+    """The Verdicts of a problem and of its cases; PhysicsError where a scene has no such answer."""
+    verdicts = [_verdict(problem, answer, None) for answer in problem.spec.answers]
+    for name, spec in problem.spec.cases.items():
+        part = problem.case(name)
+        verdicts += [_verdict(part, answer, name) for answer in spec.answers]
+    return verdicts
+
+
+def _verdict(problem, answer, case):
+    draws = [problem]
+    if problem.symbolic:
+        draws = [problem.with_values(values) for values in drawn_values(problem)]
+    verdict = None
+    for draw in draws:
+        verdict = _compare(draw, answer)
+        if not verdict.agrees:
+            break
+    verdict.case = case
+    return verdict
+
+
+def drawn_values(problem):
+    """Sets of random positive values for the symbols of a scene in which the drawing fits together.
+
+    Reproducible: the values depend on the names alone. They lie near the sample with which the scene was drawn,
+    so that signs such as that of R − r are kept.
+    """
+    scene = problem.scene
+    free = [name for name in scene.parameters.free if name not in scene.parameters.definitions]
+    for draw in range(DRAWS):
+        generator = random.Random(f"{draw} {' '.join(free)}")
+        yield {name: Fraction(scene.sample[name]).limit_denominator(1000) * Fraction(generator.randint(850, 1150), 1000)
+               for name in free}
+
+
+def _compare(problem, answer):
+    tree = answer.asked.tree
+    head = tree[4] if tree[0] == "quantity" else None
+    if head in ("equation", "motion"):
+        return _compare_equation(problem, answer, head)
+    if head in ("T", "V", "Phi"):
+        return _compare_energy(problem, answer, head)
+    if head == "stable":
+        stable = measure(problem, tree)[0]
+        wanted = answer.expected.text == "true"
+        return Verdict(answer, stable == wanted, wanted, stable)
+    found, error = value_of(problem, tree)
+    expected, _ = value_of(problem, answer.expected.tree)
+    tolerance = _tolerance(problem, answer, expected, error)
+    agrees = abs(found - expected) <= tolerance
+    return Verdict(answer, agrees, expected, found, tolerance, None if agrees else likely_mistake(head, expected, found))
+
+
+def value_of(problem, tree):
+    """(value, relative error bound) of an expression of parameters and quantities."""
+    scene, values, worst = problem.scene, dict(problem.floats), 0.0
+    for quantity in quantities_in(tree):
+        values[quantity[3]], error = measure(problem, quantity)
+        worst = max(worst, error)
+    table = scene.table
+
+    def symbol(name, primes, part):
+        return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
+
+    value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
+    if value != value:
+        raise PhysicsError("the expected value is not a real number here")
+    return value, worst
+
+
+def _tolerance(problem, answer, expected, error):
+    """The absolute tolerance: that given, that of the digits written, or rounding."""
+    rounding = (EXACT + 4 * error) * abs(expected) + 1e-300
+    if answer.rtol is not None:
+        return value_of(problem, answer.rtol.tree)[0] * abs(expected) + 1e-300
+    literal = whole_literal(answer.expected.tree)
+    if literal is None:
+        return rounding if expected else _small(problem, answer)
+    written = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", answer.expected.text)
+    whole, fraction, exponent = written.groups()
+    digits = (whole + fraction).lstrip("0")
+    if len(digits) < 3:
+        return rounding if expected else _small(problem, answer)
+    number = abs(float(literal[3]))
+    half = 0.5 * 10.0 ** (int(exponent or 0) - len(fraction))
+    return min(half / number, WIDEST) * abs(expected) * (1 + EXACT) if number else rounding
+
+
+def _small(problem, answer):
+    """What counts as zero: rounding of the numbers of the scene."""
+    return 1e-12 * max((abs(v) for v in problem.floats.values()), default=1.0)
+
+
+def _states(problem):
+    """Random states near the drawn position: {symbol name: value} with coordinates, velocities, accelerations."""
+    generator = random.Random("states")
+    names = problem.scene.coordinates
+    for _ in range(STATES + 2 * len(names)):
+        state = {}
+        for name in names:
+            scale = _reach(problem, name)
+            state[name] = problem.drawn_floats[name] + scale * generator.uniform(-1, 1)
+            state[name + "'"] = scale * generator.uniform(-3, 3)
+            state[name + "''"] = scale * generator.uniform(-9, 9)
+        yield state
+
+
+def _reach(problem, name):
+    """How far a random state strays: a fraction of the figure, or of a radian."""
+    from vibcli.mechanics.equilibrium import figure_size
+
+    return 0.2 * (figure_size(problem) or 1.0) if problem.dimension(name) else 0.3
+
+
+def _expected_node(problem, tree):
+    scene = problem.scene
+    symbols = dict(zip(scene.coordinates, zip(scene.q, scene.v, scene.a, strict=True), strict=True))
+
+    def symbol(name, primes, part):
+        return symbols[name][primes] if name in symbols else scene.parameters.nodes[name]
+
+    return lower(tree, scene.table, symbol)
+
+
+def _compare_energy(problem, answer, head):
+    scene = problem.scene
+    ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
+    expected = _expected_node(problem, answer.expected.tree)
+    pairs = [evaluate([expected, ours], Floats, {**problem.floats, **state}) for state in _states(problem)]
+    if head == "V":
+        pairs = [(a - pairs[0][0], b - pairs[0][1]) for a, b in pairs[1:]]
+    size = max(max(abs(a), abs(b)) for a, b in pairs)
+    worst = max(pairs, key=lambda pair: abs(pair[0] - pair[1]))
+    agrees = abs(worst[0] - worst[1]) <= EXACT * size
+    return Verdict(answer, agrees, worst[0], worst[1], EXACT * size,
+                   None if agrees else "values at a random state of motion")
+
+
+def _compare_equation(problem, answer, head):
+    """Are the two left sides proportional at random states?"""
+    scene = problem.scene
+    name = coordinate_name(problem.spec, answer.asked.tree[5][0])
+    expected = _expected_node(problem, answer.expected.tree)
+    if head == "equation":
+        ours = _small_oscillation(problem, name)
+    else:
+        from vibcli.mechanics.lagrange import equation_of
+
+        node = equation_of(scene, scene.coordinates.index(name))
+
+        def ours(state):
+            return evaluate([node], Floats, {**problem.floats, **state})[0]
+
+    if head == "equation":
+        states = [{key: value - problem.drawn_floats.get(key, 0.0) for key, value in state.items()}
+                  for state in _states(problem)]
+    else:
+        states = list(_states(problem))
+    pairs = [(evaluate([expected], Floats, {**problem.floats, **state})[0], ours(state)) for state in states]
+    norm = sum(b * b for _, b in pairs)
+    factor = sum(a * b for a, b in pairs) / norm if norm else 0.0
+    size = max(abs(a) for a, _ in pairs)
+    off = max(abs(a - factor * b) for a, b in pairs)
+    agrees = factor != 0.0 and off <= EXACT * size
+    remark = None if agrees else f"not proportional: off by {off / size:.2g} of its size" if size else "it is empty"
+    return Verdict(answer, agrees, None, None, None, remark)
+
+
+def _small_oscillation(problem, name):
+    """The left side of the linear equation of `name` as a function of a state."""
+    from vibcli.mechanics.lagrange import matrices_in_numbers
+
+    i = problem.scene.coordinates.index(name)
+    M, C, G, K = matrices_in_numbers(problem.elements)
+
+    def left(state):
+        total = 0.0
+        for j, other in enumerate(problem.scene.coordinates):
+            total += (M.get((i, j), 0.0) * state[other + "''"] + K.get((i, j), 0.0) * state[other]
+                      + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * state[other + "'"])
+        return total
+
+    return left
+
+
+_TURN = 6.283185307179586
+MISTAKES = (
+    (("omega", "omega_d"), 1 / _TURN, "the expected value looks like a frequency in Hz, not rad/s"),
+    (("frequency",), _TURN, "the expected value looks like an angular frequency in rad/s, not Hz"),
+    (("period",), 1 / _TURN, "the expected value looks like 1/ω, not 2π/ω"),
+    (("equilibrium", "mode"), 180 / 3.141592653589793, "the expected value looks like degrees, not radians"),
+    (("omega", "frequency", "omega_d"), 0.5, "half of it: is a factor 4 missing under the root?"),
+    (("omega", "frequency", "omega_d"), 2.0, "twice of it: is a factor 4 too much under the root?"),
+    (("zeta", "C"), 2.0, "twice of it: c/m instead of c/(2m)?"),
+    (("zeta", "C"), 0.5, "half of it: 2c/m instead of c/m?"),
+    (("J",), 4.0, "four times: diameter for radius?"),
+    (("J",), 0.25, "a quarter: radius for diameter?"),
+    (None, -1.0, "the sign differs: which direction is positive?"),
+)
+
+
+def likely_mistake(head, expected, found):
+    """A known mistake that explains the ratio, else the ratio."""
+    if not found or not expected:
+        return None
+    ratio = expected / found
+    for heads, factor, words in MISTAKES:
+        if (heads is None or head in heads) and abs(ratio / factor - 1) < 2e-3:
+            return words
+    return f"ratio {ratio:.6g}"

@@ -1,0 +1,176 @@
+"""What the commands share: their options, reading a file into a Problem, colour, diagnostics."""
+
+import os
+import sys
+from functools import reduce
+from time import perf_counter
+
+import click
+
+from vibcli.document import read_file
+
+_sources = {}
+
+
+def scene_options(function):
+    """Options of every command that reads one scene."""
+    options = [
+        click.argument("file", type=click.Path(), shell_complete=None),
+        click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+                     help="Give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'."),
+        click.option("--case", "case", metavar="NAME", help="Only this case of the file."),
+        click.option("--json", "as_json", is_flag=True, help="Machine-readable results in SI units."),
+        click.option("--timings", is_flag=True, help="What each stage cost and which were skipped, on stderr."),
+        color_option,
+    ]
+    return reduce(lambda f, option: option(f), reversed(options), function)
+
+
+def color_option(function):
+    return click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto", callback=_set_color,
+                        expose_value=False, help="Colour in the output (NO_COLOR and FORCE_COLOR are honoured).")(function)
+
+
+def number_options(function):
+    """Options of the commands that print frequencies."""
+    digits = click.option("--digits", type=click.IntRange(1, 1000), metavar="N",
+                          help="Recompute with N correct digits in arbitrary precision.")
+    shapes = click.option("--normalise", type=click.Choice(["first", "largest", "mass"]), default="first",
+                          help="Mode shapes: first coordinate 1, largest amplitude 1, or φᵀMφ = 1.")
+    return digits(shapes(function))
+
+
+def _set_color(context, parameter, value):
+    if value == "auto":
+        wanted = None
+        if os.environ.get("NO_COLOR"):
+            wanted = False
+        elif os.environ.get("FORCE_COLOR"):
+            wanted = True
+    else:
+        wanted = value == "always"
+    context.color = wanted
+
+
+def load(file, settings=()):
+    """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read."""
+    from vibcli.problem import Problem
+    from vibcli.spec import read_spec
+
+    start = perf_counter()
+    try:
+        node, diagnostics, lines = read_file(file)
+    except FileNotFoundError:
+        raise click.UsageError(f"there is no file '{file}'{_near(file)}") from None
+    _sources[os.fsdecode(file)] = lines
+    middle = perf_counter()
+    spec = read_spec(node, os.fsdecode(file), diagnostics, _settings(settings, node))
+    problem = Problem(spec)
+    problem.costs.update(read=middle - start, spec=perf_counter() - middle)
+    return problem
+
+
+def _near(file):
+    from difflib import get_close_matches
+
+    folder, name = os.path.split(file)
+    try:
+        near = get_close_matches(name, os.listdir(folder or "."), 1)
+    except OSError:
+        return ""
+    return f"; did you mean '{os.path.join(folder, near[0])}'?" if near else ""
+
+
+def _settings(settings, node):
+    """{name: (tree, scalar)} of the --set options."""
+    from vibcli.algebra.parse import ExpressionError, parse, plain_name
+    from vibcli.document import Mapping, Scalar
+    from vibcli.errors import Where
+    from vibcli.fields import nearest
+
+    section = node.entries.get("parameters") if node is not None else None
+    known = {plain_name(key) for key in section[1].entries} if section and isinstance(section[1], Mapping) else set()
+    found = {}
+    for setting in settings:
+        name, equals, text = setting.partition("=")
+        name = plain_name(name.strip())
+        if not equals or not text.strip():
+            raise click.UsageError(f"--set {setting}: write NAME=VALUE, as in --set k=500 or --set 'k=0.5 N/mm'")
+        if node is not None and name not in known:
+            raise click.UsageError(f"--set {setting}: the file has no parameter '{name}'; {nearest(name, known)}")
+        try:
+            scalar = Scalar(text.strip(), Where(f"--set {name}", 1, 1, len(text.strip())), False, 0)
+            found[name] = (parse(text.strip()), scalar)
+        except ExpressionError as error:
+            raise click.UsageError(f"--set {setting}: {error.message}" + (f" ({error.hint})" if error.hint else "")) from None
+    return found
+
+
+def chosen(problem, case):
+    """[(case name or None, Problem)] that a command is to treat: one case, or the scene and all its cases."""
+    if case is None:
+        return [(None, problem)] + [(name, problem.case(name)) for name in problem.spec.cases]
+    if case not in problem.spec.cases:
+        from vibcli.fields import nearest
+
+        raise click.UsageError(f"the file has no case '{case}'; {nearest(case, problem.spec.cases)}")
+    return [(case, problem.case(case))]
+
+
+def show_diagnostics(diagnostics):
+    """Diagnostics on stderr, each with its line and a caret."""
+    from vibcli.diagnostics import render
+
+    color = _color(sys.stderr)
+    for diagnostic in diagnostics:
+        lines = _sources.get(diagnostic.where.file, ()) if diagnostic.where else ()
+        click.echo(render(diagnostic, lines, color), err=True, color=color)
+    if len(diagnostics) > 1:
+        click.echo(f"{len(diagnostics)} errors", err=True)
+
+
+def show_refusal(error, file=None):
+    """A physical refusal on stderr."""
+    from vibcli.diagnostics import render
+    from vibcli.errors import Diagnostic
+
+    if error.where is not None:
+        show_diagnostics([Diagnostic(error.where, error.message, error.hint)])
+        return
+    prefix = f"{file}: " if file else ""
+    click.echo(f"{prefix}error: {error.message}" + (f"\n  hint: {error.hint}" if error.hint else ""), err=True)
+
+
+def _color(stream):
+    context = click.get_current_context(silent=True)
+    if context is not None and context.color is not None:
+        return context.color
+    if os.environ.get("NO_COLOR"):
+        return False
+    return bool(os.environ.get("FORCE_COLOR")) or stream.isatty()
+
+
+def show_timings(problems):
+    """What each stage cost, on stderr."""
+    from vibcli.problem import STAGES
+
+    for name, problem in problems:
+        click.echo("stage          ms" + (f"   (case {name})" if name else ""), err=True)
+        for stage in ("read", "spec", *STAGES):
+            cost = problem.costs.get(stage)
+            if cost is not None or stage not in ("read", "spec"):
+                click.echo(f"{stage:<12} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
+
+
+def require_quick(problem, digits):
+    """Refuse --digits where it would take long, with the estimated time."""
+    from vibcli.analyses.digits import estimate_seconds
+
+    if digits is None:
+        return
+    seconds = estimate_seconds(len(problem.scene.coordinates), digits)
+    if seconds > 60:
+        raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
+                               f"{seconds:.0f} s; the limit is 60 s: ask for fewer digits")
+
+

@@ -1,0 +1,138 @@
+"""The value of a quantity — omega[1], J[disc, O], K[x, phi] — of a numeric problem, with its error bound."""
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.asking import coordinate_name
+from vibcli.errors import PhysicsError
+
+ROUNDING = 1e-14
+
+
+def measure(problem, tree):
+    """(value, relative error bound) of a quantity tree."""
+    head, indices, attribute = tree[4], tree[5], tree[6]
+    return _MEASURES[head](problem, indices, attribute)
+
+
+def _mode(problem, indices):
+    modes = problem.modes
+    number = int(indices[0])
+    if number > len(modes):
+        raise PhysicsError(f"there are only {len(modes)} modes, no mode {number}")
+    return modes[number - 1]
+
+
+def _oscillating(problem, indices, what):
+    mode = _mode(problem, indices)
+    if mode.omega is None:
+        raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}")
+    return mode
+
+
+def _omega(problem, indices, attribute):
+    mode = _oscillating(problem, indices, "frequency")
+    return float(mode.omega), mode.error
+
+
+def _frequency(problem, indices, attribute):
+    mode = _oscillating(problem, indices, "frequency")
+    return float(mode.omega) / 6.283185307179586, mode.error
+
+
+def _period(problem, indices, attribute):
+    mode = _oscillating(problem, indices, "period")
+    if not mode.omega:
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period")
+    return 6.283185307179586 / float(mode.omega), mode.error
+
+
+def _growth_rate(problem, indices, attribute):
+    mode = _mode(problem, indices)
+    if mode.growth_rate is None:
+        raise PhysicsError(f"mode {indices[0]} does not grow")
+    return float(mode.growth_rate), mode.error
+
+
+def _shape(problem, indices, attribute):
+    from vibcli.analyses.shapes import normalised
+
+    mode = _mode(problem, indices[:1])
+    names = problem.scene.coordinates
+    shape = normalised(mode.shape, "first")
+    return float(shape[names.index(coordinate_name(problem.spec, indices[1]))]), 1e-11
+
+
+def damped_mode(problem, indices):
+    """The damped mode of an index; a scene without dampers has none."""
+    modes = problem.damped
+    if modes is None:
+        raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
+    number = int(indices[0])
+    found = [mode for mode in modes if mode.index == number]
+    if not found:
+        raise PhysicsError(f"there are only {modes[-1].index} damped modes, no mode {number}")
+    return found[0]
+
+
+def _of_damped(attribute_name, words):
+    def value(problem, indices, attribute):
+        mode = damped_mode(problem, indices)
+        number = getattr(mode, attribute_name)
+        if number is None:
+            raise PhysicsError(f"damped mode {indices[0]} has no {words}", "see `vibcli frequencies` for what it has")
+        return float(number), mode.error
+    return value
+
+
+def _equilibrium(problem, indices, attribute):
+    return problem.equilibrium.values[coordinate_name(problem.spec, indices[0])], ROUNDING
+
+
+def is_stable(problem):
+    """Does K have no negative eigenvalue at the equilibrium?"""
+    return all(mode.growth_rate is None for mode in problem.modes)
+
+
+def _stable(problem, indices, attribute):
+    return is_stable(problem), 0.0
+
+
+def _matrix(which):
+    def value(problem, indices, attribute):
+        from vibcli.mechanics.lagrange import matrices_in_numbers
+
+        M, C, G, K = matrices_in_numbers(problem.elements)
+        i, j = (problem.scene.coordinates.index(coordinate_name(problem.spec, index)) for index in indices)
+        return float({"M": M, "C": C, "K": K}[which].get((i, j), 0.0)), ROUNDING
+    return value
+
+
+def _inertia(problem, indices, attribute):
+    """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
+    scene = problem.scene
+    body = scene.bodies[indices[0]]
+    node = body.inertia if body.inertia is not None else scene.table.zero
+    if len(indices) == 2:
+        x, y = _drawn(scene, indices[1])
+        mass = body.mass if body.mass is not None else scene.table.zero
+        node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
+    return evaluate(scene.at_drawn(node), Floats, problem.floats)[0], ROUNDING
+
+
+def _drawn(scene, name):
+    if name in scene.bodies:
+        return scene.bodies[name].centre
+    return scene.pair(scene.spec.get("points")[name]["at"])
+
+
+def _centre(problem, indices, attribute):
+    scene = problem.scene
+    node = scene.bodies[indices[0]].centre["xy".index(attribute)]
+    return evaluate([node], Floats, problem.floats)[0], ROUNDING
+
+
+_MEASURES = {
+    "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
+    "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
+    "decay": _of_damped("decay", "decay"), "equilibrium": _equilibrium, "stable": _stable,
+    "M": _matrix("M"), "C": _matrix("C"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
+}
