@@ -23,11 +23,11 @@ DRAWS, STATES = 3, 5
 class Verdict:
     """One answer compared: expected and found (numbers or None), whether they agree, and a remark."""
 
-    __slots__ = ("agrees", "answer", "case", "expected", "found", "remark", "tolerance")
+    __slots__ = ("agrees", "answer", "case", "expected", "found", "refusal", "remark", "tolerance")
 
     def __init__(self, answer, agrees, expected=None, found=None, tolerance=None, remark=None, case=None):
         self.answer, self.agrees, self.expected, self.found = answer, agrees, expected, found
-        self.tolerance, self.remark, self.case = tolerance, remark, case
+        self.tolerance, self.remark, self.case, self.refusal = tolerance, remark, case, None
 
 
 def check(problem):
@@ -45,7 +45,11 @@ def _verdict(problem, answer, case):
         draws = [problem.with_values(values) for values in drawn_values(problem)]
     verdict = None
     for draw in draws:
-        verdict = _compare(draw, answer)
+        try:
+            verdict = _compare(draw, answer)
+        except PhysicsError as error:
+            verdict = Verdict(answer, False, remark="no such answer: " + error.message)
+            verdict.refusal = error
         if not verdict.agrees:
             break
     verdict.case = case

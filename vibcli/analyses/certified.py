@@ -140,9 +140,9 @@ def reduced_by_mass(m, k, massive, bits):
     return (a + a.T) >> 1, lower, (1.0 + np.linalg.norm(inverse) ** 2) ** 2
 
 
-def condensed(k, massive, massless, bits):
+def condensed(k, massive, massless, bits, names=None):
     """The stiffness left to the massive coordinates when the massless ones follow: z = −follow a."""
-    inverse, growth = inverted(k[np.ix_(massless, massless)], massless, bits)
+    inverse, growth = inverted(k[np.ix_(massless, massless)], names or massless, bits)
     follow = fx.product(inverse, k[np.ix_(massless, massive)], bits)
     left = k[np.ix_(massive, massive)] - fx.product(k[np.ix_(massive, massless)], follow, bits)
     return (left + left.T) >> 1, follow, growth

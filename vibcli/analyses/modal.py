@@ -50,10 +50,14 @@ def undamped(elements, precise=None, digits=None):
     return modes(certain(elements, scale, zeros, precise), scale, Floats)
 
 
-def prepared(elements):
-    """The powers of two that scale the data, and the number of rigid modes or None where K has to tell."""
+def prepared(elements, dragged=False):
+    """The powers of two that scale the data, and the number of rigid modes or None where K has to tell.
+
+    `dragged`: massless coordinates may be held by dampers alone.
+    """
     scale = scaling(elements)
-    check_ties(elements)
+    if not dragged:
+        check_ties(elements)
     return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
 
 
@@ -110,15 +114,13 @@ def modes(answer, scale, numbers):
     import numpy as np
 
     bits = answer.bits
-    powers = bits - np.array(scale.coordinates, object)[:, None] + 0 * answer.shapes
-    if numbers.__name__ == "Floats":
-        powers = powers.astype(int)
+    powers = bits - np.broadcast_to(np.array(scale.coordinates)[:, None], answer.shapes.shape)
     direction = numbers.array(answer.shapes, powers)
     shapes = answer.shapes
     if scale.mass % 2:
         shapes = shapes * math.isqrt(1 << (2 * bits - 1)) >> bits
     full = numbers.array(shapes, powers + scale.mass // 2)
-    errors = answer.errors() + (2.0 ** -53 if numbers.__name__ == "Floats" else 0.0)
+    errors = answer.errors() + numbers.rounding
     values = [0 if zero else int(x) for x, zero in zip(answer.values, answer.zero, strict=True)]
     out = []
     for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):

@@ -1,7 +1,7 @@
-"""Damping in the modes without damping: λ² + λ Ĉ_m + diag(ω̂²) in fixed point, and its eigenvalues.
+"""Damping in the modes without damping: λ² + λ C_m + diag(ω̂²) in fixed point, and its eigenvalues.
 
 Modes that no damping couples are quadratic equations of their own; the others are solved together from the
-first-order form v' = −C v − Ω u, u' = Ω v (u = Ω q, rigid modes have no u: so one zero for each leaves exactly).
+first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has no u: one zero for each leaves exactly.
 """
 
 import math
@@ -9,72 +9,15 @@ import math
 import numpy as np
 
 from vibcli.analyses import fixed as fx
-from vibcli.analyses.blocks import roots
+from vibcli.analyses.blocks import eigenvalues
 from vibcli.analyses.symmetric import components, spectrum
 
-SAME = 100
-COUPLED = 130
 
+class Eigenvalue:
+    """λ = re + i im in fixed point, |exact − λ| <= 2^radius, of a conjugate pair that with im > 0.
 
-class ModalDamping:
-    """Modes (columns phi), values ω̂² and damping c in their coordinates, all in fixed point; free: flags of ω = 0."""
-
-    __slots__ = ("bits", "c", "free", "phi", "values")
-
-    def __init__(self, answer, elements, scale, untouched):
-        self.bits, self.values = answer.bits, answer.values.copy()
-        self.free = answer.zero
-        self.values[self.free] = 0
-        p = scale.coordinates
-        turning = dict(elements.C)
-        for at, x in elements.G.items():
-            turning[at] = turning.get(at, 0) + x
-        c = fx.assembled(elements.n, elements.dampers, turning, p, scale.damping, self.bits)
-        self.phi = answer.shapes
-        self.c = fx.product(self.phi.T, fx.product(c, self.phi, self.bits), self.bits)
-        self._align()
-        self._clear(untouched)
-
-    def _align(self):
-        """Turns the basis of each repeated frequency to the axes of the damping in it."""
-        size = np.abs(fx.floats(self.values, self.bits))
-        gap = np.abs(fx.floats(np.subtract.outer(self.values, self.values), self.bits))
-        same = gap <= 2.0 ** -SAME * np.maximum.outer(size, size)
-        np.fill_diagonal(same, False)
-        for part in components(same):
-            block = self.c[np.ix_(part, part)]
-            block = (block + block.T) >> 1
-            if fx.is_diagonal(block):
-                continue
-            turn = spectrum(block, self.bits, SAME).vectors
-            self.phi[:, part] = fx.product(self.phi[:, part], turn, self.bits)
-            self.c[:, part] = fx.product(self.c[:, part], turn, self.bits)
-            self.c[part, :] = fx.product(turn.T, self.c[part, :], self.bits)
-
-    def _clear(self, untouched):
-        """Sets couplings that are zero but for the working precision to zero, and rigid motions without damping."""
-        largest = max(abs(x) for x in self.c.ravel().tolist())
-        small = np.abs(self.c) <= (largest >> COUPLED)
-        self.c[small] = 0
-        if untouched:
-            rigid = [i for i in range(len(self.free)) if self.free[i]]
-            rigid.sort(key=lambda i: abs(self.c[i, i]))
-            self.c[rigid[:untouched], :] = 0
-            self.c[:, rigid[:untouched]] = 0
-
-    def groups(self):
-        """The modes coupled by damping, as lists of indices; a mode on its own is a list of one."""
-        linked = (self.c != 0) | (self.c.T != 0)
-        np.fill_diagonal(linked, False)
-        parts = components(linked.astype(bool))
-        coupled = {i for part in parts for i in part}
-        return parts + [[i] for i in range(len(self.values)) if i not in coupled]
-
-
-class Damped:
-    """One eigenvalue of the pencil in fixed point: re + i im, radius, modal vector x, left row of the v equations.
-
-    mode: the undamped mode it belongs to, or None; excess: c² − 4 ω̂² of that mode.
+    x: the vector in the columns of `basis`. left: row y with y (δM λ² + δC λ + δK) x the change of −λ. mode: the
+    undamped mode that it belongs to alone, or None; excess: then c² − 4 ω̂² in fixed point.
     """
 
     __slots__ = ("excess", "im", "left", "mode", "radius", "re", "x")
@@ -84,88 +27,163 @@ class Damped:
         self.mode, self.excess = mode, excess
 
 
-def eigenvalues(modal):
-    """Every eigenvalue as Damped; of a conjugate pair the upper one."""
-    out = []
-    for part in modal.groups():
-        out += _alone(modal, part[0]) if len(part) == 1 else _coupled(modal, part)
-    return out
+class ModalDamping:
+    """Modes (columns of basis), values ω̂² (0 for rigid ones) and damping c in their coordinates, in fixed point.
 
+    same, coupled: bits to which frequencies have to agree to count as repeated, couplings to vanish as absent.
+    """
 
-def _unit(modal, i, value=1.0):
-    x = np.zeros(len(modal.values), complex)
-    x[i] = value
-    return x
+    __slots__ = ("basis", "bits", "c", "coupled", "same", "values")
 
+    def __init__(self, answer, elements, scale, untouched, goal):
+        self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
+        self.values[answer.zero] = 0
+        self.same, self.coupled = goal - 60, goal - 30
+        c = fx.assembled(elements.n, elements.dampers, turning(elements), scale.coordinates, scale.damping, self.bits)
+        self.c = fx.product(self.basis.T, fx.product(c, self.basis, self.bits), self.bits)
+        self._align()
+        self._clear(untouched)
 
-def _alone(modal, i):
-    """λ² + c λ + ω̂² = 0."""
-    bits, c, k = modal.bits, int(modal.c[i, i]), int(modal.values[i])
-    excess = c * c - (k << (bits + 2))
-    if abs(excess) <= (abs(k) << bits) >> (COUPLED - 10):
-        excess = 0
-    root = math.isqrt(abs(excess))
-    size = math.ldexp(1.0, -bits + 4) * (1.0 + abs(fx.to_float(c, bits)))
-    if excess < 0:
-        pairs = [(-c >> 1, root >> 1)]
-    elif not k:
-        pairs = [(0, 0), (-c, 0)]
-    else:
-        far = (-c - root if c >= 0 else -c + root) >> 1
-        pairs = [((k << bits) // far, 0), (far, 0)]
-    out = []
-    for re, im in pairs:
-        slope = complex(fx.to_float(2 * re + c, bits), fx.to_float(2 * im, bits))
-        value = abs(complex(fx.to_float(re, bits), fx.to_float(im, bits)))
-        radius = size * (1 + value) + abs(value) * 2.0 ** (-COUPLED + 20)
-        out.append(Damped(re, im, radius, _unit(modal, i), _unit(modal, i, 1 / slope if slope else np.inf), i, excess))
-    return out
+    def _align(self):
+        """Turns the basis of each repeated frequency to the axes of the damping in it."""
+        size = np.abs(fx.floats(self.values, self.bits))
+        gap = np.abs(fx.floats(np.subtract.outer(self.values, self.values), self.bits))
+        same = gap <= np.ldexp(np.maximum.outer(size, size), -self.same)
+        np.fill_diagonal(same, False)
+        for part in components(same):
+            block = self.c[np.ix_(part, part)]
+            block = (block + block.T) >> 1
+            if not fx.is_diagonal(block):
+                turn = spectrum(block, self.bits, self.same).vectors
+                self.basis[:, part] = fx.product(self.basis[:, part], turn, self.bits)
+                self.c[:, part] = fx.product(self.c[:, part], turn, self.bits)
+                self.c[part, :] = fx.product(turn.T, self.c[part, :], self.bits)
 
+    def _clear(self, untouched):
+        """Couplings that are zero but for the working precision become zero; so do `untouched` rigid motions."""
+        largest = max(abs(x) for x in self.c.ravel().tolist())
+        self.c[np.abs(self.c) <= (largest >> self.coupled)] = 0
+        rigid = sorted(np.flatnonzero(self.values == 0).tolist(), key=lambda i: abs(self.c[i, i]))[:untouched]
+        self.c[rigid, :] = 0
+        self.c[:, rigid] = 0
 
-def _coupled(modal, part):
-    """The eigenvalues of modes that damping couples."""
-    bits, c = modal.bits, modal.c[np.ix_(part, part)]
-    values = modal.values[part]
-    spring = [i for i in range(len(part)) if values[i]]
-    k = len(part)
-    omega = np.array([math.isqrt(abs(int(values[i])) << bits) for i in spring], object)
-    pull = np.array([w if values[i] > 0 else -w for w, i in zip(omega, spring, strict=True)], object)
+    def groups(self):
+        """The modes coupled by damping, as lists of indices; a mode on its own is a list of one."""
+        linked = ((self.c != 0) | (self.c.T != 0)).astype(bool)
+        np.fill_diagonal(linked, False)
+        parts = components(linked)
+        coupled = {i for part in parts for i in part}
+        return parts + [[i] for i in range(len(self.values)) if i not in coupled]
 
-    def apply(y):
-        v, u = y[:k], y[k:]
-        out = np.concatenate([-(c.dot(v) >> bits), omega[:, None] * v[spring] >> bits])
-        out[spring] -= pull[:, None] * u >> bits
+    def eigenvalues(self, wanted):
+        """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""
+        out = []
+        for part in self.groups():
+            out += self._alone(part[0]) if len(part) == 1 else self._coupled(part, wanted)
         return out
 
-    matrix = np.zeros((k + len(spring), k + len(spring)))
-    matrix[:k, :k] = -fx.floats(c, bits)
-    at = k + np.arange(len(spring))
-    matrix[at, spring], matrix[spring, at] = fx.floats(omega, bits), -fx.floats(pull, bits)
-    still = _still(matrix, part, modal)
-    noise = 2.0 ** -COUPLED * np.abs(matrix[:k, :k]).max() * k + 2.0 ** -(SAME + 40) * np.abs(matrix).max()
+    def _unit(self, i, value=1.0):
+        x = np.zeros(len(self.values), complex)
+        x[i] = value
+        return x
 
-    def enough(re, im, radius):
-        size, decay = math.hypot(fx.to_float(re, bits), fx.to_float(im, bits)), abs(fx.to_float(re, bits))
-        return radius <= max(2.0 ** -60 * decay, 2.0 ** -90 * size) or size + radius <= 2.0 ** -80 * top
+    def _alone(self, i):
+        """λ² + c λ + ω̂² = 0; the smaller real root as ω̂²/larger (Press et al. 2007, eq. 5.6.4)."""
+        bits, c, k = self.bits, int(self.c[i, i]), int(self.values[i])
+        excess = c * c - (k << (bits + 2))
+        if abs(excess) <= (abs(k) << bits) >> (self.coupled - 10):
+            excess = 0
+        root = math.isqrt(abs(excess))
+        if excess < 0:
+            pairs = [(-c >> 1, root >> 1)]
+        elif not k:
+            pairs = [(0, 0), (-c, 0)]
+        else:
+            far = (-c - root if c >= 0 else -c + root) >> 1
+            pairs = [((k << bits) // far, 0), (far, 0)]
+        out = []
+        for re, im in pairs:
+            slope = complex(fx.to_float(2 * re + c, bits), fx.to_float(2 * im, bits))
+            size = fx.to_float(math.isqrt(re * re + im * im), bits)
+            radius = np.logaddexp2(math.log2(size) + 20 - self.coupled, 20 - bits) if size else -math.inf
+            left = self._unit(i, 1 / slope if slope else np.inf)
+            out.append(Eigenvalue(re, im, radius, self._unit(i), left, i, excess))
+        return out
 
-    top = np.abs(matrix).max()
-    found = roots(apply, matrix, bits, enough, noise)
-    found.sort(key=lambda root: root.re * root.re + root.im * root.im)
-    out = [Damped(0, 0, 0.0, _unit(modal, i), _unit(modal, i)) for i in part if not modal.values[i]]
-    for place, root in enumerate(found):
-        x, left = np.zeros(len(modal.values), complex), np.zeros(len(modal.values), complex)
-        value = complex(fx.to_float(root.re, bits), fx.to_float(root.im, bits))
-        zero = place < still
-        x[part] = root.vector[:k] if zero or not value else root.vector[:k] / value
-        left[part] = root.left[:k] * (1 if zero or not value else value)
-        out.append(Damped(0, 0, 0.0, x, left) if zero else Damped(root.re, root.im, root.radius, x, left))
+    def _coupled(self, part, wanted):
+        """The eigenvalues of modes that damping couples."""
+        system = Coupled(self, part)
+        top = math.log2(np.abs(system.matrix).max())
+        bits = self.bits
+
+        def enough(root):
+            size, decay = _log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, _log2(abs(root.re), bits)
+            return root.radius <= max(decay - wanted, size - wanted - 50) or max(size, root.radius) <= top - 80
+
+        found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
+        found.sort(key=lambda root: root.re * root.re + root.im * root.im)
+        still = system.still()
+        rigid = [Eigenvalue(0, 0, -math.inf, self._unit(i), self._unit(i)) for i in part if not self.values[i]]
+        return rigid + [self._full(part, root, place < still) for place, root in enumerate(found)]
+
+    def _full(self, part, root, zero):
+        """An Eigenvalue of all modes from one of the first-order form; `zero`: it vanishes by structure."""
+        k = len(part)
+        value = complex(fx.to_float(root.re, self.bits), fx.to_float(root.im, self.bits))
+        x, left = np.zeros(len(self.values), complex), np.zeros(len(self.values), complex)
+        x[part] = root.right[:k]
+        left[part] = root.left[:k]
+        if zero or not value:
+            return Eigenvalue(0, 0, -math.inf, x, left)
+        x, left = x / value, left * value
+        size = np.linalg.norm(x)
+        return Eigenvalue(root.re, root.im, root.radius, x / size, left)
+
+
+class Coupled:
+    """v' = −C v − Ω u, u' = Ω v of some modes; for an unstable mode v' = −C v + Ω u."""
+
+    __slots__ = ("bits", "c", "elastic", "matrix", "omega", "pull", "rigid")
+
+    def __init__(self, modal, part):
+        self.bits, self.c, values = modal.bits, modal.c[np.ix_(part, part)], modal.values[part]
+        self.elastic, self.rigid = np.flatnonzero(values != 0), np.flatnonzero(values == 0)
+        roots = [math.isqrt(abs(int(values[i])) << self.bits) for i in self.elastic]
+        self.omega = np.array(roots, object)
+        self.pull = np.array([w if values[i] > 0 else -w for w, i in zip(roots, self.elastic, strict=True)], object)
+        k = len(part)
+        self.matrix = np.zeros((k + len(roots), k + len(roots)))
+        self.matrix[:k, :k] = -fx.floats(self.c, self.bits)
+        if roots:
+            at = k + np.arange(len(roots))
+            self.matrix[at, self.elastic] = fx.floats(self.omega, self.bits)
+            self.matrix[self.elastic, at] = -fx.floats(self.pull, self.bits)
+
+    def apply(self, y):
+        """The matrix times fixed-point columns."""
+        k, bits = len(self.c), self.bits
+        v, u = y[:k], y[k:]
+        out = np.concatenate([-(self.c.dot(v) >> bits), self.omega[:, None] * v[self.elastic] >> bits])
+        out[self.elastic] -= self.pull[:, None] * u >> bits
+        return out
+
+    def still(self):
+        """How many eigenvalues vanish: the rank that the damping of the rigid modes lacks."""
+        k, rigid = len(self.c), self.rigid
+        if not len(rigid):
+            return 0
+        sigma = np.linalg.svd(self.matrix[np.ix_(rigid, rigid)], compute_uv=False)
+        return int((sigma <= 1e-13 * np.abs(self.matrix[:k, :k]).max()).sum())
+
+
+def turning(elements):
+    """C + G as one dict."""
+    out = dict(elements.C)
+    for at, x in elements.G.items():
+        out[at] = out.get(at, 0) + x
     return out
 
 
-def _still(matrix, part, modal):
-    """How many eigenvalues vanish besides one for each rigid mode: the rank that the damping of those lacks."""
-    rigid = [i for i in range(len(part)) if not modal.values[part[i]]]
-    if not rigid:
-        return 0
-    sigma = np.linalg.svd(matrix[np.ix_(rigid, rigid)], compute_uv=False)
-    return int((sigma <= 1e-13 * np.abs(matrix[:len(part), :len(part)]).max()).sum())
+def _log2(a, bits):
+    """log2 of |a| / 2^bits, rounded."""
+    return a.bit_length() - bits if a else -math.inf

@@ -164,10 +164,10 @@ def show_timings(problems):
 
 def require_quick(problem, digits):
     """Refuse --digits where it would take long, with the estimated time."""
-    from vibcli.analyses.digits import estimate_seconds
-
     if digits is None:
         return
+    from vibcli.analyses.digits import estimate_seconds
+
     seconds = estimate_seconds(len(problem.scene.coordinates), digits)
     if seconds > 60:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "

@@ -93,9 +93,14 @@ class Notation:
                 above.append((base, exponent))
             elif exponent < 0:
                 below.append((base, -exponent))
+        if root_below and not root_above and (above or value.numerator != 1):
+            below.extend((base, -HALF) for base, _ in root_below)
+            root_below = []
         return above, below, root_above, root_below
 
     def powered(self, base, exponent, alone):
+        if exponent == -HALF:
+            return self.root([(base, ONE)], [])
         if base.op == "call" and base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh") and exponent != 1:
             return self.call(base.name, base.args[0], exponent)
         if exponent == 1:
@@ -270,3 +275,43 @@ def _factor_rank(pair):
 
 
 plain, latex = Plain(), Latex()
+
+
+class Language(Plain):
+    """The scene's own expression language, so that a result can be pasted into a file."""
+
+    def symbol(self, name):
+        return name
+
+    def number(self, value):
+        return self._ascii(value)
+
+    @staticmethod
+    def _ascii(value):
+        return str(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
+
+    def minus(self, text):
+        return text.replace("−", "-")
+
+    def power(self, base, exponent):
+        return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
+
+    def call(self, name, arg, exponent):
+        text = f"{name}({self.write(arg, 0)})"
+        return text if exponent == 1 else self.power(text, self._ascii(exponent))
+
+    def product(self, value, args):
+        above, below, root_above, root_below = self.factors(value, args)
+        tops = [self.powered(base, e, False) for base, e in above]
+        bottoms = [self.powered(base, e, False) for base, e in below]
+        tops += [f"sqrt({self.product(ONE, root_above)})"] if root_above else []
+        bottoms += [f"sqrt({self.product(ONE, root_below)})"] if root_below else []
+        if value.denominator > 1:
+            bottoms.insert(0, str(value.denominator))
+        if value.numerator != 1 or not tops:
+            tops.insert(0, str(value.numerator))
+        text = "*".join(tops)
+        return text if not bottoms else text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'*'.join(bottoms)})")
+
+
+language = Language()

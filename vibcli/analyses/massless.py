@@ -1,0 +1,136 @@
+"""Damped vibration with coordinates that no inertia moves but dampers do: a system of reduced order.
+
+    M a'' + C_aa a' + C_az z' + K_aa a + K_az z = 0        C_za a' + C_zz z' + K_za a + K_zz z = 0
+
+Massless directions without a damper follow statically and are condensed; then C_zz is regular and z' can be
+eliminated: first order in (a', a, z), 2 n_a + n_z eigenvalues, none of them infinite.
+"""
+
+import math
+
+import numpy as np
+
+from vibcli.analyses import fixed as fx
+from vibcli.analyses.blocks import eigenvalues
+from vibcli.analyses.certified import condensed, inverted, reduced_by_mass, spread
+from vibcli.analyses.quadratic import Eigenvalue, _log2, turning
+from vibcli.analyses.symmetric import spectrum
+from vibcli.errors import PhysicsError
+
+
+def dragged(elements):
+    """The massless coordinates that a damper touches."""
+    touched = {i for c, row in elements.dampers if c for i, x in row.items() if x}
+    touched.update(i for at, x in turning(elements).items() if x for i in at)
+    return sorted(touched.intersection(elements.massless))
+
+
+class Reduced:
+    """Fixed-point C, K of the massive coordinates and the dragged directions in which C_zz is regular.
+
+    basis: columns that give all coordinates from those; massive: how many of them have inertia, scaled to M = I.
+    """
+
+    __slots__ = ("basis", "bits", "c", "coupled", "k", "massive", "release", "zeros")
+
+    def __init__(self, elements, scale, zeros, goal):
+        n, p = elements.n, scale.coordinates
+        self.bits = bits = 2 * goal + spread(elements, scale)
+        self.coupled, self.zeros = goal - 30, zeros
+        m = fx.assembled(n, elements.inertias, elements.M, p, scale.mass, bits)
+        c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, bits)
+        k = fx.assembled(n, elements.springs, elements.K, p, scale.stiffness, bits)
+        bare, moved = sorted(elements.massless), dragged(elements)
+        still = [i for i in bare if i not in moved]
+        heavy = [i for i in range(n) if i not in bare]
+        turn, loose = _loose(c[np.ix_(moved, moved)], bits)
+        order = heavy + moved
+        basis = fx.zeros((n, len(order)))
+        basis[order, range(len(order))] = 1 << bits
+        z = range(len(heavy), len(order))
+        basis[np.ix_(moved, z)] = turn
+        kept = [j for j in range(len(order)) if j - len(heavy) not in loose]
+        basis, k = self._condense(basis, k, kept, still, bits)
+        c = fx.product(basis.T, fx.product(c, basis, bits), bits)
+        self._scale(basis, m, c, k, heavy)
+
+    def _condense(self, basis, k, kept, still, bits):
+        """Lets the undamped massless directions follow."""
+        gone = [j for j in range(basis.shape[1]) if j not in kept]
+        free = fx.zeros((len(basis), len(still)))
+        free[still, range(len(still))] = 1 << bits
+        whole = np.concatenate([basis[:, kept], basis[:, gone], free], axis=1)
+        k = fx.product(whole.T, fx.product(k, whole, bits), bits)
+        if whole.shape[1] == len(kept):
+            return whole, k
+        a, z = list(range(len(kept))), list(range(len(kept), whole.shape[1]))
+        names = [int(np.flatnonzero(whole[:, j] != 0)[0]) for j in z]
+        k, follow, _ = condensed(k, a, z, bits, names)
+        return whole[:, a] - fx.product(whole[:, z], follow, bits), k
+
+    def _scale(self, basis, m, c, k, heavy):
+        """Takes the massive coordinates to M = I."""
+        bits, h = self.bits, len(heavy)
+        if h:
+            _, lower, _ = reduced_by_mass(m[np.ix_(heavy, heavy)], k[:h, :h], heavy, bits)
+            back = fx.identity(h, bits)
+            back = (back << bits) // lower[:, None] if lower.ndim == 1 else fx.backward(lower, back, bits)
+            basis[:, :h] = fx.product(basis[:, :h], back, bits)
+            for matrix in (c, k):
+                matrix[:, :h] = fx.product(matrix[:, :h], back, bits)
+                matrix[:h, :] = fx.product(back.T, matrix[:h, :], bits)
+        self.basis, self.c, self.k, self.massive = basis, c, k, h
+        self.release, _ = inverted(c[h:, h:], list(range(len(c) - h)), bits)
+
+    def eigenvalues(self, wanted):
+        """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""
+        bits, h = self.bits, self.massive
+        a = self._matrix()
+        matrix = fx.floats(a, bits)
+        top = math.log2(np.abs(matrix).max())
+
+        def enough(root):
+            size, decay = _log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, _log2(abs(root.re), bits)
+            return root.radius <= max(decay - wanted, size - wanted - 50) or max(size, root.radius) <= top - 60
+
+        found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
+        found.sort(key=lambda root: root.re * root.re + root.im * root.im)
+        return [self._full(root, h, place) for place, root in enumerate(found)]
+
+    def _matrix(self):
+        """y' = A y for y = (a', a, z)."""
+        bits, h, n = self.bits, self.massive, len(self.c)
+        out = fx.zeros((n + h, n + h))
+        rates = np.concatenate([self.c[h:, :h], self.k[h:]], axis=1)
+        out[2 * h:] = -fx.product(self.release, rates, bits)
+        out[:h] = -np.concatenate([self.c[:h, :h], self.k[:h]], axis=1)
+        out[:h] -= fx.product(self.c[:h, h:], out[2 * h:], bits)
+        out[range(h, 2 * h), range(h)] = 1 << bits
+        return out
+
+    def _full(self, root, h, place):
+        """An Eigenvalue in the columns of the basis; the first `zeros` vanish by structure."""
+        bits = self.bits
+        value = complex(fx.to_float(root.re, bits), fx.to_float(root.im, bits))
+        x = root.right[h:]
+        size = np.linalg.norm(x[:h]) or np.linalg.norm(x)
+        release, drag = fx.floats(self.release, bits), fx.floats(self.c[:h, h:], bits)
+        pushed = (root.left[2 * h:] - root.left[:h] @ drag) @ release
+        left = np.concatenate([root.left[:h], pushed]) * size
+        if place < self.zeros:
+            return Eigenvalue(0, 0, -math.inf, x / size, left)
+        return Eigenvalue(root.re, root.im, root.radius if value else -math.inf, x / size, left)
+
+
+def _loose(c, bits):
+    """Orthonormal directions of the dragged coordinates, and which of them no damper resists after all."""
+    symmetric = (c + c.T) >> 1
+    if (symmetric != c).any():
+        raise PhysicsError("the damping of coordinates without inertia is not symmetric",
+                           hint="a coordinate that no inertia moves cannot turn or be driven by velocities")
+    found = spectrum(symmetric, bits, bits // 4)
+    limit = max(abs(x) for x in found.values.tolist()) >> (bits // 3)
+    loose = [i for i, x in enumerate(found.values.tolist()) if abs(x) <= limit]
+    if not loose:
+        return fx.identity(len(c), bits), []
+    return found.vectors, loose

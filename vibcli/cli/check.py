@@ -1,0 +1,121 @@
+"""`vibcli check PATH…`: the answers in problem files against the results."""
+
+import json
+import os
+
+import click
+
+from vibcli.cli.common import _sources, color_option, load, show_diagnostics, show_refusal
+from vibcli.errors import PhysicsError, SpecError
+
+GRAVEST = (3, 4, 1, 0)
+
+
+@click.command("check")
+@click.argument("paths", nargs=-1, required=True, type=click.Path())
+@click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON.")
+@click.option("--quiet", "-q", is_flag=True, help="Print only what differs.")
+@color_option
+def command(paths, as_json, quiet):
+    """Compare the answers in problem files (and in folders of them) with the results.
+
+    Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the gravest of
+    3, 4, 1), 5 no answer was found to check.
+    """
+    files = [file for path in paths for file in _files(path)]
+    counts = {"agree": 0, "differ": 0, "files": 0, "failed": 0}
+    codes, data = [0], []
+    for file in files:
+        code, verdicts = _check_file(file)
+        codes.append(code)
+        counts["files"] += 1
+        counts["failed"] += code in (3, 4)
+        counts["agree"] += sum(v.agrees for v in verdicts)
+        counts["differ"] += sum(not v.agrees for v in verdicts)
+        if as_json:
+            data.append({"file": file, "exit_code": code, "answers": [_data(v) for v in verdicts]})
+        else:
+            _print(file, verdicts, quiet)
+    if as_json:
+        click.echo(json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1))
+    else:
+        click.echo(_summary(counts))
+    code = next(code for code in GRAVEST if code in codes)
+    return 5 if code == 0 and not counts["agree"] else code
+
+
+def _files(path):
+    """A file itself, or all .yaml and .yml files below a folder, sorted."""
+    if not os.path.isdir(path):
+        if not os.path.exists(path):
+            raise click.UsageError(f"there is no file or folder '{path}'")
+        return [path]
+    found = []
+    for folder, folders, names in os.walk(path):
+        folders.sort()
+        found += [os.path.join(folder, name) for name in sorted(names) if name.endswith((".yaml", ".yml"))]
+    return found
+
+
+def _check_file(file):
+    """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
+    from vibcli.check import check
+
+    try:
+        problem = load(file)
+        if not problem.spec.answers and not any(spec.answers for spec in problem.spec.cases.values()):
+            return 0, []
+        verdicts = check(problem)
+    except SpecError as error:
+        show_diagnostics(error.diagnostics)
+        return 3, []
+    except PhysicsError as error:
+        show_refusal(error, file)
+        return 4, []
+    finally:
+        _sources.pop(file, None)
+    refused = [v for v in verdicts if v.refusal]
+    for verdict in refused:
+        show_refusal(verdict.refusal, file)
+    return 4 if refused else int(any(not v.agrees for v in verdicts)), verdicts
+
+
+def _name(verdict):
+    return (f"{verdict.case}: " if verdict.case else "") + verdict.answer.asked.text
+
+
+def _print(file, verdicts, quiet):
+    shown = [v for v in verdicts if not (quiet and v.agrees)]
+    if not shown and quiet:
+        return
+    click.echo(file + ("" if verdicts else "  (no answers)"))
+    for verdict in shown:
+        if verdict.agrees:
+            click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}")
+            continue
+        where = verdict.answer.expected.where
+        values = ""
+        if verdict.expected is not None:
+            values = f" expected {_value(verdict.expected)}, found {_value(verdict.found)}"
+        remark = f" ({verdict.remark})" if verdict.remark else ""
+        click.echo("  " + click.style("✗", fg="red") + f" {_name(verdict)}:{values}{remark}  [line {where.line}]")
+
+
+def _value(value):
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return f"{value:.9g}"
+
+
+def _data(verdict):
+    return {"answer": verdict.answer.asked.text, "case": verdict.case, "line": verdict.answer.expected.where.line,
+            "agrees": verdict.agrees, "expected": verdict.expected, "found": verdict.found, "remark": verdict.remark}
+
+
+def _summary(counts):
+    parts = [f"{counts['agree']} answers agree"]
+    if counts["differ"]:
+        parts.append(f"{counts['differ']} differ")
+    if counts["failed"]:
+        parts.append(f"{counts['failed']} files could not be checked")
+    return f"{', '.join(parts)} in {counts['files']} files"

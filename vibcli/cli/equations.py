@@ -1,0 +1,14 @@
+"""`vibcli equations FILE`: energies and equations of motion."""
+
+import click
+
+from vibcli.cli.common import chosen, load, scene_options
+from vibcli.cli.output import print_scenes
+
+
+@click.command("equations")
+@scene_options
+def command(file, settings, case, as_json, timings):
+    """Energies and equations of motion, full and for small oscillations."""
+    print_scenes(chosen(load(file, settings), case), lambda problem: ("coordinates", "energies", "equations"), as_json,
+                 timings, data=("equations",))

@@ -1,0 +1,46 @@
+"""Numbers as they are printed: the digits that a result supports, its unit after it."""
+
+import math
+
+from vibcli import units
+
+SHOWN = 6
+
+
+def figure(value, error=0.0, digits=SHOWN):
+    """A number with at most `digits` significant digits, fewer where its relative error bound allows fewer."""
+    if value is None:
+        return "–"
+    if not isinstance(value, (int, float)):
+        return text_of(value)
+    if error and error > 0:
+        digits = max(1, min(digits, int(-math.log10(min(error, 0.5)))))
+    text = f"{value:.{digits}g}"
+    return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
+
+
+def text_of(value):
+    """An mpmath number or an expression as text."""
+    return str(value)
+
+
+def with_unit(value, dimension, error=0.0):
+    """`0.0785 m`: a number and the SI unit of its dimension."""
+    unit = "rad" if dimension == {} else units.text(dimension)
+    return f"{figure(value, error)} {unit}".rstrip()
+
+
+def table(rows, head):
+    """Lines of an aligned table; columns two spaces apart."""
+    cells = [head, *rows]
+    widths = [max(width(row[i]) for row in cells) for i in range(len(head))]
+    return ["  ".join(padded(cell, w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in cells]
+
+
+def width(text):
+    """Columns of a text: combining dots take none."""
+    return sum(1 for letter in text if not "\u0300" <= letter <= "\u036f")
+
+
+def padded(text, columns):
+    return text + " " * (columns - width(text))

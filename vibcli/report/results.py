@@ -1,0 +1,161 @@
+"""Results as plain data with the documented keys of --json: SI units, null where there is nothing."""
+
+from vibcli.analyses.shapes import normalised
+from vibcli.report.notation import language, latex
+
+TURN = 6.283185307179586
+
+
+def equations_data(problem):
+    """[{coordinate, text, latex, linear_text, linear_latex}]."""
+    equations = problem.equations
+    found = []
+    for i, name in enumerate(problem.scene.coordinates):
+        entry = {"coordinate": name, "text": None, "latex": None}
+        if equations.full:
+            entry["text"] = language(equations.full[i]) + " = 0"
+            entry["latex"] = latex(equations.full[i]) + " = 0"
+        text, tex = linear_row(problem, equations, i)
+        found.append(entry | {"linear_text": text, "linear_latex": tex})
+    return found
+
+
+def linear_row(problem, equations, i):
+    """The equation of small oscillations of coordinate i: (text, LaTeX), in letters or with numbers."""
+    if equations.in_letters:
+        return language(equations.linear[i]) + " = 0", latex(equations.linear[i]) + " = 0"
+    row = numeric_row(problem, equations, i)
+    return joined(row, "*", language), joined(row, r" \, ", latex)
+
+
+def numeric_row(problem, equations, i):
+    """[(coefficient, symbol node)] of a linear equation in numbers."""
+    scene = problem.scene
+    row = []
+    for matrices, symbols in (((equations.M,), scene.a), ((equations.C, equations.G), scene.v), ((equations.K,), scene.q)):
+        for j, symbol in enumerate(symbols):
+            value = float(sum(matrix.get((i, j), 0.0) for matrix in matrices))
+            if value:
+                row.append((value, symbol))
+    return row
+
+
+def joined(row, times, write):
+    """Σ coefficient·symbol = 0 as text."""
+    parts = []
+    for value, symbol in row:
+        sign = ("-" if value < 0 else "") if not parts else (" - " if value < 0 else " + ")
+        parts.append(f"{sign}{abs(value):.6g}{times}{write(symbol)}")
+    return ("".join(parts) or "0") + " = 0"
+
+
+def matrices_data(problem):
+    """{M, C, G, K}: lists of rows, of numbers or of expressions; null where absent."""
+    symbolic = problem.symbolic
+    n = len(problem.scene.coordinates)
+    if symbolic:
+        equations = problem.equations
+        matrices = {key: getattr(equations, key) for key in "MCGK"}
+    else:
+        from vibcli.mechanics.lagrange import matrices_in_numbers
+
+        matrices = dict(zip("MCGK", matrices_in_numbers(problem.elements), strict=True))
+    zero = "0" if symbolic else 0.0
+    return {key: [[_entry(matrix.get((i, j), zero), symbolic) for j in range(n)] for i in range(n)] if matrix else None
+            for key, matrix in matrices.items()}
+
+
+def _entry(value, symbolic):
+    if not symbolic:
+        return float(value)
+    return value if isinstance(value, str) else language(value)
+
+
+def equilibrium_data(problem):
+    """{coordinates: {name: value}, stable, residual}."""
+    if problem.symbolic:
+        from vibcli.mechanics.symbolic import equilibrium_in_letters
+
+        values = equilibrium_in_letters(problem)
+        return {"coordinates": {name: language(node) for name, node in values.items()}, "stable": None, "residual": None}
+    from vibcli.measured import is_stable
+
+    found = problem.equilibrium
+    return {"coordinates": dict(found.values), "stable": is_stable(problem), "residual": found.residual}
+
+
+def modes_data(problem, modes, normalise="first", write=float):
+    """The undamped modes."""
+    names = problem.scene.coordinates
+    found = []
+    for mode in modes:
+        omega = None if mode.omega is None else write(mode.omega)
+        moving = mode.omega is not None and mode.omega != 0
+        shape = normalised(mode.shape, normalise)
+        found.append({
+            "index": mode.index, "omega": omega,
+            "frequency": None if mode.omega is None else write(mode.omega / turn(mode.omega)),
+            "period": write(turn(mode.omega) / mode.omega) if moving else None,
+            "growth_rate": None if mode.growth_rate is None else write(mode.growth_rate),
+            "shape": {name: write(value) for name, value in zip(names, shape, strict=True)},
+            "error": float(mode.error)})
+    return found
+
+
+def turn(value):
+    """2π in the arithmetic of a value."""
+    if isinstance(value, (int, float)):
+        return TURN
+    import mpmath
+
+    return 2 * mpmath.pi
+
+
+def damped_data(problem, modes, normalise="first", write=float):
+    """The damped modes, or None."""
+    if modes is None:
+        return None
+    names = problem.scene.coordinates
+
+    def maybe(value):
+        return None if value is None else write(value)
+
+    found = []
+    for mode in modes:
+        shape = normalised(mode.shape, normalise)
+        found.append({
+            "index": mode.index, "eigenvalue": [write(mode.eigenvalue.real), write(mode.eigenvalue.imag)],
+            "omega": maybe(mode.omega), "zeta": maybe(mode.zeta), "omega_d": maybe(mode.omega_d),
+            "decay": maybe(mode.decay), "growth_rate": maybe(mode.growth_rate),
+            "shape": {name: _amplitude(value, write) for name, value in zip(names, shape, strict=True)},
+            "error": float(mode.error)})
+    return found
+
+
+def _amplitude(value, write):
+    if isinstance(value, complex) or hasattr(value, "_mpc_"):
+        return [write(value.real), write(value.imag)] if value.imag else write(value.real)
+    return write(value)
+
+
+def frequencies_data(problem, normalise="first", digits=None):
+    """What `vibcli frequencies --json` prints."""
+    found = {"coordinates": list(problem.scene.coordinates), "equilibrium": equilibrium_data(problem),
+             "matrices": matrices_data(problem)}
+    if problem.symbolic:
+        from vibcli.report.closed import closed_data
+
+        return found | closed_data(problem)
+    if digits is None:
+        return found | {"modes": modes_data(problem, problem.modes, normalise),
+                        "damped": damped_data(problem, problem.damped, normalise)}
+    import mpmath
+
+    with mpmath.workdps(digits + 15):
+        modes, damped = problem.to_digits(digits)
+
+        def write(value):
+            return mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False)
+
+        return found | {"modes": modes_data(problem, modes, normalise, write),
+                        "damped": damped_data(problem, damped, normalise, write)}

@@ -1,0 +1,303 @@
+"""The solution as text, in the order of a textbook: what is given, coordinates, equilibrium, energies, equations,
+frequencies, damping, modes. Each section is computed when it is printed, and only if it was asked for."""
+
+from vibcli import units
+from vibcli.analyses.shapes import WORDS, normalised
+from vibcli.report.abbreviate import abbreviated
+from vibcli.report.figures import figure, table, width, with_unit
+from vibcli.report.notation import plain
+from vibcli.report.results import TURN, joined, numeric_row
+
+EVERYTHING = ("given", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping", "modes")
+LONGEST = 2400
+
+
+class Report:
+    """Lines of a report about one problem."""
+
+    def __init__(self, problem, normalise="first"):
+        self.problem, self.normalise, self.lines = problem, normalise, []
+
+    def head(self, case):
+        spec = self.problem.spec
+        title = spec.get("title") or spec.file
+        title = f"{title} — case {case}" if case else title
+        self.lines += [title, "=" * width(title)]
+        if not case:
+            self.lines += [f"Source: {spec.get('source')}"] if spec.get("source") else []
+            if spec.get("question"):
+                self.lines += ["", *wrapped(self._quoting(spec.get("question")))]
+
+    def _quoting(self, text):
+        for name, record in self.problem.spec.parameters.items():
+            value = record["value"].text if "value" in record else plain.symbol(name)
+            text = text.replace("{" + name + "}", value)
+        return " ".join(text.split())
+
+    def section(self, title, lines):
+        if lines:
+            self.lines += ["", title, *("  " + line for line in lines)]
+
+    def add(self, name):
+        getattr(self, "_" + name)()
+
+    def _given(self):
+        records = self.problem.spec.parameters
+        lines = []
+        for name, record in records.items():
+            value = record["value"].text.replace("'", "") if "value" in record else "(symbol)"
+            about = record.get("about")
+            lines.append(f"{plain.symbol(name)} = {value}" + (f"   {about}" if about else ""))
+        if any("   " in line for line in lines):
+            self.section("Given", lines)
+        else:
+            self.section("Given", wrapped("   ".join(lines).replace(" = ", "\u00a0=\u00a0"), gap="   "))
+
+    def _coordinates(self):
+        problem, rows = self.problem, []
+        for name in problem.scene.coordinates:
+            about = problem.spec.coordinates[name].get("about") or _moves(problem, name)
+            unit = _unit(problem.dimension(name))
+            rows.append(f"{plain.symbol(name)} [{unit}]" + (f"  {about}" if about else ""))
+        n = len(rows)
+        self.section(f"Generalised coordinates ({n} degree{'s' if n > 1 else ''} of freedom)", rows)
+
+    def _equilibrium(self):
+        problem = self.problem
+        if problem.symbolic:
+            self._equilibrium_in_letters()
+            return
+        from vibcli.measured import is_stable
+
+        found = problem.equilibrium
+        values = [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
+                  for name, value in found.values.items()]
+        rigid = sum(1 for mode in problem.modes if mode.rigid)
+        stable = "unstable" if not is_stable(problem) else "neutral: it can move freely" if rigid else "stable"
+        where = "the drawn position" if found.drawn else "shifted from the drawn position"
+        lines = [f"{', '.join(values)}   ({where})", f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
+        for name, node in problem.preloads.items():
+            lines.append(f"static preload of {name}: {self._preload(node, name)}")
+        self.section("Equilibrium", lines)
+
+    def _preload(self, node, name):
+        text = plain(node)
+        if self.problem.symbolic:
+            return text
+        from vibcli.algebra.evaluate import Floats, evaluate
+
+        record = self.problem.spec.get("springs")[name]
+        unit = "N·m" if "torsion" in record else "N"
+        return f"{text} = {figure(evaluate([node], Floats, self.problem.floats)[0])} {unit}"
+
+    def _equilibrium_in_letters(self):
+        from vibcli.mechanics.symbolic import equilibrium_in_letters
+
+        problem = self.problem
+        values = equilibrium_in_letters(problem)
+        lines = [", ".join(f"{plain.symbol(name)} = {plain(node)}" for name, node in values.items())
+                 + ("   (the drawn position)" if problem.balanced_as_drawn else "")]
+        for name, node in problem.preloads.items():
+            lines.append(f"static preload of {name}: {self._preload(node, name)}")
+        self.section("Equilibrium", lines)
+
+    def _energies(self):
+        energies = self.problem.energies
+        shown, lengths = abbreviated(self.problem.scene.table, [energies[key] for key in ("T", "V", "Phi")])
+        for title, symbol, node in zip(("Kinetic energy", "Potential energy", "Dissipation function"), ("T", "V", "Φ"),
+                                       shown, strict=True):
+            if not node.is_zero:
+                self.section(title, wrapped(f"{symbol} = {short(node)}"))
+        self.section("with", [f"{plain(symbol)} = {plain(length)}" for symbol, length in lengths])
+
+    def _equations(self):
+        problem, scene = self.problem, self.problem.scene
+        equations = problem.equations
+        if equations.full:
+            shown, lengths = abbreviated(scene.table, equations.full)
+            lines = []
+            for name, node in zip(scene.coordinates, shown, strict=True):
+                lines += wrapped(f"{plain.symbol(name)}:  {short(node)} = 0", indent=4)
+            lines += [f"with {plain(symbol)} = {plain(length)}" for symbol, length in lengths]
+            self.section("Equations of motion", lines)
+        else:
+            self.section("Equations of motion", [f"not written out for {len(scene.coordinates)} coordinates"])
+        lines = []
+        if equations.linear:
+            for name, node in zip(scene.coordinates, equations.linear, strict=True):
+                lines += wrapped(f"{plain.symbol(name)}:  {plain(node)} = 0", indent=4)
+        numbers = not problem.symbolic and len(scene.coordinates) <= 16
+        if numbers:
+            lines += [""] * bool(lines) + ["in numbers (SI units):"] * bool(lines) + self._numeric_equations(equations)
+        where = "" if problem.symbolic or problem.equilibrium.drawn else ", the coordinates counted from it"
+        if lines:
+            self.section(f"Small oscillations about the equilibrium{where}", lines)
+
+    def _numeric_equations(self, equations):
+        from vibcli.mechanics.lagrange import Equations, matrices_in_numbers
+
+        found = Equations()
+        found.M, found.C, found.G, found.K = matrices_in_numbers(self.problem.elements)
+        lines = []
+        for i, name in enumerate(self.problem.scene.coordinates):
+            row = numeric_row(self.problem, found, i)
+            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain)}", indent=4)
+        return lines
+
+    def _frequencies(self):
+        problem = self.problem
+        if problem.symbolic:
+            self._frequencies_in_letters()
+            return
+        rows = [_mode_row(mode) for mode in problem.modes]
+        damped = "of the undamped system" if problem.damped else "undamped"
+        self.section(f"Natural frequencies ({damped})",
+                     table(rows, ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")))
+        n = len(problem.scene.coordinates)
+        if n == 1 and problem.linear_in_letters and problem.modes[0].omega:
+            from vibcli.analyses.closed import closed_forms
+
+            form = closed_forms(problem)
+            if form is not None:
+                self.lines += [f"  ω = {plain(form.modes[0].omega)}"]
+
+    def _frequencies_in_letters(self):
+        forms = self.problem.closed_forms
+        if forms is None:
+            lines = ["no closed form that is readable; give the parameters values with --set"]
+        elif forms.polynomial:
+            lines = ["λ = ω² are the roots of"] + [f"{plain(node)} = 0" for node in forms.polynomial]
+        else:
+            lines = [f"ω{sub(i)} = {plain(mode.omega)}" for i, mode in enumerate(forms.modes, 1)]
+            if len(forms.modes) > 1:
+                lines.append("(in the order of the sample values; f = ω/(2π), T = 2π/ω)")
+            else:
+                lines.append(f"f = ω/(2π), T = 2π/ω")
+        self.section("Natural frequencies [rad/s]", lines)
+        if forms is not None and forms.zeta is not None:
+            self.section("Damping", [f"ζ = {plain(forms.zeta)}", f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
+                                     "decay δ = ζ·ω"])
+
+    def _damping(self):
+        if self.problem.symbolic or self.problem.damped is None:
+            return
+        rows = [_damped_row(mode) for mode in self.problem.damped]
+        head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "error ≤", "")
+        self.section("Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ, log. decrement = 2πζ/√(1−ζ²))",
+                     table(rows, head))
+
+    def _modes(self):
+        problem = self.problem
+        if problem.symbolic:
+            self._modes_in_letters()
+            return
+        if len(problem.scene.coordinates) < 2:
+            return
+        names = problem.scene.coordinates
+        shapes = [normalised(mode.shape, self.normalise) for mode in problem.modes]
+        self.section(f"Mode shapes ({WORDS[self.normalise]})", _shape_rows(names, shapes))
+        damped = problem.damped
+        if damped is not None and any(abs(complex(v).imag) > 1e-9 for mode in damped
+                                      for v in normalised(mode.shape, "first")):
+            shapes = [normalised(mode.shape, self.normalise) for mode in damped]
+            self.section("Shapes of the damped modes (amplitude ∠ phase)", _shape_rows(names, shapes, _polar))
+
+    def _modes_in_letters(self):
+        forms = self.problem.closed_forms
+        names = self.problem.scene.coordinates
+        if forms is None or len(names) < 2:
+            return
+        lines = [f"mode {i}:  " + ",  ".join(f"{plain.symbol(name)} = {plain(value)}"
+                                            for name, value in zip(names, mode.shape, strict=True))
+                 for i, mode in enumerate(forms.modes, 1) if mode.shape]
+        self.section("Mode shapes (the first coordinate is 1)", lines)
+
+    def text(self):
+        return "\n".join(self.lines)
+
+
+def _unit(dimension):
+    return "rad" if dimension == {} else units.text(dimension)
+
+
+def _moves(problem, name):
+    """What a coordinate moves, where the file does not say: the first body whose motion is that coordinate."""
+    for body_name, record in (problem.spec.get("bodies") or {}).items():
+        for key in ("slide", "pin", "roll", "turn"):
+            motion = record.get(key)
+            values = motion.values.values() if hasattr(motion, "values") else (motion,)
+            if any(getattr(value, "text", None) == name for value in values):
+                words = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}[key]
+                return f"{words} of {body_name}"
+    return ""
+
+
+def _mode_row(mode):
+    number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
+    if mode.omega is None:
+        return number, "–", "–", "–", error, f"unstable: grows as exp({figure(float(mode.growth_rate), mode.error)}·t)"
+    omega = float(mode.omega)
+    if not omega:
+        return number, "0", "0", "∞", "exact", "rigid-body mode"
+    return (number, figure(omega, mode.error), figure(omega / TURN, mode.error), figure(TURN / omega, mode.error), error, "")
+
+
+def _damped_row(mode):
+    error = f"{mode.error:.0e}" if mode.error else "exact"
+    note = mode.note or ""
+    if not note and mode.omega_d is None and mode.omega:
+        note = "over-damped" if mode.zeta is not None else "real eigenvalue"
+    if mode.growth_rate:
+        note = "unstable"
+    return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), mode.error),
+            figure(_float(mode.omega_d), mode.error),
+            figure(TURN / float(mode.omega_d), mode.error) if mode.omega_d else "–",
+            figure(_float(mode.decay), mode.error), error, note)
+
+
+def _float(value):
+    return None if value is None else float(value)
+
+
+def _real(value):
+    value = complex(value).real
+    return figure(0.0 if abs(value) < 1e-12 else value)
+
+
+def _polar(value):
+    from cmath import polar
+    from math import degrees
+
+    size, angle = polar(complex(value))
+    return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
+
+
+def _shape_rows(names, shapes, write=_real):
+    """A table of shapes: a column a mode, or a row a mode where there are many coordinates."""
+    if len(shapes) > 8:
+        return [f"mode {i + 1}: " + " ".join(write(value) for value in shape[:12]) + (" …" if len(shape) > 12 else "")
+                for i, shape in enumerate(shapes[:12])] + (["…"] if len(shapes) > 12 else [])
+    rows = [(plain.symbol(name), *(write(shape[i]) for shape in shapes)) for i, name in enumerate(names)]
+    return table(rows, ("", *(f"mode {i + 1}" for i in range(len(shapes)))))
+
+
+def sub(number):
+    return str(number).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
+
+
+def short(node):
+    """An expression as text, or its size where it is too long to read."""
+    text = plain(node)
+    return text if len(text) <= LONGEST else f"(an expression of {len(text)} characters; see --json)"
+
+
+def wrapped(text, columns=100, indent=2, gap=" "):
+    """Text broken at spaces into lines of at most `columns`."""
+    lines, line = [], ""
+    for word in text.split(gap):
+        if line and width(line) + width(gap) + width(word) > columns:
+            lines.append(line)
+            line = " " * indent + word if gap == " " else word
+        else:
+            line = f"{line}{gap}{word}" if line else word
+    return [*lines, line] if line else lines
