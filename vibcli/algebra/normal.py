@@ -6,7 +6,7 @@ factors taken out. Work is bounded; what grows beyond MOST terms is left as it i
 
 from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
+from math import gcd, isqrt
 
 from vibcli.algebra.expression import ONE, ZERO
 
@@ -186,10 +186,56 @@ def factors_of(table, terms):
         if least:
             common[atom] = least
     content = tuple(sorted(common.items(), key=lambda pair: pair[0].index))
-    values = list(terms.values())
-    scale = Fraction(reduce(gcd, [v.numerator for v in values]), reduce(lcm, [v.denominator for v in values]))
-    if all(v < 0 for v in values):
-        scale = -scale
-    inner = table.sum(*((table.product(*times(monomial, content, -1)), value / scale)
-                        for monomial, value in terms.items()))
-    return ((table.number(scale), ONE), (inner, ONE), *content)
+    scale = _scale(list(terms.values()))
+    inner = {times(monomial, content, -1): value / scale for monomial, value in terms.items()}
+    root = square_root(inner)
+    node = _node(table, inner) if root is None else _node(table, root)
+    return ((table.number(scale), ONE), (node, ONE if root is None else Fraction(2)), *content)
+
+
+def _node(table, terms):
+    return table.sum(*((table.product(*monomial), value) for monomial, value in terms.items()))
+
+
+def _scale(values):
+    """The rational factor to take out: the common divisor, over the denominator where all share it."""
+    below = {v.denominator for v in values}
+    scale = Fraction(reduce(gcd, [v.numerator for v in values]), below.pop() if len(below) == 1 else 1)
+    return -scale if all(v < 0 for v in values) else scale
+
+
+def square_root(terms):
+    """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
+    squares = {monomial: _exact_root(value) for monomial, value in terms.items()
+               if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
+    roots = [(tuple((atom, e / 2) for atom, e in monomial), value) for monomial, value in squares.items() if value]
+    k = len(roots)
+    if not 2 <= k <= 4 or len(terms) != k * (k + 1) // 2:
+        return None
+    for signs in range(2 ** (k - 1)):
+        candidate = {monomial: -value if signs >> i & 1 else value
+                     for i, (monomial, value) in enumerate(roots[::-1])}
+        if _multiplied(candidate, candidate) == terms:
+            return candidate if candidate[roots[0][0]] > 0 else {m: -v for m, v in candidate.items()}
+    return None
+
+
+def _exact_root(value):
+    up, down = isqrt(value.numerator), isqrt(value.denominator)
+    return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None
+
+
+def root_of_square(node):
+    """√node up to sign as a node where that needs no root, else None."""
+    try:
+        terms = reduced(expanded(node))
+    except TooLong:
+        return None
+    if len(terms) == 1:
+        (monomial, value), = terms.items()
+        root = _exact_root(value) if value > 0 else None
+        if root is None or any((e / 2).denominator > 1 for _, e in monomial):
+            return None
+        return node.table.product((node.table.number(root), ONE), *((atom, e / 2) for atom, e in monomial))
+    root = square_root(terms)
+    return None if root is None else _node(node.table, root)

@@ -17,46 +17,47 @@ GUARDS = (160, 640, 2560)
 class Enclosed:
     """Scaled eigenvalues λ̂ = ω̂² in fixed point with what bounds them, and M̂-normalised shapes in columns.
 
-    zeros: how many follow from the structure, or None; zero: flags of those that are zero. data: the relative
-    rounding of the data that each |λ̂| shows. radius, shift: as in Spectrum.
+    zeros: how many vanish by structure, or None where that is not known; zero: flags of those that are zero.
+    off: log2 of a bound of the error of each λ̂.
     """
 
-    __slots__ = ("bits", "data", "radius", "reduced", "shapes", "shift", "values", "vectors", "zero", "zeros")
+    __slots__ = ("bits", "off", "shapes", "values", "zero", "zeros")
 
     def __init__(self, found, reduced, zeros):
-        self.values, self.bits, self.vectors = found.values, found.bits, found.vectors
-        self.radius, self.shift, self.zeros, self.reduced = found.radius, found.shift, zeros, reduced
-        self.shapes, self.data = reduced.full(found.vectors), 0.0
-        self.zero = self._zeros()
+        self.values, self.bits, self.zeros = found.values, found.bits, zeros
+        self.off, self.shapes = np.log2(found.radius) - found.shift, reduced.full(found.vectors)
+        self._find_zeros()
 
-    def _zeros(self):
-        size = self.sizes()
+    def _find_zeros(self):
         if self.zeros is None:
-            return size <= 2 * (np.ldexp(self.radius, -self.shift) + self.data)
-        zero = np.zeros(len(size), bool)
-        zero[np.argsort(size, kind="stable")[:self.zeros]] = True
-        return zero
+            self.zero = self.sizes() <= self.off + 1
+        else:
+            self.zero = np.zeros(len(self.off), bool)
+            self.zero[np.argsort(self.sizes(), kind="stable")[:self.zeros]] = True
 
     def sizes(self):
-        """|λ̂| as floats."""
-        return np.abs(fx.floats(self.values, self.bits))
+        """log2 |λ̂|."""
+        with np.errstate(divide="ignore"):
+            return np.log2(np.abs(fx.floats(self.values, self.bits)))
 
     def add_data_error(self, elements, scale, unit):
-        """Takes the rounding of the data into the bounds; `unit`: relative, of every weight and component."""
-        rows, sums = sensitivity(elements, scale, fx.floats(self.shapes, self.bits), self.sizes())
-        self.data = unit * rows + max(unit, 2.0 ** -53 if not unit else 0.0) * sums
-        self.zero = self._zeros()
+        """Takes a relative rounding 2^unit of every weight and component into the bounds."""
+        sizes = self.sizes()
+        rows, sums = sensitivity(elements, scale, fx.floats(self.shapes, self.bits), 2.0 ** sizes)
+        with np.errstate(divide="ignore"):
+            self.off = np.logaddexp2(self.off, np.log2(rows) + unit)
+            self.off = np.logaddexp2(self.off, np.log2(sums) + (unit if unit > -np.inf else -53.0))
+        self._find_zeros()
 
     def errors(self):
-        """Relative bounds of √|λ̂|, their last rounding not counted; 0 for zeros."""
-        size = self.sizes()
-        size[self.zero] = np.inf
-        off = np.ldexp(self.radius, -self.shift) + self.data
-        return 0.5 * off / np.maximum(size - off, size / 4)
+        """log2 of the relative bounds of √|λ̂|, their last rounding not counted; −inf for zeros."""
+        relative = self.off - self.sizes()
+        relative[self.zero] = -np.inf
+        return np.where(relative < -2, relative - 1 + 2.0 ** np.minimum(relative + 1, 0), relative + 1)
 
     def settled(self, goal):
         """Whether every value is known to `goal` and every zero follows from the structure."""
-        return (self.zeros is not None or not self.zero.any()) and bool((self.errors() <= goal).all())
+        return (self.zeros is not None or not self.zero.any()) and bool((self.errors() <= math.log2(goal)).all())
 
 
 def enclosed(elements, scale, zeros, goal=60):
@@ -66,8 +67,7 @@ def enclosed(elements, scale, zeros, goal=60):
         a, reduced = standard(elements, scale, bits)
         found = spectrum(a, bits, goal, zeros or 0, reduced.slack)
         answer = Enclosed(found, reduced, zeros)
-        size = np.where(answer.zero, np.inf, answer.sizes())
-        if (np.log2(answer.radius) - np.log2(size) - answer.shift <= 1 - goal).all():
+        if (answer.errors() <= -goal).all():
             break
     return answer
 

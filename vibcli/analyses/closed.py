@@ -4,30 +4,37 @@ One degree: ω = √(K/M). Factors of degree one and two in λ = ω² are solved
 polynomial. Every root is checked in numbers at sample values before it is shown.
 """
 
+from math import gcd
+
 from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, sympy_arithmetic
-from vibcli.algebra.expression import HALF, ONE
-from vibcli.algebra.normal import textbook
+from vibcli.algebra.expression import HALF, ONE, reachable
+from vibcli.algebra.normal import expanded, textbook
 from vibcli.mechanics.lagrange import matrices_in_letters
 
-LARGEST, LONGEST = 6, 400
+LARGEST, LONGEST, READABLE = 6, 400, 24
 
 
 class ClosedMode:
-    """ω² and ω as expressions; shape: amplitudes by coordinate with the first one that moves 1, or None."""
+    """ω² and ω as expressions; shape: amplitudes by coordinate with the first one 1, or None."""
 
     __slots__ = ("omega", "shape", "square")
+
+    @property
+    def readable(self):
+        return self.shape is not None and all(len(reachable([part])) <= READABLE for part in self.shape)
 
     def __init__(self, square, omega, shape):
         self.square, self.omega, self.shape = square, omega, shape
 
 
 class ClosedForms:
-    """modes: ascending at the sample values; polynomial: (unsolved factor as text) or None; zeta, omega_d of one degree."""
+    """modes: ascending at the sample values; polynomial: unsolved factors in λ = ω², or None; zeta, omega_d of one
+    degree; ratio: the amplitude ratio of two degrees as a function of ω."""
 
-    __slots__ = ("modes", "omega_d", "polynomial", "zeta")
+    __slots__ = ("modes", "omega_d", "polynomial", "ratio", "zeta")
 
-    def __init__(self, modes, polynomial=None, zeta=None, omega_d=None):
-        self.modes, self.polynomial, self.zeta, self.omega_d = modes, polynomial, zeta, omega_d
+    def __init__(self, modes, polynomial=None, zeta=None, omega_d=None, ratio=None):
+        self.modes, self.polynomial, self.zeta, self.omega_d, self.ratio = modes, polynomial, zeta, omega_d, ratio
 
 
 def closed_forms(problem):
@@ -87,47 +94,41 @@ def _several(scene, M, K, n):
         return None
     unknown = sympy.Symbol("lambda_", real=True)
     polynomial = sympy.expand((stiffness - unknown * mass).det(method="berkowitz"))
-    squares, left = [], []
+    roots, left = [], []
     for factor, power in sympy.factor_list(polynomial, unknown)[1]:
         degree = sympy.degree(factor, unknown)
-        if degree == 0:
-            continue
         if degree > 2:
             left.append(factor)
-            continue
-        squares += _roots(sympy, sympy.Poly(factor, unknown), degree) * power
+        elif degree:
+            coefficients = [textbook(from_sympy(scene.table, c, back)) for c in sympy.Poly(factor, unknown).all_coeffs()]
+            roots += _roots(coefficients) * power
     if left:
         return ClosedForms([], polynomial=_polynomial(scene, left, unknown, back))
-    found = []
-    for square in squares:
-        node = textbook_root(scene, from_sympy(scene.table, square, back))
-        found.append((evaluate([node], Floats, scene.sample)[0], square, node))
-    found.sort(key=lambda item: item[0])
-    if not _agrees(scene, M, K, n, [value for value, _, _ in found]):
+    found = sorted(((evaluate([node], Floats, scene.sample)[0], node) for node in roots), key=lambda pair: pair[0])
+    if not _agrees(scene, M, K, n, [value for value, _ in found]):
         return None
-    modes = []
-    for i, (_, square, node) in enumerate(found):
-        repeated = any(square == other for j, (_, other, _) in enumerate(found) if j != i)
-        shape = None if repeated else _shape(sympy, scene, stiffness - square * mass, n, back)
-        modes.append(ClosedMode(node, root_of(node), shape))
-    return ClosedForms(modes)
+    modes = [ClosedMode(node, root_of(node), None if roots.count(node) > 1 else _shape(scene, M, K, n, node))
+             for _, node in found]
+    return ClosedForms(modes, ratio=_ratio(scene, M, K, scene.table.parameter("omega") ** 2) if n == 2 else None)
 
 
-def _roots(sympy, polynomial, degree):
-    """The roots of a factor of degree one or two, simplified."""
-    coefficients = polynomial.all_coeffs()
-    if degree == 1:
+def _roots(coefficients):
+    """The roots of a λ² + b λ + c or a λ + b, over one denominator, the common rational factor cancelled."""
+    if len(coefficients) == 2:
         a, b = coefficients
-        return [sympy.factor(-b / a)]
+        return [ratio(-b, a)]
     a, b, c = coefficients
-    discriminant = sympy.factor(b**2 - 4 * a * c)
-    root = sympy.sqrt(discriminant)
-    return [sympy.expand(-b) / (2 * a) + sign * root / (2 * a) for sign in (-1, 1)]
+    table = a.table
+    root = table.sqrt(textbook(b * b - 4 * a * c))
+    common = gcd(*(_divisor(node) for node in (b, 2 * a)), root.coefficient.numerator if root.op == "product" else 1)
+    below = textbook(2 * a / common)
+    return [table.product((textbook(-b / common) + sign * root / common, ONE), (below, -ONE)) for sign in (-1, 1)]
 
 
-def textbook_root(scene, node):
-    """One root as a node, brought over a common denominator where the algebra does that by itself."""
-    return node
+def _divisor(node):
+    """The integer that divides all coefficients of a polynomial; 1 where there are fractions."""
+    values = expanded(node).values()
+    return gcd(*(v.numerator for v in values)) if all(v.denominator == 1 for v in values) else 1
 
 
 def _agrees(scene, M, K, n, squares):
@@ -145,15 +146,23 @@ def _agrees(scene, M, K, n, squares):
     return len(squares) == n and bool(np.allclose(squares, reference, rtol=1e-6, atol=1e-7 * abs(reference).max()))
 
 
-def _shape(sympy, scene, matrix, n, back):
-    """Amplitudes from the first n − 1 equations with the first amplitude 1; None where that does not decide."""
+def _shape(scene, M, K, n, square):
+    """Amplitudes of two degrees with the first one 1; None where the equations do not decide it."""
     if n != 2:
         return None
-    for row in (0, 1):
-        a, b = matrix[row, 0], matrix[row, 1]
-        if sympy.simplify(b) != 0:
-            amplitude = sympy.factor(sympy.simplify(-a / b)) if (a / b).count_ops() < 60 else -a / b
-            return [scene.table.one, from_sympy(scene.table, amplitude, back)]
+    amplitude = _ratio(scene, M, K, square)
+    return None if amplitude is None else [scene.table.one, amplitude]
+
+
+def _ratio(scene, M, K, square):
+    """q₂/q₁ = −(K₁₁ − ω² M₁₁)/(K₁₂ − ω² M₁₂), or from the second equation where that is 0/0 at the sample."""
+    zero = scene.table.zero
+    for i in (0, 1):
+        above, below = (K.get((i, j), zero) - square * M.get((i, j), zero) for j in (0, 1))
+        values = {**scene.sample, "omega": 1.0}
+        x, y = evaluate([above, below], Floats, values)
+        if abs(y) > 1e-9 * max(abs(x), 1e-300):
+            return ratio(-above, below)
     return None
 
 

@@ -6,7 +6,7 @@ the damping in them (quadratic.py), or directly where coordinates without inerti
 
 import math
 
-from vibcli.analyses.modal import CERTIFIED, DIGITS, ESCALATE, EVALUATED, prepared
+from vibcli.analyses.modal import CERTIFIED, DIGITS, ESCALATE, EVALUATED, EXACT, decimal, prepared
 
 GOAL = 160
 WANTED = 60
@@ -30,10 +30,10 @@ def damped(elements, precise=None, exact=None, digits=None):
     from vibcli.analyses.precise import Floats
 
     data = exact() if exact is not None else None
-    unit = EVALUATED if data is None and precise is not None else 0.0
+    unit = EVALUATED if data is None and precise is not None else EXACT
     answer = Answer(elements, data or elements, GOAL, WANTED, unit)
-    if unit and not answer.settled(ESCALATE):
-        answer = Answer(elements, precise(DIGITS), GOAL, WANTED, 10.0 ** (2 - DIGITS))
+    if unit > EXACT and not answer.settled(math.log2(ESCALATE)):
+        answer = Answer(elements, precise(DIGITS), GOAL, WANTED, decimal(DIGITS))
     return collected(answer.system, answer.found, answer.scale, Floats, answer.shapes())
 
 
@@ -42,9 +42,17 @@ def damped_digits(elements, precise, exact, digits):
     from vibcli.analyses.damped_modes import collected
     from vibcli.analyses.precise import Digits, working_bits
 
-    data = precise(digits + 60) if precise is not None else exact() if exact is not None else None
     wanted = working_bits(digits)
-    answer = Answer(elements, data or elements, GOAL + 2 * wanted, wanted, 0.0)
+    goal = GOAL + 2 * wanted
+    if precise is None:
+        data = exact() if exact is not None else None
+        answer = Answer(elements, data or elements, goal, wanted, EXACT)
+    else:
+        for guard in (30, 90, 270):
+            dps = digits + guard
+            answer = Answer(elements, precise(dps), goal, wanted, decimal(dps))
+            if answer.settled(-digits * math.log2(10)):
+                break
     return collected(answer.system, answer.found, answer.scale, Digits, answer.shapes_in_digits())
 
 
@@ -67,7 +75,7 @@ class Answer:
         else:
             self.system = self._modal(elements, data, goal, zeros, unit, quadratic)
         self.found = self.system.eigenvalues(wanted)
-        if unit or data.K_size:
+        if unit > EXACT or data.K_size:
             from vibcli.analyses.rounding import add_data_error
 
             add_data_error(self.found, self.system, data, self.scale, unit)
@@ -76,17 +84,18 @@ class Answer:
         from vibcli.analyses.certified import enclosed
 
         answer = enclosed(data, self.scale, zeros, goal=goal)
-        if unit or data.K_size:
+        if unit > EXACT or data.K_size:
             answer.add_data_error(data, self.scale, unit)
         self.decided = zeros is not None or not answer.zero.any()
         return quadratic.ModalDamping(answer, data, self.scale, untouched(elements, zeros, data), goal)
 
     def settled(self, goal):
-        """Whether every eigenvalue is known to `goal` and every zero follows from the structure."""
-        from vibcli.analyses.fixed import to_float
+        """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
+        from vibcli.analyses.fixed import log2
 
-        sizes = [math.hypot(to_float(d.re, self.system.bits), to_float(d.im, self.system.bits)) for d in self.found]
-        return self.decided and all(2.0 ** d.radius <= goal * size for d, size in zip(self.found, sizes, strict=True))
+        bits = self.system.bits
+        return self.decided and all(
+            d.radius - log2(math.isqrt(d.re * d.re + d.im * d.im), bits) <= goal for d in self.found if d.re or d.im)
 
     def shapes(self):
         """The vectors in all coordinates, a column for each eigenvalue, the largest component real and positive."""

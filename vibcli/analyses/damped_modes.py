@@ -36,9 +36,9 @@ def collected(system, found, scale, numbers, shapes):
     order = sorted(range(len(found)), key=lambda i: (found[i].re ** 2 + found[i].im ** 2, -found[i].re))
     for i in order:
         d = found[i]
-        size = math.log2(math.hypot(1e-300, fx.to_float(math.isqrt(d.re * d.re + d.im * d.im), bits)))
+        size = fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits)
         re = d.re
-        if re and d.radius <= size - ZERO and fx.to_float(abs(re), bits) <= 2.0 ** d.radius:
+        if re and d.radius <= size - ZERO and fx.log2(re, bits) <= d.radius:
             re = 0
         value = numbers.complex(re, d.im, bits - scale.time)
         square, zeta = math.isqrt(re * re + d.im * d.im), None
@@ -51,9 +51,8 @@ def collected(system, found, scale, numbers, shapes):
         note = _note(system, d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
-        error = 2.0 ** (d.radius - size) + numbers.rounding if square else 0.0
-        out.append(DampedMode(place, value, numbers.number(square, bits - scale.time), zeta, shapes[:, i],
-                              float(error), note))
+        error = numbers.error(d.radius - size) if square else 0.0
+        out.append(DampedMode(place, value, numbers.number(square, bits - scale.time), zeta, shapes[:, i], error, note))
     return out
 
 

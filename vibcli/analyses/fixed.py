@@ -52,6 +52,11 @@ def to_float(a, bits):
     return math.ldexp(float(a), -bits)
 
 
+def log2(a, bits):
+    """log2 |a / 2^bits|, to half a unit; −inf for 0."""
+    return abs(a).bit_length() - bits - 0.5 if a else -math.inf
+
+
 def floats(a, bits):
     """The values of an array of fixed-point numbers as floats."""
     if bits < 900:

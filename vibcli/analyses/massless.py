@@ -13,7 +13,7 @@ import numpy as np
 from vibcli.analyses import fixed as fx
 from vibcli.analyses.blocks import eigenvalues
 from vibcli.analyses.certified import condensed, inverted, reduced_by_mass, spread
-from vibcli.analyses.quadratic import Eigenvalue, _log2, turning
+from vibcli.analyses.quadratic import Eigenvalue, turning, vanishing
 from vibcli.analyses.symmetric import spectrum
 from vibcli.errors import PhysicsError
 
@@ -90,12 +90,11 @@ class Reduced:
         top = math.log2(np.abs(matrix).max())
 
         def enough(root):
-            size, decay = _log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, _log2(abs(root.re), bits)
+            size, decay = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, fx.log2(root.re, bits)
             return root.radius <= max(decay - wanted, size - wanted - 50) or max(size, root.radius) <= top - 60
 
         found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
-        found.sort(key=lambda root: root.re * root.re + root.im * root.im)
-        return [self._full(root, h, place) for place, root in enumerate(found)]
+        return [self._full(root, h, zero) for root, zero in vanishing(found, self.zeros)]
 
     def _matrix(self):
         """y' = A y for y = (a', a, z)."""
@@ -108,8 +107,8 @@ class Reduced:
         out[range(h, 2 * h), range(h)] = 1 << bits
         return out
 
-    def _full(self, root, h, place):
-        """An Eigenvalue in the columns of the basis; the first `zeros` vanish by structure."""
+    def _full(self, root, h, zero):
+        """An Eigenvalue in the columns of the basis; `zero`: it vanishes by structure."""
         bits = self.bits
         value = complex(fx.to_float(root.re, bits), fx.to_float(root.im, bits))
         x = root.right[h:]
@@ -117,7 +116,7 @@ class Reduced:
         release, drag = fx.floats(self.release, bits), fx.floats(self.c[:h, h:], bits)
         pushed = (root.left[2 * h:] - root.left[:h] @ drag) @ release
         left = np.concatenate([root.left[:h], pushed]) * size
-        if place < self.zeros:
+        if zero:
             return Eigenvalue(0, 0, -math.inf, x / size, left)
         return Eigenvalue(root.re, root.im, root.radius if value else -math.inf, x / size, left)
 

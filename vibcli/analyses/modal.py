@@ -11,8 +11,8 @@ from vibcli.analyses.rigid import rigid_count
 from vibcli.analyses.scaled import mechanism, scaling
 
 CERTIFIED = 40
-UNIT = 2.0 ** -53
-EVALUATED = 4 * UNIT
+EXACT = -math.inf
+EVALUATED = -51.0
 ESCALATE = 1e-13
 DIGITS = 60
 
@@ -68,13 +68,13 @@ def certain(elements, scale, zeros, precise):
     answer = enclosed(elements, scale, zeros)
     if precise is None:
         if elements.K_size:
-            answer.add_data_error(elements, scale, 0.0)
+            answer.add_data_error(elements, scale, EXACT)
         return answer
     answer.add_data_error(elements, scale, EVALUATED)
     if not answer.settled(ESCALATE):
         exact = precise(DIGITS)
         answer = enclosed(exact, scale, zeros)
-        answer.add_data_error(exact, scale, 10.0 ** (2 - DIGITS))
+        answer.add_data_error(exact, scale, decimal(DIGITS))
     return answer
 
 
@@ -83,9 +83,21 @@ def undamped_digits(elements, scale, zeros, precise, digits):
     from vibcli.analyses.certified import enclosed
     from vibcli.analyses.precise import Digits, working_bits
 
-    dps = digits + 40
-    exact = elements if precise is None else precise(dps)
-    return modes(enclosed(exact, scale, zeros, goal=working_bits(digits)), scale, Digits)
+    goal = working_bits(digits)
+    if precise is None:
+        return modes(enclosed(elements, scale, zeros, goal), scale, Digits)
+    for guard in (30, 90, 270):
+        exact = precise(digits + guard)
+        answer = enclosed(exact, scale, zeros, goal)
+        answer.add_data_error(exact, scale, decimal(digits + guard))
+        if (answer.errors() <= -digits * math.log2(10)).all():
+            break
+    return modes(answer, scale, Digits)
+
+
+def decimal(dps):
+    """log2 of the rounding of numbers evaluated to dps digits."""
+    return (2 - dps) * math.log2(10)
 
 
 def factored(elements):
@@ -120,11 +132,11 @@ def modes(answer, scale, numbers):
     if scale.mass % 2:
         shapes = shapes * math.isqrt(1 << (2 * bits - 1)) >> bits
     full = numbers.array(shapes, powers + scale.mass // 2)
-    errors = answer.errors() + numbers.rounding
+    errors = answer.errors()
     values = [0 if zero else int(x) for x, zero in zip(answer.values, answer.zero, strict=True)]
     out = []
     for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):
         rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
-        error = float(errors[i]) if values[i] else 0.0
+        error = numbers.error(errors[i]) if values[i] else 0.0
         out.append(Mode(place, rate, values[i] < 0, full[:, i], direction[:, i], error))
     return out

@@ -10,9 +10,12 @@ GUARD_DIGITS = 10
 
 
 class Floats:
-    """Turns fixed-point integers into the nearest floats; rounding: how much that may change them."""
+    """Turns fixed-point integers into the nearest floats."""
 
-    rounding = 2.0 ** -53
+    @staticmethod
+    def error(bits):
+        """2^bits and the rounding to a float."""
+        return float(2.0 ** bits + 2.0 ** -53)
 
     @classmethod
     def complex(cls, re, im, bits):
@@ -35,7 +38,12 @@ class Floats:
 class Digits:
     """Turns fixed-point integers into mpmath.mpf without losing any."""
 
-    rounding = 0.0
+    @staticmethod
+    def error(bits):
+        """2^bits, rounded up."""
+        from mpmath import mp
+
+        return mp.ldexp(mp.mpf(1), math.ceil(bits))
 
     @classmethod
     def complex(cls, re, im, bits):

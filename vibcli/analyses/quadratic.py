@@ -117,14 +117,12 @@ class ModalDamping:
         bits = self.bits
 
         def enough(root):
-            size, decay = _log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, _log2(abs(root.re), bits)
+            size, decay = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, fx.log2(root.re, bits)
             return root.radius <= max(decay - wanted, size - wanted - 50) or max(size, root.radius) <= top - 80
 
         found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
-        found.sort(key=lambda root: root.re * root.re + root.im * root.im)
-        still = system.still()
         rigid = [Eigenvalue(0, 0, -math.inf, self._unit(i), self._unit(i)) for i in part if not self.values[i]]
-        return rigid + [self._full(part, root, place < still) for place, root in enumerate(found)]
+        return rigid + [self._full(part, root, zero) for root, zero in vanishing(found, system.still())]
 
     def _full(self, part, root, zero):
         """An Eigenvalue of all modes from one of the first-order form; `zero`: it vanishes by structure."""
@@ -176,14 +174,22 @@ class Coupled:
         return int((sigma <= 1e-13 * np.abs(self.matrix[:k, :k]).max()).sum())
 
 
+def vanishing(found, zeros):
+    """(root, whether it vanishes by structure), `zeros` of them; of such a conjugate pair each."""
+    out = []
+    for root in sorted(found, key=lambda root: root.re * root.re + root.im * root.im):
+        if zeros:
+            times = min(zeros, 2 if root.im else 1)
+            out += [(root, True)] * times
+            zeros -= times
+        else:
+            out.append((root, False))
+    return out
+
+
 def turning(elements):
     """C + G as one dict."""
     out = dict(elements.C)
     for at, x in elements.G.items():
         out[at] = out.get(at, 0) + x
     return out
-
-
-def _log2(a, bits):
-    """log2 of |a| / 2^bits, rounded."""
-    return a.bit_length() - bits if a else -math.inf

@@ -12,25 +12,27 @@ from vibcli.analyses.quadratic import turning
 
 
 def add_data_error(found, system, elements, scale, unit):
-    """Widens every radius by the effect of a relative rounding `unit` of every weight and component.
+    """Widens every radius by the effect of a relative rounding 2^unit of every weight and component.
 
-    The sums in K carry 2⁻⁵³ K_size at least.
+    K given with K_size carries 2⁻⁵³ of it even where the other data are exact.
     """
     basis, p = np.abs(fx.floats(system.basis, system.bits)), scale.coordinates
     sums = elements.K_size or elements.K
-    m = _size(elements.inertias, elements.M, p, scale.mass, basis) * unit
-    c = _size(elements.dampers, turning(elements), p, scale.damping, basis) * unit
-    k = _size(elements.springs, {}, p, scale.stiffness, basis) * unit
-    k += _size((), sums, p, scale.stiffness, basis) * (unit or 2.0 ** -53) / 3
+    exact = not math.isfinite(unit)
+    m = _size(elements.inertias, elements.M, p, scale.mass, basis) * (not exact)
+    c = _size(elements.dampers, turning(elements), p, scale.damping, basis) * (not exact)
+    k = _size(elements.springs, {}, p, scale.stiffness, basis) * (not exact)
+    k += _size((), sums, p, scale.stiffness, basis) / 3
+    unit = -53.0 if exact else unit
     for d in found:
         if d.re or d.im:
             value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
             change = (value * value * m + value * c + k) @ np.abs(d.x)
             first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
             if d.mode is not None:
-                first = min(first, math.sqrt(float(change[d.mode])))
+                first = min(first, math.sqrt(float(change[d.mode])) * 2.0 ** min(-unit / 2, 1000.0))
             if first:
-                d.radius = float(np.logaddexp2(d.radius, math.log2(first)))
+                d.radius = float(np.logaddexp2(d.radius, math.log2(first) + unit))
 
 
 def _size(terms, matrix, powers, scale, basis):

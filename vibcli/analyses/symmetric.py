@@ -13,6 +13,7 @@ import numpy as np
 from vibcli.analyses.fixed import fixed, floats, identity
 
 STEPS = 24
+LEAST = 1e-300
 
 
 class Spectrum:
@@ -70,7 +71,7 @@ class Offset:
         size = np.abs(floats(h, bits - self.shift))
         spoiled = np.abs(floats(excess, bits))
         self.skew = max(abs(x) for x in excess.ravel().tolist()).bit_length() - bits
-        self.e = size + 1.1 * spoiled @ size + 2.0 ** (slack + self.shift - bits)
+        self.e = size + 1.1 * spoiled @ size + max(2.0 ** (slack + self.shift - bits), LEAST)
         self.alpha, self.gap = floats(alpha, bits), np.abs(floats(gap, bits))
         self.zero = np.zeros(len(alpha), bool)
         self.zero[np.argsort(np.abs(self.alpha), kind="stable")[:zeros]] = True
@@ -121,7 +122,7 @@ class Offset:
             tilt = self.e / self.gap
         apart = np.ldexp(self.scaled + self.scaled.T, -self.shift) <= 0.05 * self.gap
         np.fill_diagonal(apart, False)
-        return max(float(self.skew), math.log2(tilt[apart].max(initial=1e-300)) - self.shift)
+        return max(float(self.skew), math.log2(tilt[apart].max(initial=LEAST)) - self.shift)
 
     def _union(self, disc):
         """How far the union of overlapping discs about the sorted values reaches from each."""

@@ -131,7 +131,6 @@ def show_diagnostics(diagnostics):
 
 def show_refusal(error, file=None):
     """A physical refusal on stderr."""
-    from vibcli.diagnostics import render
     from vibcli.errors import Diagnostic
 
     if error.where is not None:

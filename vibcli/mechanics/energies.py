@@ -48,13 +48,29 @@ def effective_potential(scene):
     """V − T at rest: what is stationary in (relative) equilibrium."""
     from vibcli.algebra.calculus import substitute
 
-    rest = {v: scene.table.zero for v in scene.v}
+    rest = dict.fromkeys(scene.v, scene.table.zero)
     return potential(scene) - substitute([scene.energies["T"]], rest)[0]
 
 
 def textbook_energies(scene):
     """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
-    V = textbook(potential(scene))
-    if V.op == "sum":
-        V = scene.table.sum(*((part, c) for part, c in V.args if part.mask))
-    return {"T": textbook(kinetic(scene)), "V": V, "Phi": textbook(dissipation(scene))}
+    return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": textbook(dissipation(scene))}
+
+
+def _textbook_potential(scene):
+    """V with the energy ½ k d² of each spring kept as it is read off the figure; weights collected."""
+    table, rest, parts = scene.table, [(scene.energies["V"], ONE)], []
+    rest += [(term.weight * term.s, ONE) for term in scene.weights]
+    if "K" in scene.matrices:
+        rest += _quadratic(scene, "K", scene.q)
+    for term in scene.springs:
+        stretch = textbook(term.s)
+        rest.append((term.force * stretch, ONE))
+        if stretch.op == "sum":
+            parts.append((table.product((term.weight, ONE), (stretch, ONE + ONE)), HALF))
+        else:
+            rest.append((term.weight * stretch * stretch, HALF))
+    collected = textbook(table.sum(*rest))
+    if collected.op == "sum":
+        collected = table.sum(*((part, c) for part, c in collected.args if part.mask))
+    return table.sum(*parts, (collected, ONE))

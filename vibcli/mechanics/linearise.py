@@ -53,7 +53,7 @@ def _curvature(row, number):
 def _written_out(scene, found, number):
     """What `energies` and `matrices` add."""
     speeds = {node: i for i, node in enumerate(scene.v)}
-    rest = {v: scene.table.zero for v in scene.v}
+    rest = dict.fromkeys(scene.v, scene.table.zero)
     T, V, Phi = (scene.energies[key] for key in ("T", "V", "Phi"))
     momentum = {speeds[v]: p for v, p in gradient(T).items() if v in speeds}
     force = {speeds[v]: p for v, p in gradient(Phi).items() if v in speeds}

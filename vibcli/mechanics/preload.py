@@ -21,11 +21,11 @@ def settle_static_preloads(scene):
     unknowns = [node for node, _ in scene.static_preloads]
     form = at_position(linearise(scene), scene.drawn)
     columns = [_column(form, unknown) for unknown in unknowns]
-    rest = _residual(form, {unknown: scene.table.zero for unknown in unknowns})
+    rest = _residual(form, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
     rows, picked = _pivots([row[:-1] for row in numbers])
     tensions = _solved(scene.table, [[columns[j][i] for j in picked] + [-rest[i]] for i in rows])
-    values = {unknown: scene.table.zero for unknown in unknowns}
+    values = dict.fromkeys(unknowns, scene.table.zero)
     values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     if len(picked) < len(unknowns):

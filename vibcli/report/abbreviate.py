@@ -5,18 +5,15 @@ from vibcli.algebra.expression import HALF, ONE
 SHORT = 2           # roots of fewer terms are left in place
 
 
-def abbreviated(table, nodes):
-    """(nodes with long roots replaced, [(symbol, root)])."""
-    roots = {}
+def abbreviated(table, nodes, known):
+    """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to."""
+    new = []
     for node in nodes:
         for base in _rooted(node):
-            roots.setdefault(base, None)
-    if not roots:
-        return nodes, []
-    for i, base in enumerate(roots, 1):
-        roots[base] = table.parameter(f"ℓ{i}")
-    shown = [_replaced(table, node, roots) for node in nodes]
-    return shown, [(symbol, table.power(base, HALF)) for base, symbol in roots.items()]
+            if base not in known:
+                known[base] = table.parameter(f"ℓ{len(known) + 1}")
+                new.append((known[base], table.power(base, HALF)))
+    return [_replaced(table, node, known) for node in nodes], new
 
 
 def _rooted(node):

@@ -10,7 +10,7 @@ _GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": 
           "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
           "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
           "Omega": "Ω"}
-_NAME = re.compile(rf"({'|'.join(sorted(_GREEK, key=len, reverse=True))}|[A-Za-z])(.*)")
+_NAME = re.compile(rf"({'|'.join(sorted(_GREEK, key=len, reverse=True))}|[A-Za-zℓ])(.*)")
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
@@ -189,6 +189,8 @@ class Latex(Notation):
 
     def symbol(self, name):
         letter, rest, primes = split_name(name)
+        if letter == "ℓ":
+            letter = r"\ell"
         if letter in _GREEK:
             letter = "\\" + {"phi": "varphi", "epsilon": "varepsilon"}.get(letter, letter)
         accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]

@@ -40,11 +40,11 @@ def numeric_row(problem, equations, i):
     return row
 
 
-def joined(row, times, write):
+def joined(row, times, write, minus="-"):
     """Σ coefficient·symbol = 0 as text."""
     parts = []
     for value, symbol in row:
-        sign = ("-" if value < 0 else "") if not parts else (" - " if value < 0 else " + ")
+        sign = (minus if value < 0 else "") if not parts else (f" {minus} " if value < 0 else " + ")
         parts.append(f"{sign}{abs(value):.6g}{times}{write(symbol)}")
     return ("".join(parts) or "0") + " = 0"
 

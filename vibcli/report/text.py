@@ -16,7 +16,7 @@ class Report:
     """Lines of a report about one problem."""
 
     def __init__(self, problem, normalise="first"):
-        self.problem, self.normalise, self.lines = problem, normalise, []
+        self.problem, self.normalise, self.lines, self.roots = problem, normalise, [], {}
 
     def head(self, case):
         spec = self.problem.spec
@@ -26,7 +26,7 @@ class Report:
         if not case:
             self.lines += [f"Source: {spec.get('source')}"] if spec.get("source") else []
             if spec.get("question"):
-                self.lines += ["", *wrapped(self._quoting(spec.get("question")))]
+                self.lines += ["", *wrapped(self._quoting(spec.get("question")), indent=0)]
 
     def _quoting(self, text):
         for name, record in self.problem.spec.parameters.items():
@@ -36,22 +36,24 @@ class Report:
 
     def section(self, title, lines):
         if lines:
-            self.lines += ["", title, *("  " + line for line in lines)]
+            self.lines += ["", title, *(("  " + line).rstrip() for line in lines)]
 
     def add(self, name):
         getattr(self, "_" + name)()
 
     def _given(self):
-        records = self.problem.spec.parameters
-        lines = []
-        for name, record in records.items():
-            value = record["value"].text.replace("'", "") if "value" in record else "(symbol)"
-            about = record.get("about")
-            lines.append(f"{plain.symbol(name)} = {value}" + (f"   {about}" if about else ""))
-        if any("   " in line for line in lines):
-            self.section("Given", lines)
-        else:
-            self.section("Given", wrapped("   ".join(lines).replace(" = ", "\u00a0=\u00a0"), gap="   "))
+        lines, symbols = [], []
+        for name, record in self.problem.spec.parameters.items():
+            about = "   " + record["about"] if "about" in record else ""
+            if "value" in record:
+                lines.append(f"{plain.symbol(name)} = {record['value'].text}{about}")
+            elif about:
+                lines.append(plain.symbol(name) + about)
+            else:
+                symbols.append(plain.symbol(name))
+        if not any("   " in line for line in lines):
+            lines = wrapped("   ".join(lines), gap="   ")
+        self.section("Given", lines + ([", ".join(symbols) + "  (in letters)"] if symbols else []))
 
     def _coordinates(self):
         problem, rows = self.problem, []
@@ -103,23 +105,28 @@ class Report:
 
     def _energies(self):
         energies = self.problem.energies
-        shown, lengths = abbreviated(self.problem.scene.table, [energies[key] for key in ("T", "V", "Phi")])
+        shown, lengths = abbreviated(self.problem.scene.table, [energies[key] for key in ("T", "V", "Phi")], self.roots)
         for title, symbol, node in zip(("Kinetic energy", "Potential energy", "Dissipation function"), ("T", "V", "Φ"),
                                        shown, strict=True):
             if not node.is_zero:
                 self.section(title, wrapped(f"{symbol} = {short(node)}"))
-        self.section("with", [f"{plain(symbol)} = {plain(length)}" for symbol, length in lengths])
+        self.lines += self._lengths(lengths)
+
+    @staticmethod
+    def _lengths(lengths):
+        return [line for symbol, length in lengths
+                for line in wrapped(f"with {plain(symbol)} = {plain(length)}", indent=6, first=2)]
 
     def _equations(self):
         problem, scene = self.problem, self.problem.scene
         equations = problem.equations
         if equations.full:
-            shown, lengths = abbreviated(scene.table, equations.full)
+            shown, lengths = abbreviated(scene.table, equations.full, self.roots)
             lines = []
             for name, node in zip(scene.coordinates, shown, strict=True):
                 lines += wrapped(f"{plain.symbol(name)}:  {short(node)} = 0", indent=4)
-            lines += [f"with {plain(symbol)} = {plain(length)}" for symbol, length in lengths]
             self.section("Equations of motion", lines)
+            self.lines += self._lengths(lengths)
         else:
             self.section("Equations of motion", [f"not written out for {len(scene.coordinates)} coordinates"])
         lines = []
@@ -141,7 +148,7 @@ class Report:
         lines = []
         for i, name in enumerate(self.problem.scene.coordinates):
             row = numeric_row(self.problem, found, i)
-            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain)}", indent=4)
+            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain, '−')}", indent=4)
         return lines
 
     def _frequencies(self):
@@ -172,7 +179,7 @@ class Report:
             if len(forms.modes) > 1:
                 lines.append("(in the order of the sample values; f = ω/(2π), T = 2π/ω)")
             else:
-                lines.append(f"f = ω/(2π), T = 2π/ω")
+                lines.append("f = ω/(2π), T = 2π/ω")
         self.section("Natural frequencies [rad/s]", lines)
         if forms is not None and forms.zeta is not None:
             self.section("Damping", [f"ζ = {plain(forms.zeta)}", f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
@@ -209,7 +216,9 @@ class Report:
             return
         lines = [f"mode {i}:  " + ",  ".join(f"{plain.symbol(name)} = {plain(value)}"
                                             for name, value in zip(names, mode.shape, strict=True))
-                 for i, mode in enumerate(forms.modes, 1) if mode.shape]
+                 for i, mode in enumerate(forms.modes, 1) if mode.shape and mode.readable]
+        if not lines and forms.ratio is not None:
+            lines = [f"{plain.symbol(names[1])}/{plain.symbol(names[0])} = {plain(forms.ratio)}   for ω = ω₁, ω₂"]
         self.section("Mode shapes (the first coordinate is 1)", lines)
 
     def text(self):
@@ -291,13 +300,13 @@ def short(node):
     return text if len(text) <= LONGEST else f"(an expression of {len(text)} characters; see --json)"
 
 
-def wrapped(text, columns=100, indent=2, gap=" "):
-    """Text broken at spaces into lines of at most `columns`."""
+def wrapped(text, columns=100, indent=2, gap=" ", first=0):
+    """Text broken at gaps into lines of at most `columns`, the lines after the first indented."""
     lines, line = [], ""
     for word in text.split(gap):
         if line and width(line) + width(gap) + width(word) > columns:
             lines.append(line)
             line = " " * indent + word if gap == " " else word
         else:
-            line = f"{line}{gap}{word}" if line else word
+            line = f"{line}{gap}{word}" if line else " " * first + word
     return [*lines, line] if line else lines

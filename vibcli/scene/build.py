@@ -9,7 +9,7 @@ from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table
 from vibcli.algebra.meaning import lower
-from vibcli.algebra.normal import is_zero, textbook
+from vibcli.algebra.normal import is_zero, root_of_square, textbook
 from vibcli.algebra.parse import ExpressionError
 from vibcli.elements import gravity
 from vibcli.errors import Diagnostic, SpecError
@@ -102,7 +102,7 @@ class Scene(Terms, Ends):
 
     def at_drawn(self, *nodes):
         """The nodes in the drawn position, at rest."""
-        values = {**self.drawn, **{v: self.table.zero for v in self.v}}
+        values = {**self.drawn, **dict.fromkeys(self.v, self.table.zero)}
         return substitute(nodes, values)
 
     def change(self, expression):
@@ -155,6 +155,9 @@ class Scene(Terms, Ends):
             return self.table.sqrt(textbook(dx * dx + dy * dy))
         if is_zero(dx * dy0 - dy * dx0):
             return (dx * dx0 + dy * dy0) / self.distance(dx0, dy0)
+        root = root_of_square(dx * dx + dy * dy)
+        if root is not None:
+            return root if self.sign(root) > 0 else -root
         return self.table.sqrt(dx * dx + dy * dy)
 
     def frame(self, name):
