@@ -8,7 +8,7 @@ from math import gcd
 
 from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, sympy_arithmetic
 from vibcli.algebra.expression import HALF, ONE, reachable
-from vibcli.algebra.normal import expanded, textbook
+from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.mechanics.lagrange import matrices_in_letters
 
 LARGEST, LONGEST, READABLE = 6, 400, 24
@@ -58,10 +58,10 @@ def _one_degree(scene, m, c, k):
     square = ratio(k, m)
     if k.is_zero:
         return ClosedForms([ClosedMode(table.zero, table.zero, [table.one])])
-    modes = [ClosedMode(square, root_of(square), [table.one])]
+    modes = [ClosedMode(square, root_of(square, scene.sample), [table.one])]
     if c.is_zero:
         return ClosedForms(modes)
-    zeta = ratio(c, table.number(2) * root_of(m * k))
+    zeta = ratio(c, table.number(2) * root_of(m * k, scene.sample))
     if evaluate([square], Floats, scene.sample)[0] <= 0:
         return ClosedForms(modes)
     decay = ratio(c, 2 * m)
@@ -74,9 +74,20 @@ def ratio(above, below):
     return table.product((textbook(above), ONE), (textbook(below), -ONE))
 
 
-def root_of(node):
-    """√node, its content split under one root."""
-    return node.table.power(node, HALF)
+def root_of(node, sample=None):
+    """√node, factor by factor; a perfect square gives its root, positive at the sample values."""
+    table = node.table
+    pieces = node.args if node.op == "product" else ((node, ONE),)
+    factors = [(table.sqrt(table.number(node.coefficient if node.op == "product" else 1)), ONE)]
+    for base, exponent in pieces:
+        try:
+            inner = factors_of(table, reduced(expanded(base)))
+        except TooLong:
+            inner = ((base, ONE),)
+        for part, power in inner:
+            negative = power == 2 and evaluate([part], Floats, sample or {})[0] < 0
+            factors.append((-part if negative else part, power * exponent * HALF))
+    return table.product(*factors)
 
 
 def _several(scene, M, K, n):
@@ -101,25 +112,25 @@ def _several(scene, M, K, n):
             left.append(factor)
         elif degree:
             coefficients = [textbook(from_sympy(scene.table, c, back)) for c in sympy.Poly(factor, unknown).all_coeffs()]
-            roots += _roots(coefficients) * power
+            roots += _roots(coefficients, scene.sample) * power
     if left:
         return ClosedForms([], polynomial=_polynomial(scene, left, unknown, back))
     found = sorted(((evaluate([node], Floats, scene.sample)[0], node) for node in roots), key=lambda pair: pair[0])
     if not _agrees(scene, M, K, n, [value for value, _ in found]):
         return None
-    modes = [ClosedMode(node, root_of(node), None if roots.count(node) > 1 else _shape(scene, M, K, n, node))
+    modes = [ClosedMode(node, root_of(node, scene.sample), None if roots.count(node) > 1 else _shape(scene, M, K, n, node))
              for _, node in found]
-    return ClosedForms(modes, ratio=_ratio(scene, M, K, scene.table.parameter("omega") ** 2) if n == 2 else None)
+    return ClosedForms(modes, ratio=_ratio(scene, M, K, scene.table.variable("ω") ** 2) if n == 2 else None)
 
 
-def _roots(coefficients):
+def _roots(coefficients, sample):
     """The roots of a λ² + b λ + c or a λ + b, over one denominator, the common rational factor cancelled."""
     if len(coefficients) == 2:
         a, b = coefficients
         return [ratio(-b, a)]
     a, b, c = coefficients
     table = a.table
-    root = table.sqrt(textbook(b * b - 4 * a * c))
+    root = root_of(b * b - 4 * a * c, sample)
     common = gcd(*(_divisor(node) for node in (b, 2 * a)), root.coefficient.numerator if root.op == "product" else 1)
     below = textbook(2 * a / common)
     return [table.product((textbook(-b / common) + sign * root / common, ONE), (below, -ONE)) for sign in (-1, 1)]
@@ -159,7 +170,7 @@ def _ratio(scene, M, K, square):
     zero = scene.table.zero
     for i in (0, 1):
         above, below = (K.get((i, j), zero) - square * M.get((i, j), zero) for j in (0, 1))
-        values = {**scene.sample, "omega": 1.0}
+        values = {**scene.sample, "ω": 1.0}
         x, y = evaluate([above, below], Floats, values)
         if abs(y) > 1e-9 * max(abs(x), 1e-300):
             return ratio(-above, below)
@@ -168,5 +179,5 @@ def _ratio(scene, M, K, square):
 
 def _polynomial(scene, factors, unknown, back):
     """The unsolved factors as expressions of the symbol lambda."""
-    symbol = scene.table.parameter("lambda")
+    symbol = scene.table.variable("λ")
     return [textbook(from_sympy(scene.table, factor, {**back, unknown: symbol})) for factor in factors]

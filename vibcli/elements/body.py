@@ -64,14 +64,17 @@ ELEMENT = Element(
 
 
 class Body:
-    """A body as built: drawn place and mass centre, mass and J_C (nodes), frame, or its lumped motion."""
+    """A body as built: drawn place and mass centre, mass and J_C (nodes), frame, or its lumped motion.
 
-    __slots__ = ("centre", "drawn", "frame", "inertia", "lumped", "mass", "name", "record", "rolling_radius")
+    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None.
+    """
+
+    __slots__ = ("centre", "drawn", "frame", "inertia", "lumped", "mass", "name", "pieces", "record", "rolling_radius")
 
     def __init__(self, name, record):
         self.name, self.record = name, record
         self.drawn = self.centre = self.frame = self.lumped = self.rolling_radius = None
-        self.mass = self.inertia = None
+        self.mass = self.inertia = self.pieces = None
 
 
 def build(record, scene):
@@ -96,6 +99,8 @@ def _inertia(body, record, scene, placed):
         pieces = [_piece(part, scene, part.get("cut", False)) for part in record["parts"]]
         mass, centre, inertia = _welded(pieces)
         body.drawn = scene.pair(record["at"]) if "at" in record else pieces[0][3]
+        if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record.values):
+            body.pieces = [piece[:3] for piece in pieces]
     else:
         mass, centre, inertia, body.drawn, body.rolling_radius = _piece(record, scene, False, placed)
     if "inertia" in record:
@@ -170,13 +175,14 @@ def _place(body, motion, scene):
         body.frame = scene.still(body.drawn)
         return
     body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.drawn)
-    x, y = body.frame.point(*body.centre)
-    if body.mass is not None:
-        scene.add_inertia(body.name, body.mass, x, "mass")
-        scene.add_inertia(body.name, body.mass, y, "mass")
-        scene.add_weight(body.name, body.mass, x, y)
-    if body.inertia is not None:
-        scene.add_inertia(body.name, body.inertia, body.frame.angle, "inertia")
+    for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):
+        if mass is not None:
+            x, y = body.frame.point(*centre)
+            scene.add_inertia(body.name, mass, x, "mass")
+            scene.add_inertia(body.name, mass, y, "mass")
+            scene.add_weight(body.name, mass, x, y)
+        if inertia is not None:
+            scene.add_inertia(body.name, inertia, body.frame.angle, "inertia")
 
 
 def _lump(body, motion, scene):

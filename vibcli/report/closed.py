@@ -21,7 +21,7 @@ def closed_data(problem):
             "error": 0.0})
     found = {"modes": modes, "damped": None}
     if forms.polynomial:
-        found["characteristic_polynomial"] = [language(node) for node in forms.polynomial]
+        found["characteristic_polynomial"] = [language(node).replace("λ", "omega^2") for node in forms.polynomial]
     if forms.zeta is not None:
         omega = forms.modes[0].omega
         found["damped"] = [{"index": 1, "eigenvalue": None, "omega": language(omega), "zeta": language(forms.zeta),

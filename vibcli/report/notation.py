@@ -87,20 +87,20 @@ class Notation:
         for base, exponent in sorted(args, key=_factor_rank):
             if exponent.denominator == 2:
                 whole = exponent - HALF if exponent > 0 else exponent + HALF
-                (root_above if exponent > 0 else root_below).append((base, ONE))
+                (up, down) = (root_above, root_below) if exponent > 0 else (root_below, root_above)
+                if base.op == "number" and base.coefficient.denominator > 1:
+                    down.append((base.table.number(base.coefficient.denominator), ONE))
+                    base = base.table.number(base.coefficient.numerator)
+                if base is not base.table.one:
+                    up.append((base, ONE))
                 exponent = whole
             if exponent > 0:
                 above.append((base, exponent))
             elif exponent < 0:
                 below.append((base, -exponent))
-        if root_below and not root_above and (above or value.numerator != 1):
-            below.extend((base, -HALF) for base, _ in root_below)
-            root_below = []
         return above, below, root_above, root_below
 
     def powered(self, base, exponent, alone):
-        if exponent == -HALF:
-            return self.root([(base, ONE)], [])
         if base.op == "call" and base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh") and exponent != 1:
             return self.call(base.name, base.args[0], exponent)
         if exponent == 1:
@@ -141,11 +141,13 @@ class Plain(Notation):
 
     def product(self, value, args):
         above, below, root_above, root_below = self.factors(value, args)
-        single = len(above) + bool(root_above or root_below) == 1 and value.numerator == 1 and not below
+        single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
         tops = [self.powered(base, e, single and value == 1) for base, e in above]
-        if root_above or root_below:
-            tops.insert(0 if not above else len(tops), self.root(root_above, root_below))
         bottoms = [self.powered(base, e, False) for base, e in below]
+        if root_above:
+            tops.append(self.root(root_above, root_below))
+        elif root_below:
+            bottoms.append(self.root(root_below, []))
         if value.denominator > 1 and not _shown_as_decimal(value):
             bottoms.insert(0, str(value.denominator))
             value = Fraction(value.numerator)
@@ -157,10 +159,7 @@ class Plain(Notation):
         return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'·'.join(bottoms)})")
 
     def root(self, above, below):
-        inner = self.product(ONE, above) if above else "1"
-        if below:
-            bottom = self.product(ONE, below)
-            inner += "/" + (bottom if len(below) == 1 and below[0][0].op in ("symbol", "number") else f"({bottom})")
+        inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
         simple = re.fullmatch(r"[\w₀-₉]+", inner)
         return "√" + (inner if simple else f"({inner.removeprefix('(').removesuffix(')') if _enclosed(inner) else inner})")
 
@@ -217,15 +216,18 @@ class Latex(Notation):
         above, below, root_above, root_below = self.factors(value, args)
         alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
         thin = r" \, "
-        plain = not below and (value.denominator == 1 or _shown_as_decimal(value))
+        lone_root = root_below and not root_above
+        plain = not below and not lone_root and (value.denominator == 1 or _shown_as_decimal(value))
         tops = [self.powered(base, e, alone and (not plain or value == 1)) for base, e in above]
-        if root_above or root_below:
+        if root_above:
             tops.append(self.root(root_above, root_below))
         if plain:
             if value != 1 or not tops:
                 tops.insert(0, decimal(value))
             return thin.join(tops)
         bottoms = [self.powered(base, e, len(below) == 1 and value.denominator == 1) for base, e in below]
+        if lone_root:
+            bottoms.append(self.root(root_below, []))
         if value.denominator > 1:
             bottoms.insert(0, str(value.denominator))
         if value.numerator != 1 or not tops:
@@ -233,8 +235,7 @@ class Latex(Notation):
         return rf"\frac{{{thin.join(tops)}}}{{{thin.join(bottoms)}}}"
 
     def root(self, above, below):
-        top = self.product(ONE, above) if above else "1"
-        return rf"\sqrt{{\frac{{{top}}}{{{self.product(ONE, below)}}}}}" if below else rf"\sqrt{{{top}}}"
+        return rf"\sqrt{{{self.product(ONE, (*above, *((base, -e) for base, e in below)))}}}"
 
 
 def _shown_as_decimal(value):
@@ -306,14 +307,20 @@ class Language(Plain):
         above, below, root_above, root_below = self.factors(value, args)
         tops = [self.powered(base, e, False) for base, e in above]
         bottoms = [self.powered(base, e, False) for base, e in below]
-        tops += [f"sqrt({self.product(ONE, root_above)})"] if root_above else []
-        bottoms += [f"sqrt({self.product(ONE, root_below)})"] if root_below else []
+        if root_above:
+            tops.append(self.root(root_above, root_below))
+        elif root_below:
+            bottoms.append(self.root(root_below, []))
         if value.denominator > 1:
             bottoms.insert(0, str(value.denominator))
         if value.numerator != 1 or not tops:
             tops.insert(0, str(value.numerator))
         text = "*".join(tops)
         return text if not bottoms else text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'*'.join(bottoms)})")
+
+    def root(self, above, below):
+        inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
+        return f"sqrt({inner[1:-1] if _enclosed(inner) else inner})"
 
 
 language = Language()

@@ -1,0 +1,31 @@
+# make solve: install into .venv and solve a problem.  make test: everything that must hold.  make bench: speed and error.
+PYTHON ?= python3
+BIN := .venv/bin
+PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
+
+.PHONY: solve test lint bench clean
+
+$(BIN)/vibcli: pyproject.toml
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	@touch $@
+
+$(BIN)/pytest: pyproject.toml $(BIN)/vibcli
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[test]"
+	@touch $@
+
+solve: $(BIN)/vibcli
+	$(BIN)/vibcli solve $(PROBLEM)
+
+lint: $(BIN)/pytest
+	$(BIN)/ruff check vibcli tests
+
+test: lint
+	$(BIN)/pytest -n 2
+	$(BIN)/vibcli check --quiet problems
+
+bench: $(BIN)/pytest
+	$(BIN)/python -m vibcli.bench
+
+clean:
+	rm -rf .venv build *.egg-info

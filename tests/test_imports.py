@@ -1,0 +1,182 @@
+"""Which way imports run, by ast; and what each question imports, by a process of its own and sys.modules."""
+
+import ast
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import vibcli
+from vibcli import elements
+
+PACKAGE = Path(vibcli.__file__).parent
+PROBLEMS = PACKAGE.parent / "problems"
+
+# A module may import from its own room and from those above it. `foundation` is the package's own docstring and version.
+ROOMS = (
+    ("foundation", ("vibcli",)),
+    ("errors", ("errors",)),
+    ("units", ("units",)),
+    ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document")),
+    ("algebra", ("algebra",)),
+    ("fields", ("fields",)),
+    ("elements", ("elements",)),
+    ("manual", ("manual",)),
+    ("questions", ("questions",)),
+    ("spec", ("naming", "asking", "parameters", "spec")),
+    ("scene", ("scene",)),
+    ("mechanics", ("mechanics",)),
+    ("analyses", ("analyses",)),
+    ("results", ("report", "problem", "measured", "check")),
+    ("cli", ("cli", "__main__")),
+    ("bench", ("bench",)),
+)
+RANK = {module: rank for rank, (_, modules) in enumerate(ROOMS) for module in modules}
+HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath")
+FILES = sorted(PACKAGE.rglob("*.py"))
+
+
+def room(parts):
+    """The module below vibcli that a path or dotted name starts with."""
+    return parts[0] if parts else "vibcli"
+
+
+def of_file(path):
+    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    return room([part for part in parts if part != "__init__"])
+
+
+def imports(path):
+    """(line, dotted name below vibcli as a tuple) of every import of the project within a file, at any depth."""
+    found = []
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}:{node.lineno}: relative import"
+            names = [f"{node.module}.{alias.name}" if node.module == "vibcli" else node.module for alias in node.names]
+        else:
+            continue
+        found += [(node.lineno, tuple(name.split(".")[1:])) for name in names if name.split(".")[0] == "vibcli"]
+    return found
+
+
+def test_every_module_has_a_room():
+    assert {of_file(path) for path in FILES} <= set(RANK)
+    assert len(FILES) > 60
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_run_downwards_only(path):
+    own = RANK[of_file(path)]
+    wrong = []
+    for line, name in imports(path):
+        target = room(name) if room(name) in RANK else "vibcli"     # `from vibcli import __version__`
+        if RANK[target] > own:
+            wrong.append(f"{path.name}:{line} imports vibcli.{'.'.join(name)}")
+    assert not wrong
+
+
+def test_the_rule_sees_a_wrong_import(tmp_path):
+    file = tmp_path / "wrong.py"
+    file.write_text("def f():\n    from vibcli.cli.common import load\n    import vibcli.problem\n    return load\n")
+    assert imports(file) == [(2, ("cli", "common")), (3, ("problem",))]
+
+
+@pytest.mark.parametrize("room_name", ["problem", "scene", "mechanics", "analyses", "algebra", "report"])
+def test_the_pipeline_imports_neither_check_nor_command_line(room_name):
+    files = [path for path in FILES if of_file(path) == room_name]
+    assert files
+    assert not [name for path in files for _, name in imports(path) if room(name) in ("check", "cli", "inverse")]
+
+
+def test_only_algebra_and_closed_forms_import_sympy():
+    users = {of_file(path) for path in FILES if "sympy" in top_imports(path)}
+    assert users <= {"algebra", "analyses", "report"}
+
+
+def top_imports(path):
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names.add(node.module.split(".")[0])
+    return names
+
+
+def test_names_of_elements_are_the_folder():
+    assert set(elements.NAMES) == {path.stem for path in (PACKAGE / "elements").glob("*.py")} - {"__init__"}
+    assert sorted(elements.NAMES) == list(elements.NAMES)
+
+
+# what a question imports
+
+RUN = """
+import json, sys
+from vibcli.cli import run
+code = run(sys.argv[1:])
+sys.stdout.flush()
+print(json.dumps([code, sorted({name.partition('.')[0] for name in sys.modules})]), file=sys.stderr)
+"""
+
+
+def modules(*args):
+    """(exit code, top-level modules imported) of one command in a process of its own."""
+    done = subprocess.run([sys.executable, "-c", RUN, *map(str, args)], capture_output=True, text=True, timeout=60)
+    code, names = json.loads(done.stderr.splitlines()[-1])
+    return code, set(names) & set(HEAVY)
+
+
+@pytest.fixture(scope="module")
+def two_degrees(tmp_path_factory):
+    """A damped numeric scene with two coordinates, which has answers."""
+    path = tmp_path_factory.mktemp("scenes") / "two.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m, c: 3 N*s/m}\n"
+                    "bodies:\n  a: {mass: m, slide: x}\n  b: {mass: m, slide: y}\n"
+                    "springs:\n  s: {k: k, between: [ground, a]}\n  t: {k: k, between: [a, b]}\n"
+                    "dampers:\n  d: {c: c, between: [ground, a]}\n"
+                    "answers:\n  omega[1]: 12.36 rad/s\n  K[x,x]: 2*k\n  C[x,x]: c\n"
+                    "  motion[y]: m*y'' + k*(y - x) = 0\n")
+    return path
+
+
+@pytest.mark.parametrize("args", [("--help",), ("--version",), ("check", "--help"), ("solve", "--help")])
+def test_help_imports_nothing_heavy(args):
+    assert modules(*args) == (0, set())
+
+
+@pytest.mark.parametrize("text", ["bodies: [", "bodies: {b: {mass: 2 kg, slide: x, wrong: 3}}", "", "bodies: {b: {mass: (}}"])
+def test_a_wrong_file_imports_nothing_heavy(tmp_path, text):
+    path = tmp_path / "wrong.yaml"
+    path.write_text(text)
+    assert modules("check", path) == (3, set())
+
+
+def test_frequencies_in_numbers(two_degrees):
+    code, names = modules("frequencies", two_degrees)
+    assert code == 0
+    assert names <= {"numpy", "mpmath"}
+
+
+@pytest.mark.parametrize("command", ["solve", "equations", "check"])
+def test_other_questions_in_numbers(two_degrees, command):
+    code, names = modules(command, two_degrees)
+    assert code == 0
+    assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+@pytest.mark.parametrize("stem", ["2_lagrange/bead_on_swinging_rod", "4_free_damped/sagging_boom",
+                                  "6_two_degrees/double_pendulum_rods", "1_statics_and_energy/ladder_held_by_spring"])
+def test_check_in_numbers(stem):
+    code, names = modules("check", PROBLEMS / f"{stem}.yaml")
+    assert code == 0
+    assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
+    code, names = modules("solve", PROBLEMS / "3_free_undamped" / "taut_bead.yaml")
+    assert code == 0
+    assert not names & {"scipy", "matplotlib"}

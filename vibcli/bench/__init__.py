@@ -1,0 +1,1 @@
+"""`python -m vibcli.bench`: run time, memory, growth and accuracy against named baselines and fixed budgets."""

@@ -1,0 +1,75 @@
+"""Time against the number of coordinates, from the text of a scene to its frequencies, imports excluded.
+
+The baseline is the linear algebra alone: NumPy's `eigh` of a dense symmetric matrix of that size. The exponent p of
+t ~ nᵖ is that of the two largest sizes.
+"""
+
+import json
+from math import log
+from statistics import median
+from time import perf_counter
+
+from vibcli.bench import scenes
+from vibcli.bench.processes import answer
+from vibcli.bench.rows import Row
+
+FAMILIES = {"pendulum": ("pendulum of {} links", {12: 50.0, 50: 500.0, 100: 2000.0}),
+            "chain": ("chain of {} masses", {250: None, 500: None, 1000: 2000.0})}
+CUBIC = 3.0     # of dense linear algebra
+LONGEST = 4.0   # seconds of runs for one size
+
+
+def rows(runs):
+    """The rows of all families."""
+    found = []
+    for family, (words, budgets) in FAMILIES.items():
+        times = json.loads(answer("from vibcli.bench.growth import main; main()", family, runs))
+        for n, budget in budgets.items():
+            whole, _, algebra = times[str(n)]
+            found.append(Row(words.format(n), whole, "ms", budget, f"numpy eigh, n = {n}", algebra, absolute=True))
+        before, last = list(budgets)[-2:]
+        for part, name in ((1, "text to element data"), (0, "text to frequencies")):
+            exponents = [log(times[str(last)][i] / times[str(before)][i], last / before) for i in (part, 2)]
+            found.append(Row(f"  exponent, {name}", exponents[0], "", CUBIC, f"numpy eigh, n = {before}, {last}",
+                             exponents[1], absolute=True))
+    return found
+
+
+def main():
+    """Child process: print {n: [ms whole, ms to the element data, ms of eigh]} of one family."""
+    import sys
+
+    family, runs = sys.argv[1], int(sys.argv[2])
+    solve(getattr(scenes, family)(3))
+    solve(getattr(scenes, family)(45))
+    times = {n: _medians(family, n, runs) for n in FAMILIES[family][1]}
+    print(json.dumps(times))
+
+
+def solve(text):
+    """The solved Problem of a scene's text, and the seconds to its element data and to its modes."""
+    from vibcli.document import read
+    from vibcli.problem import Problem
+    from vibcli.spec import read_spec
+
+    start = perf_counter()
+    node, diagnostics = read(text.encode(), "scene.yaml")
+    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
+    _ = problem.elements
+    middle = perf_counter() - start
+    _ = problem.modes
+    return problem, middle, perf_counter() - start
+
+
+def _medians(family, n, runs):
+    import numpy as np
+
+    text, found = getattr(scenes, family)(n), []
+    matrix = np.random.default_rng(n).standard_normal((n, n))
+    begin = perf_counter()
+    while len(found) < runs and (len(found) < 3 or perf_counter() - begin < LONGEST):
+        _, middle, whole = solve(text)
+        start = perf_counter()
+        np.linalg.eigh(matrix + matrix.T)
+        found.append((whole, middle, perf_counter() - start))
+    return [1e3 * median(column) for column in zip(*found, strict=True)]

@@ -1,0 +1,59 @@
+"""Whole processes: wall time and peak memory of commands, run by turns so that all see the same machine."""
+
+import os
+import subprocess
+import sys
+from statistics import median
+from time import perf_counter
+
+VIBCLI = os.path.join(os.path.dirname(sys.executable), "vibcli")
+
+
+def vibcli(*args):
+    """The argument list of a vibcli command."""
+    return [VIBCLI, *args] if os.path.exists(VIBCLI) else [sys.executable, "-m", "vibcli", *args]
+
+
+def python(code, *args):
+    return [sys.executable, "-c", code, *args]
+
+
+class Cost:
+    """Medians over the runs: milliseconds of wall time, and mebibytes of peak resident memory."""
+
+    __slots__ = ("memory", "time")
+
+    def __init__(self, runs):
+        self.time = median(seconds for seconds, _ in runs) * 1e3
+        self.memory = median(kib for _, kib in runs) / 1024
+
+
+def run(command, expected=(0,)):
+    """(wall seconds, peak KiB) of one run; RuntimeError where its exit code is none of those expected.
+
+    The peak counts that of the process which starts it, so this one must stay small.
+    """
+    start = perf_counter()
+    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(child.pid, 0)
+    seconds = perf_counter() - start
+    child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode not in expected:
+        raise RuntimeError(f"{' '.join(command)} left with exit code {child.returncode}")
+    return seconds, usage.ru_maxrss
+
+
+def costs(commands, runs):
+    """{name: Cost} of {name: (command, expected exit codes)}, all run once a round; one round before that is not counted."""
+    measured = {name: [] for name in commands}
+    for round_ in range(runs + 1):
+        for name, (command, expected) in commands.items():
+            found = run(command, expected)
+            if round_:
+                measured[name].append(found)
+    return {name: Cost(found) for name, found in measured.items()}
+
+
+def answer(code, *args):
+    """What a fresh process prints."""
+    return subprocess.run(python(code, *map(str, args)), check=True, capture_output=True, text=True).stdout

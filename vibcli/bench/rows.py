@@ -1,0 +1,48 @@
+"""One line of the table: what was measured, against what, and the budget that it has to keep."""
+
+
+class Row:
+    """`ours` and `against` in `unit`; the budget bounds their ratio, or `ours` alone where `absolute`."""
+
+    __slots__ = ("absolute", "against", "baseline", "budget", "case", "ours", "unit")
+
+    def __init__(self, case, ours, unit, budget, baseline="", against=None, absolute=False):
+        self.case, self.ours, self.unit, self.budget = case, ours, unit, budget
+        self.baseline, self.against, self.absolute = baseline, against, absolute
+
+    @property
+    def ratio(self):
+        return None if self.against is None else self.ours / self.against
+
+    @property
+    def kept(self):
+        """Is the budget kept? A row without budget only informs."""
+        return self.budget is None or (self.ours if self.absolute else self.ratio) <= self.budget
+
+    def cells(self):
+        """The columns of the printed table."""
+        against = "" if self.against is None else f"{_short(self.against)} {self.unit}".rstrip()
+        allowed = "" if self.budget is None else (
+            f"≤ {_short(self.budget)} {self.unit}".rstrip() if self.absolute else f"≤ {self.budget:g} ×")
+        verdict = "" if self.budget is None else "ok" if self.kept else "over"
+        return (self.case, f"{_short(self.ours)} {self.unit}".rstrip(), against, self.baseline,
+                "" if self.ratio is None else f"{self.ratio:.2f} ×", allowed, verdict)
+
+    def data(self):
+        return {"case": self.case, "ours": self.ours, "unit": self.unit, "baseline": self.baseline or None,
+                "against": self.against, "ratio": self.ratio, "budget": self.budget,
+                "bounds": "ours" if self.absolute else "ratio", "kept": self.kept}
+
+
+HEAD = ("case", "ours", "baseline", "", "ratio", "budget", "")
+
+
+def _short(value):
+    return f"{value:.1e}" if 0 < abs(value) < 0.005 else f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}"
+
+
+def aligned(lines):
+    """Lines of cells as text with columns of equal width."""
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()
+                     for line in lines)

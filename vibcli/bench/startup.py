@@ -1,0 +1,40 @@
+"""Cold starts: commands as whole processes against the imports that they cannot do without."""
+
+import os
+
+from vibcli.bench import scenes
+from vibcli.bench.processes import costs, python, vibcli
+from vibcli.bench.rows import Row
+
+READ, NUMBERS, LETTERS = "import click, yaml", "import click, yaml, numpy", "import sympy"
+
+
+def rows(runs, folder):
+    """The rows of the start-up budgets."""
+    broken, numeric, letters = (_written(folder, name, text) for name, text in (
+        ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC)))
+    found = costs({
+        READ: (python(READ), (0,)), NUMBERS: (python(NUMBERS), (0,)), LETTERS: (python(LETTERS), (0,)),
+        "help": (vibcli("--help"), (0,)), "broken": (vibcli("check", broken), (3,)),
+        "frequencies": (vibcli("frequencies", numeric), (0,)), "check": (vibcli("check", numeric), (0, 1)),
+        "solve": (vibcli("solve", letters), (0,)),
+    }, runs)
+
+    def row(case, ours, baseline, budget):
+        return Row(case, found[ours].time, "ms", budget, baseline, found[baseline].time)
+
+    return [
+        row("vibcli --help", "help", READ, 1.5),
+        row("vibcli check, a file with a slip", "broken", READ, 1.5),
+        row("vibcli frequencies, two degrees", "frequencies", NUMBERS, 1.5),
+        Row("  its peak memory", found["frequencies"].memory, "MiB", 1.4, NUMBERS, found[NUMBERS].memory),
+        row("vibcli check, two degrees", "check", NUMBERS, 1.5),
+        row("vibcli solve, two degrees in letters", "solve", LETTERS, 2.5),
+    ]
+
+
+def _written(folder, name, text):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text)
+    return path
