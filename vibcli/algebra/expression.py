@@ -63,12 +63,16 @@ def bits(value):
 
 
 class Table:
-    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators."""
+    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators.
+
+    `sample`: float values of the parameters, once they are known; they decide only how R − r is written.
+    """
 
     def __init__(self):
         self._nodes = {}
         self._count = 0
         self.variables = []
+        self.sample, self._signs = None, {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
@@ -203,10 +207,30 @@ class Table:
                     coefficient *= value
                 pending.extend((part, power * e) for part, power in base.args)
                 continue
+            if base.op == "sum" and e.denominator == 1 and self._leads_negative(base):
+                base = self.scaled(base, -ONE)
+                coefficient = coefficient if e.numerator % 2 == 0 else -coefficient
             collected[base] = collected.get(base, ZERO) + e
             if base.op == "number" and collected[base].denominator == 1:
                 pending.append((base, collected.pop(base)))
         return coefficient
+
+    def _leads_negative(self, total):
+        """Of a sum and its negative only one stands in products, so that R − r and r − R cancel: of parameters the
+        one that is positive at the sample values."""
+        if self.sample is not None and not total.mask:
+            if total not in self._signs:
+                self._signs[total] = self._sample_sign(total)
+            return self._signs[total]
+        return (total.coefficient or total.args[0][1]) < 0
+
+    def _sample_sign(self, total):
+        from vibcli.algebra.evaluate import Floats, evaluate
+
+        try:
+            return evaluate([total], Floats, self.sample)[0] < 0
+        except KeyError:  # a symbol that is no parameter of the scene
+            return (total.coefficient or total.args[0][1]) < 0
 
     def _splits(self, product):
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""

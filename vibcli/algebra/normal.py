@@ -8,7 +8,8 @@ from fractions import Fraction
 from functools import reduce
 from math import gcd, isqrt
 
-from vibcli.algebra.expression import ONE, ZERO
+from vibcli.algebra.calculus import substitute
+from vibcli.algebra.expression import ONE, ZERO, reachable
 
 MOST = 300
 
@@ -17,31 +18,41 @@ class TooLong(ArithmeticError):
     """More than MOST terms."""
 
 
-def expanded(node):
-    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices."""
+def expanded(node, kept=None):
+    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices.
+
+    Sums that stand in a denominator are atoms, above as well as below the line, so that they cancel.
+    """
+    kept = _denominators(node) if kept is None else kept
     if node.op == "number":
         return {(): node.coefficient} if node.coefficient else {}
     if node.op == "sum":
         found = {(): node.coefficient} if node.coefficient else {}
         for part, c in node.args:
-            for monomial, value in expanded(part).items():
+            for monomial, value in expanded(part, kept).items():
                 _add(found, monomial, c * value)
         return found
     if node.op == "product":
         found = {(): node.coefficient}
         for base, exponent in node.args:
-            found = _multiplied(found, _expanded_power(base, exponent))
+            found = _multiplied(found, _expanded_power(base, exponent, kept))
         return found
     return {((node, ONE),): ONE}
 
 
-def _expanded_power(base, exponent):
-    if base.op == "sum":
+def _denominators(node):
+    """The sums of parameters in denominators below a node, which stay whole."""
+    return {base for part in reachable([node]) if part.op == "product" for base, e in part.args
+            if base.op == "sum" and e < 0 and e.denominator == 1 and not base.mask}
+
+
+def _expanded_power(base, exponent, kept):
+    if base.op == "sum" and base not in kept:
         if exponent.denominator == 1 and 0 < exponent <= 6:
-            return reduce(_multiplied, [expanded(base)] * int(exponent))
+            return reduce(_multiplied, [expanded(base, kept)] * int(exponent))
         base = textbook(base)
         if base.op != "sum":
-            return expanded(base.table.power(base, exponent))
+            return expanded(base.table.power(base, exponent), kept)
     return {((base, exponent),): ONE}
 
 
@@ -150,18 +161,47 @@ def _move(terms, old, new, value):
 def is_zero(node):
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
-        return node.is_zero or not reduced(expanded(node))
+        return node.is_zero or not reduced(_cleared(expanded(node)))
     except TooLong:
         return False
+
+
+def _cleared(terms):
+    """The polynomial times its denominators, expanded: zero if and only if the quotient is."""
+    lowest = {}
+    for monomial in terms:
+        for atom, e in monomial:
+            if atom.op == "sum" and e.denominator == 1:
+                lowest[atom] = min(lowest.get(atom, ZERO), e)
+    found = {}
+    for monomial, value in terms.items():
+        above = times(monomial, tuple(lowest.items()), -1)
+        whole = {tuple(pair for pair in above if pair[0] not in lowest): value}
+        for atom, e in above:
+            if atom in lowest:
+                whole = reduce(_multiplied, [expanded(atom, ())] * int(e), whole)
+        for part, c in whole.items():
+            _add(found, part, c)
+    return found
 
 
 def textbook(node):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
-        terms = reduced(expanded(node))
+        terms = reduced(expanded(_unnested(node)))
     except TooLong:
         return node
     return collected(node.table, terms)
+
+
+def _unnested(node):
+    """The node with 1/(a/b + 1) written as b/(a + b)."""
+    table, simpler = node.table, {}
+    for base in _denominators(node):
+        factors = factors_of(table, reduced(expanded(base, ())))
+        if len(factors) > 2:
+            simpler[base] = table.product(*factors)
+    return substitute([node], simpler)[0] if simpler else node
 
 
 def collected(table, terms):

@@ -13,7 +13,6 @@ from vibcli.analyses.block_roots import roots_of_block
 from vibcli.analyses.fixed import fixed, floats
 from vibcli.analyses.symmetric import components
 
-STEPS = 60
 PARALLEL = 1e4
 
 
@@ -37,7 +36,7 @@ def eigenvalues(apply, matrix, bits, enough, noise):
     """
     form = BlockForm(matrix, bits)
     best, stalled = math.inf, 0
-    for _ in range(STEPS):
+    for _ in range(20 + bits // 30):
         form.measure(apply)
         norms = form.unknown(noise)
         found = [root for part, off in zip(form.blocks, norms, strict=True) for root in form.roots(part, off)]

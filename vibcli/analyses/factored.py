@@ -1,31 +1,121 @@
-"""Singular values of a factor to high relative accuracy, without SciPy.
+"""Singular values of a factor in floats, by the cheapest way whose bound allows it.
 
-Rows sorted by size, QR with complete pivoting (Powell & Reid 1969; Cox & Higham 1998), then one-sided Jacobi on
-Rᵀ (Drmač & Veselić 2008): the error depends on the condition of the rows made equally long, and the stiffness ratio
-drops out.
+Plain SVD knows each value to 4 √n ε of the largest. Where that is too little: rows sorted by size, QR with
+complete pivoting (Powell & Reid 1969; Cox & Higham 1998), then one-sided Jacobi on Rᵀ (Drmač & Veselić 2008),
+in NumPy for some hundred columns, by LAPACK's dgejsv beyond: the error then depends on the condition of R with
+its rows made equally long, and the ratio of the stiffnesses drops out.
 """
 
 import numpy as np
 
 UNIT = 2.0 ** -53
-SWEEPS = 40
-JACOBI_UP_TO = 120
+ENOUGH = 1e-13
+ENOUGH_WHEN_MANY = 1e-10
+JACOBI_UP_TO = 150
+SWEEPS = 30
 
 
-def singular_vectors(x, spoiled=1.0):
-    """Singular values of x in descending order, all right singular vectors and a relative bound for each value.
+def singular_vectors(x, zeros, known=1.0):
+    """Singular values of x descending, right singular vectors in columns, a relative bound for each value.
 
-    `spoiled`: by how much x was already known less well than to rounding.
+    `zeros`: how many vanish by structure; they and their vectors come last. `known`: how many times its rounding
+    x may be off.
     """
     n = x.shape[1]
-    _, sigma, vt = np.linalg.svd(x if len(x) >= n else np.vstack([x, np.zeros((n - len(x), n))]), full_matrices=False)
+    tall = x if len(x) >= n else np.vstack([x, np.zeros((n - len(x), n))])
+    _, sigma, vt = np.linalg.svd(tall, full_matrices=False)
+    elastic = sigma[:n - zeros]
+    error = 4 * np.sqrt(n) * known * UNIT
+    bound = np.zeros(n)
     with np.errstate(divide="ignore"):
-        bound = 4 * np.sqrt(n) * spoiled * UNIT * sigma[0] / sigma
-    return sigma, vt.T, bound
+        bound[:n - zeros] = error * sigma[0] / elastic
+    if not len(elastic) or bound.max() <= (ENOUGH if n <= JACOBI_UP_TO else ENOUGH_WHEN_MANY):
+        return sigma, vt.T, bound
+    r, order = pivoted_qr(tall) if n <= JACOBI_UP_TO else _pivoted_by_lapack(tall)
+    r = r[:n - zeros]
+    rows = r / np.linalg.norm(r, axis=1)[:, None]
+    better = np.full(n, 4 * error * np.linalg.cond(rows))
+    better[n - zeros:] = 0.0
+    if better[0] >= bound.max():
+        return sigma, vt.T, bound
+    u, sigma = jacobi(r.T) if n <= JACOBI_UP_TO else _jacobi_by_lapack(r.T)
+    v = np.empty((n, n))
+    v[order] = np.hstack([u, np.linalg.qr(u, mode="complete")[0][:, n - zeros:]])
+    return np.concatenate([sigma, np.zeros(zeros)]), v, better
+
+
+def pivoted_qr(a):
+    """R and the order of columns with a[:, order] = Q R, rows sorted, columns and rows exchanged for the pivots."""
+    a = a[np.argsort(-np.abs(a).max(axis=1), kind="stable")]
+    m, n = a.shape
+    order = np.arange(n)
+    for k in range(n):
+        j = k + int(np.argmax((a[k:, k:] ** 2).sum(axis=0)))
+        a[:, [k, j]], order[[k, j]] = a[:, [j, k]], order[[j, k]]
+        i = k + int(np.argmax(np.abs(a[k:, k])))
+        a[[k, i]] = a[[i, k]]
+        size = np.linalg.norm(a[k:, k])
+        if not size:
+            break
+        v = a[k:, k].copy()
+        v[0] += np.copysign(size, v[0])
+        a[k:, k:] -= np.multiply.outer(v, (2 / (v @ v)) * (v @ a[k:, k:]))
+        a[k + 1:, k] = 0.0
+    return a[:n], order
+
+
+def jacobi(a):
+    """Left singular vectors and singular values (descending) of a by rotations of its columns (Hestenes 1958)."""
+    a = np.array(a, order="F")
+    n = a.shape[1]
+    for _ in range(SWEEPS):
+        largest = 0.0
+        for p, q in _rounds(n):
+            x, y = a[:, p], a[:, q]
+            alpha, beta, gamma = (x * x).sum(axis=0), (y * y).sum(axis=0), (x * y).sum(axis=0)
+            size = np.sqrt(alpha * beta)
+            turned = np.abs(gamma) > UNIT * size * 2
+            if turned.any():
+                largest = max(largest, float((np.abs(gamma[turned]) / size[turned]).max()))
+                zeta = (beta[turned] - alpha[turned]) / (2 * gamma[turned])
+                t = np.copysign(1.0, zeta) / (np.abs(zeta) + np.hypot(1.0, zeta))
+                c = 1 / np.hypot(1.0, t)
+                x, y, s = x[:, turned], y[:, turned], c * t
+                a[:, p[turned]], a[:, q[turned]] = c * x - s * y, s * x + c * y
+        if largest <= n * UNIT:
+            break
+    sigma = np.linalg.norm(a, axis=0)
+    order = np.argsort(-sigma, kind="stable")
+    return a[:, order] / sigma[order], sigma[order]
+
+
+def _rounds(n):
+    """Every pair of n columns once, in rounds of disjoint pairs (Brent & Luk 1985)."""
+    players = list(range(n + n % 2))
+    half = len(players) // 2
+    for _ in range(len(players) - 1):
+        p, q = np.array(players[:half]), np.array(players[half:][::-1])
+        real = (p < n) & (q < n)
+        yield p[real], q[real]
+        players = [players[0], players[-1], *players[1:-1]]
+
+
+def _pivoted_by_lapack(a):
+    from scipy.linalg import qr
+
+    r, order = qr(a[np.argsort(-np.abs(a).max(axis=1), kind="stable")], mode="r", pivoting=True)
+    return r[:a.shape[1]], order
+
+
+def _jacobi_by_lapack(a):
+    from scipy.linalg.lapack import dgejsv
+
+    sigma, u, _, work, _, _ = dgejsv(a, joba=2, jobu=0, jobv=3, jobr=0, jobt=0, jobp=0)
+    return u[:, :a.shape[1]], sigma * (work[0] / work[1])
 
 
 def mass_factor(rows):
-    """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the rows: never from the assembled product."""
+    """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the sorted rows: the product is never assembled."""
     order = np.argsort(-np.abs(rows).max(axis=1), kind="stable")
     r = np.linalg.qr(rows[order], mode="r")
-    return (r * np.sign(np.where(r.diagonal() == 0, 1.0, r.diagonal()))[:, None]).T
+    return (r * np.copysign(1.0, r.diagonal())[:, None]).T

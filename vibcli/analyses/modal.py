@@ -1,8 +1,8 @@
 """Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
 
-Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic (certified.py);
-larger systems are solved in floats from the factors √k ∇s and √w ∇s, with a bound of their rounding
-(floating.py).
+Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic (certified.py).
+Larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (floating.py);
+up to CERTIFIABLE coordinates they are enclosed too where that bound is above ENOUGH.
 """
 
 import math
@@ -11,6 +11,8 @@ from vibcli.analyses.rigid import rigid_count
 from vibcli.analyses.scaled import mechanism, scaling
 
 CERTIFIED = 40
+CERTIFIABLE = 120
+ENOUGH = 5e-13
 EXACT = -math.inf
 EVALUATED = -51.0
 ESCALATE = 1e-13
@@ -42,9 +44,11 @@ def undamped(elements, precise=None, digits=None):
     if digits is not None:
         return undamped_digits(elements, scale, zeros, precise, digits)
     if elements.n > CERTIFIED:
-        from vibcli.analyses.floating import undamped_floats
+        from vibcli.analyses.floating import approximate
 
-        return undamped_floats(elements, scale, zeros)
+        answer = approximate(elements, scale, zeros)
+        if elements.n > CERTIFIABLE or answer.errors.max() <= ENOUGH:
+            return many_modes(answer, scale)
     from vibcli.analyses.precise import Floats
 
     return modes(certain(elements, scale, zeros, precise), scale, Floats)
@@ -139,4 +143,18 @@ def modes(answer, scale, numbers):
         rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
         error = numbers.error(errors[i]) if values[i] else 0.0
         out.append(Mode(place, rate, values[i] < 0, full[:, i], direction[:, i], error))
+    return out
+
+
+def many_modes(answer, scale):
+    """Mode objects of approximate eigenvalues in floats."""
+    import numpy as np
+
+    direction = np.ldexp(answer.shapes, np.array(scale.coordinates)[:, None])
+    full = np.ldexp(direction / math.sqrt(2.0) if scale.mass % 2 else direction, -(scale.mass // 2))
+    out = []
+    for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):
+        value = float(answer.values[i])
+        rate = math.ldexp(math.sqrt(abs(value)), scale.time)
+        out.append(Mode(place, rate, value < 0, full[:, i], direction[:, i], float(answer.errors[i])))
     return out

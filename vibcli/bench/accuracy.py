@@ -1,7 +1,7 @@
 """Error against time: the largest relative error of any frequency, measured against 60 digits and more.
 
 Six masses in a row whose springs span a stiffness ratio: assembled matrices lose what stiff and soft springs share.
-The pendulum of n links has ω² = (g/L)·(the roots of the Laguerre polynomial of degree n), known to any number of digits.
+The pendulum of n links has ω² = g/L times the roots of the Laguerre polynomial of degree n.
 """
 
 import json
@@ -28,8 +28,8 @@ def rows(runs):
         result.append(Row("  numpy eigh(M^-½ K M^-½)", numpy[0], "", None))
         result.append(Row("  time", ours[1], "ms", None, "scipy.linalg.eigh(K, M)", scipy[1]))
     for n, ours, numpy in found["pendulum"]:
-        result.append(Row(f"error, pendulum of {n} links", ours[0], "", PENDULUM_GATE, "numpy eigh(L^-1 K L^-T)", numpy[0],
-                          absolute=True))
+        result.append(Row(f"error, pendulum of {n} links", ours[0], "", PENDULUM_GATE, "numpy eigh(L^-1 K L^-T)",
+                          numpy[0], absolute=True))
         result.append(Row("  time", ours[1], "ms", None, "numpy eigh(L^-1 K L^-T)", numpy[1]))
     return result
 

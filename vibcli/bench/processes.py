@@ -7,6 +7,7 @@ from statistics import median
 from time import perf_counter
 
 VIBCLI = os.path.join(os.path.dirname(sys.executable), "vibcli")
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}  # as installed
 
 
 def vibcli(*args):
@@ -34,7 +35,8 @@ def run(command, expected=(0,)):
     The peak counts that of the process which starts it, so this one must stay small.
     """
     start = perf_counter()
-    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                             env=ENVIRONMENT)
     _, status, usage = os.wait4(child.pid, 0)
     seconds = perf_counter() - start
     child.returncode = os.waitstatus_to_exitcode(status)
@@ -44,7 +46,7 @@ def run(command, expected=(0,)):
 
 
 def costs(commands, runs):
-    """{name: Cost} of {name: (command, expected exit codes)}, all run once a round; one round before that is not counted."""
+    """{name: Cost} of {name: (command, expected exit codes)}, all run once a round; the first round does not count."""
     measured = {name: [] for name in commands}
     for round_ in range(runs + 1):
         for name, (command, expected) in commands.items():
@@ -56,4 +58,5 @@ def costs(commands, runs):
 
 def answer(code, *args):
     """What a fresh process prints."""
-    return subprocess.run(python(code, *map(str, args)), check=True, capture_output=True, text=True).stdout
+    return subprocess.run(python(code, *map(str, args)), check=True, stdout=subprocess.PIPE, text=True,
+                          env=ENVIRONMENT).stdout

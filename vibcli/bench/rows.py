@@ -12,7 +12,8 @@ class Row:
 
     @property
     def ratio(self):
-        return None if self.against is None else self.ours / self.against
+        """None also of bare numbers (errors, exponents), whose quotient says nothing."""
+        return None if self.against is None or not self.unit else self.ours / self.against
 
     @property
     def kept(self):

@@ -41,7 +41,7 @@ def pendulum(n):
 
 
 def chain(n, stiffnesses=None, mass="1 kg"):
-    """n masses in a row, the first tied to the ground; equal springs of 1 kN/m unless `stiffnesses` (N/m) says otherwise."""
+    """n masses in a row, the first tied to the ground; equal springs unless `stiffnesses` (in N/m) says otherwise."""
     stiffnesses = stiffnesses or ["1000"] * n
     lines = ["bodies:"] + [f"  b{i}: {{mass: {mass}, slide: x{i}}}" for i in range(1, n + 1)] + ["springs:"]
     for i, k in enumerate(stiffnesses, 1):

@@ -48,13 +48,14 @@ class Scene(Terms, Ends):
         self.table = table = Table()
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
+        self.sample = self.parameters.values(Floats, sample_values(self.parameters.free, attempt))
+        table.sample = self.sample
         self.q = [table.variable(name) for name in self.coordinates]
         self.v = [table.variable(name + "'") for name in self.coordinates]
         self.a = [table.variable(name + "''") for name in self.coordinates]
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
                          for name, node in zip(self.coordinates, nodes, strict=True)}
         self.drawn = {node: self._drawn_value(name) for name, node in zip(self.coordinates, self.q, strict=True)}
-        self.sample = self.parameters.values(Floats, sample_values(self.parameters.free, attempt))
         self.surfaces = spec.get("surfaces") or {}
         self.bodies, self.points = {}, {}
         self.ground = Frame((table.zero, table.zero), (table.zero, table.zero), table.zero)

@@ -1,0 +1,276 @@
+"""The algebra against mpmath and SymPy: values, derivatives, normal forms, notation, exact folding."""
+
+import random
+from fractions import Fraction
+
+import mpmath
+import pytest
+import sympy
+from scenes import number
+from trees import NAMES, SYMBOLS, new_table, real, tree, trees, values
+
+from vibcli.algebra.calculus import derivative, gradient, hessian, substitute
+from vibcli.algebra.evaluate import (
+    Floats,
+    Rationals,
+    evaluate,
+    evaluate_rational,
+    from_sympy,
+    multiprecision,
+    sympy_arithmetic,
+)
+from vibcli.algebra.expression import BITS, Table, bits
+from vibcli.algebra.meaning import lower
+from vibcli.algebra.normal import expanded, is_zero, textbook
+from vibcli.algebra.parse import parse
+from vibcli.report.notation import language
+
+SMOOTH = ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp")
+MECHANICAL = ("sin", "cos")
+BATCHES = range(8)
+DIGITS = 40
+
+
+@pytest.fixture(autouse=True)
+def forty_digits():
+    with mpmath.workdps(DIGITS):
+        yield
+
+
+def precise(node, point):
+    return evaluate([node], multiprecision(), {name: mpmath.mpf(value) for name, value in point.items()})[0]
+
+
+def close(a, b, rtol=1e-25):
+    """Two mpmath numbers to far beyond floats; sums that cancel are allowed an absolute remainder."""
+    return abs(a - b) <= rtol * (1 + abs(a) + abs(b))
+
+
+def reference(expression, generator):
+    """(point, value) of a tree where it is real and of moderate size, else None."""
+    point = values(generator)
+    try:
+        value = real(expression.at({name: mpmath.mpf(x) for name, x in point.items()}))
+    except (ZeroDivisionError, ValueError, TypeError, OverflowError):
+        return None
+    return (point, value) if value is not None and abs(value) < 1e8 else None
+
+
+def references(batch, count=60, depth=4, functions=None):
+    found = []
+    more = {"functions": functions} if functions else {}
+    for expression, generator in trees(count, batch, depth, **more):
+        for _ in range(3):
+            pair = reference(expression, generator)
+            if pair:
+                found.append((expression, *pair))
+                break
+    assert len(found) > count // 3
+    return found
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_values_in_many_digits(batch):
+    for expression, point, value in references(batch):
+        ours = precise(expression.node, point)
+        assert close(ours, value), expression.node
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_values_in_floats(batch):
+    """Floats differ by rounding, amplified at most as a 17-digit evaluation of the same tree is."""
+    for expression, point, value in references(batch):
+        ours = evaluate([expression.node], Floats, point)[0]
+        assert condition(expression, point, value) > 1e6 or abs(ours - float(value)) <= 1e-8 * (1 + abs(float(value)))
+
+
+def condition(expression, point, value):
+    """How much a tree amplifies relative changes of 1e-15 in its data, roughly."""
+    nudged = {name: mpmath.mpf(x) * (1 + mpmath.mpf(10) ** -15 * i) for i, (name, x) in enumerate(point.items(), 1)}
+    try:
+        other = real(expression.at(nudged))
+    except (ZeroDivisionError, ValueError, TypeError):
+        return mpmath.inf
+    return mpmath.inf if other is None else abs(other - value) / 10**-15
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_to_sympy_and_back(batch):
+    arithmetic = sympy_arithmetic()
+    for expression, point, value in references(batch, 25, 3):
+        table = expression.node.table
+        theirs = evaluate([expression.node], arithmetic, SYMBOLS)[0]
+        ours = theirs.evalf(30, subs={SYMBOLS[name]: sympy.Float(x, 40) for name, x in point.items()})
+        if ours.is_number and ours.is_real:
+            assert close(mpmath.mpf(str(ours)), value, 1e-20)
+        try:
+            back = from_sympy(table, theirs, {SYMBOLS[name]: node_of(table, name) for name in NAMES})
+        except ValueError:
+            continue
+        assert close(precise(back, point), value)
+
+
+def node_of(table, name):
+    return table.parameter(name) if name in ("m", "k") else table.variable(name)
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_derivatives_against_sympy(batch):
+    for expression, point, _ in references(batch, 25, 3, SMOOTH):
+        table = expression.node.table
+        exact = {SYMBOLS[name]: sympy.Float(x, 40) for name, x in point.items()}
+        for name in ("x", "y", "x'"):
+            theirs = sympy.diff(expression.sympy, SYMBOLS[name]).subs(exact).evalf(30)
+            ours = precise(derivative(expression.node, table.variable(name)), point)
+            if theirs.is_Float and mpmath.isfinite(mpmath.mpf(str(theirs))) and abs(theirs) < 1e6:
+                assert close(ours, mpmath.mpf(str(theirs)), 1e-17), (expression.sympy, name)
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_derivatives_against_differences(batch):
+    """All functions, those with kinks included: a central difference in 40 digits."""
+    for expression, point, _ in references(batch, 40, 3):
+        table = expression.node.table
+        for name in ("x", "y"):
+            ours = real(precise(derivative(expression.node, table.variable(name)), point))
+            theirs = difference(expression, point, name)
+            if ours is not None and theirs is not None and abs(ours) < 1e5:
+                assert close(ours, theirs, 1e-9), (expression.sympy, name)
+
+
+def difference(expression, point, name, step=mpmath.mpf(10) ** -12):
+    exact = {key: mpmath.mpf(x) for key, x in point.items()}
+    try:
+        ends = [real(expression.at({**exact, name: exact[name] + d})) for d in (step, -step)]
+    except (ZeroDivisionError, ValueError, TypeError):
+        return None
+    return None if None in ends else (ends[0] - ends[1]) / (2 * step)
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_hessian_is_symmetric_and_differentiates_the_gradient(batch):
+    for expression, point, _ in references(batch, 25, 3, SMOOTH):
+        second = hessian(expression.node)
+        for (a, b), node in second.items():
+            ours, mirrored = (real(precise(n, point)) for n in (node, second.get((b, a), node.table.zero)))
+            if ours is not None and abs(ours) < 1e8:
+                assert close(ours, mirrored)
+                assert derivative(gradient(expression.node)[a], b) is node
+
+
+def test_gradient_leaves_out_what_does_not_matter():
+    table = new_table()
+    x, y, m = table.variable("x"), table.variable("y"), table.parameter("m")
+    assert set(gradient(m * x + m)) == {x}
+    assert gradient(m) == {}
+    assert derivative(m * x, y).is_zero
+    assert not (m * m).mask and (m * x).mask
+
+
+# normal forms
+
+@pytest.mark.parametrize("batch", BATCHES)
+@pytest.mark.parametrize("functions", [SMOOTH, MECHANICAL], ids=["smooth", "sine"])
+def test_textbook_form_keeps_the_value(batch, functions):
+    for expression, point, value in references(batch, 40, 4, functions):
+        assert close(precise(textbook(expression.node), point), value), expression.node
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_textbook_form_of_products_of_sines(batch):
+    """Sums of products of sines and cosines of sums: where the addition theorems act."""
+    generator = random.Random(f"sines {batch}")
+    for _ in range(40):
+        table = new_table()
+        x, y = table.variable("x"), table.variable("y")
+        angles = [x, y, x - y, x + y, 2 * x, x - table.pi / 6, y + table.parameter("m")]
+        node = table.zero
+        for _ in range(generator.randint(2, 6)):
+            term = table.number(generator.choice((-2, -1, -1, 1, 1, 2)))
+            for _ in range(generator.randint(1, 3)):
+                call = table.call(generator.choice(MECHANICAL), generator.choice(angles))
+                term = term * call ** generator.choice((1, 1, 2, 3))
+            node = node + term * generator.choice((table.one, table.parameter("k")))
+        point = values(generator)
+        assert close(precise(textbook(node), point), precise(node, point)), node
+        assert not is_zero(node) or abs(precise(node, point)) < 1e-30
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_zero_is_never_claimed_wrongly(batch):
+    for expression, point, value in references(batch, 60, 4):
+        for node, size in ((expression.node, value), (expression.node - 1, value - 1),
+                           (expression.node - expression.node * Fraction(10**6 + 1, 10**6), value / 10**6)):
+            if is_zero(node):
+                assert abs(size) < 1e-25
+                assert abs(precise(node, point)) < 1e-25
+
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_zero_is_found_where_expansion_shows_it(batch):
+    generator = random.Random(f"zeros {batch}")
+    for _ in range(20):
+        table = new_table()
+        a, b, c = (tree(table, generator, 2, MECHANICAL).node for _ in range(3))
+        assert is_zero((a + b) ** 2 - a * a - 2 * a * b - b * b)
+        assert is_zero(a * (b - c) - a * b + a * c)
+
+
+def test_identities_that_are_shown():
+    table = new_table()
+    x, y = table.variable("x"), table.variable("y")
+    sin, cos = (lambda u: table.call("sin", u)), (lambda u: table.call("cos", u))
+    assert is_zero(sin(x) ** 2 + cos(x) ** 2 - 1)
+    assert is_zero(cos(x) * cos(y) + sin(x) * sin(y) - cos(x - y))
+    assert is_zero(sin(x) * cos(y) + cos(x) * sin(y) - sin(x + y))
+    assert is_zero(cos(x) * cos(y) - sin(x) * sin(y) - cos(x + y))
+    assert is_zero(sin(x) * cos(y) - cos(x) * sin(y) - sin(x - y))
+    assert not is_zero(sin(x) ** 2 - cos(x) ** 2)
+    assert not is_zero(sin(x) * cos(y) + cos(x) * sin(y) - sin(x - y))
+
+
+def test_expansion_is_bounded():
+    table = Table()
+    names = [table.parameter(f"p{i}") for i in range(40)]
+    long = table.one
+    for start in range(0, 40, 4):
+        long = long * (names[start] + names[start + 1] + names[start + 2] + names[start + 3])
+    assert textbook(long) is long
+    assert not is_zero(long)
+    with pytest.raises(ArithmeticError):
+        expanded(long)
+
+
+# notation and parsing
+
+@pytest.mark.parametrize("batch", BATCHES)
+def test_language_is_read_back(batch):
+    for expression, point, value in references(batch, 80, 4):
+        text = language(expression.node)
+        if len(text) < 1500:
+            back = parse(text)
+            assert close(mpmath.mpf(number(back, point_of(point), mpmath)), value), text
+            again = lower(back, expression.node.table, lambda name, primes, _: node_of(
+                expression.node.table, name + "'" * primes))
+            assert close(precise(again, point), value), text
+
+
+def point_of(point):
+    return {name: mpmath.mpf(value) for name, value in point.items()}
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("2^3^2", 512), ("-2^2", -4), ("2^-1", 0.5), ("6/2/3", 1), ("6/2*3", 9), ("1 - 2 - 3", -4), ("-(1 - 2)", 1),
+    ("2*(-3)", -6), ("sqrt(16)^(1/2)", 2), ("3·2", 6), ("+4", 4), ("1e3", 1000), ("-1^2*3", -3),
+    ("min(2, 3) + max(2, 3)", 5), ("2**3", 8), ("sign(-2)*abs(-3)", -3), ("atan2(0, -1)/pi", 1)])
+def test_precedence(text, expected):
+    assert float(number(parse(text), {})) == expected
+    table = Table()
+    assert evaluate([lower(parse(text), table, None)], Floats, {})[0] == pytest.approx(expected, rel=1e-15)
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("3 mm", "3/1000"), ("2.5 kN/m", "2500"), ("1 N*s/m", "1"), ("7 g/cm^3", "7000"), ("90 km/h", "25"), ("5 µm", "1/200000"),
+    ("10 %", "1/10"), ("0.1", "1/10")])
+def test_literals_are_exact(text, expected):
+    assert lower(parse(text), Table(), None).coefficient == Fraction(expected)

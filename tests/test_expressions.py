@@ -1,0 +1,199 @@
+"""Nodes: one object for equal expressions, exact folding within bounds, substitution, exact arithmetic."""
+
+from fractions import Fraction
+
+import pytest
+from trees import new_table, trees, values
+
+from vibcli.algebra.calculus import substitute
+from vibcli.algebra.evaluate import Floats, Rationals, evaluate, evaluate_rational
+from vibcli.algebra.expression import BITS, Table, bits, reachable
+from vibcli.algebra.normal import is_zero
+
+
+@pytest.fixture
+def table():
+    return new_table()
+
+
+def leaves(table):
+    return [table.variable("x"), table.variable("y"), table.parameter("m"), table.parameter("k")]
+
+
+def test_equal_expressions_are_one_object(table):
+    x, y, m, k = leaves(table)
+    assert x + y is y + x
+    assert x * m is m * x
+    assert (x + y) + m is x + (y + m)
+    assert (x * y) * m is x * (y * m)
+    assert x - x is table.zero
+    assert x / x is table.one
+    assert 2 * x + 3 * x is 5 * x
+    assert -(-x) is x
+    assert x * x is x**2
+    assert m**Fraction(1, 2) * m**Fraction(1, 2) is m
+    assert table.call("sin", x + y) is table.call("sin", y + x)
+    assert 2 * (x + y) is 2 * x + 2 * y
+    assert (x + y) / 2 + (x - y) / 2 is x
+    assert k * (x - y) is not k * (y - x)
+
+
+@pytest.mark.parametrize("i", range(30))
+def test_rebuilding_gives_the_same_object(i):
+    for expression, _ in trees(10, f"rebuilt {i}"):
+        node = expression.node
+        table = node.table
+        count = len(table)
+        for part in reachable([node]):
+            if part.op == "sum":
+                again = table.sum((table.number(part.coefficient), Fraction(1)), *reversed(part.args))
+            elif part.op == "product":
+                again = table.product((table.number(part.coefficient), Fraction(1)), *reversed(part.args))
+            else:
+                continue
+            assert again is part
+        assert len(table) <= count + len(reachable([node]))
+
+
+SIXTHS = {0: "0", 1: "1/2", 2: "sqrt(3)/2", 3: "1", 4: "sqrt(3)/2", 5: "1/2", 6: "0", 7: "-1/2", 8: "-sqrt(3)/2", 9: "-1",
+          10: "-sqrt(3)/2", 11: "-1/2"}
+
+
+@pytest.mark.parametrize("n", range(-25, 26))
+def test_sines_of_multiples_of_a_sixth(table, n):
+    root = table.sqrt(table.number(3)) / 2
+    exact = {"0": table.zero, "1/2": table.number(Fraction(1, 2)), "sqrt(3)/2": root, "1": table.one,
+             "-1/2": table.number(Fraction(-1, 2)), "-sqrt(3)/2": -root, "-1": -table.one}
+    assert table.call("sin", table.pi * n / 6) is exact[SIXTHS[n % 12]]
+    assert table.call("cos", table.pi * n / 6) is exact[SIXTHS[(n + 3) % 12]]
+
+
+@pytest.mark.parametrize("n", [-5, -3, -1, 1, 3, 5, 7, 9])
+def test_sines_of_odd_quarters(table, n):
+    for name in ("sin", "cos"):
+        node = table.call(name, table.pi * n / 4)
+        assert not any(part.op == "call" for part in reachable([node]))
+        assert evaluate([node], Floats, {})[0] == pytest.approx(evaluate_plain(name, n), rel=1e-15)
+
+
+def evaluate_plain(name, n):
+    import mpmath
+
+    with mpmath.workdps(30):
+        return float(getattr(mpmath, name)(mpmath.pi * n / 4))
+
+
+@pytest.mark.parametrize("n, d", [(1, 5), (1, 7), (3, 8), (1, 12)])
+def test_other_sines_stay(table, n, d):
+    assert table.call("sin", table.pi * n / d).op == "call"
+
+
+def test_values_that_fold(table):
+    zero, one = table.zero, table.one
+    assert table.call("cos", zero) is one
+    assert table.call("exp", zero) is one
+    assert table.call("log", one) is zero
+    assert table.call("sign", zero) is zero
+    assert table.call("sin", -table.variable("x")) is -table.call("sin", table.variable("x"))
+    assert table.call("cos", -table.variable("x")) is table.call("cos", table.variable("x"))
+    assert table.call("acos", zero).op == "call"
+    assert table.call("log", table.number(2)).op == "call"
+
+
+def test_roots(table):
+    x, _, m, k = leaves(table)
+    assert table.sqrt(table.number(Fraction(9, 4))) is table.number(Fraction(3, 2))
+    assert table.sqrt(m * m) is m
+    assert table.sqrt(m**2 * k**4 * 9) is 3 * m * k**2
+    assert table.sqrt(table.number(2)) * table.sqrt(table.number(2)) is table.number(2)
+    assert table.sqrt(table.number(8)).op != "number"
+    loose = table.parameter("a", positive=False)
+    for u in (loose, x):
+        root = table.sqrt(u * u)
+        for value in (-1.5, 1.5):
+            assert evaluate([root], Floats, {u.name: value})[0] == 1.5
+
+
+def test_powers_and_digits_are_bounded(table):
+    big = table.number(10) ** 500
+    assert big.op == "product" and big.args[0][1] == 500
+    tower = table.number(9) ** (table.number(9) ** table.number(9))
+    assert bits_of(tower) <= 4 * BITS
+    many = table.one
+    for i in range(200):
+        many = many * table.number(Fraction(10**9 + i, 7))
+    assert bits_of(many) <= 4 * BITS
+    total = table.zero
+    for p in (10**40 + 1, 10**45 + 3, 10**50 + 7, 10**42 + 9):
+        total = total + table.number(Fraction(1, p))
+    assert bits_of(total) <= 4 * BITS
+    assert evaluate([total], Floats, {})[0] == pytest.approx(1e-40 + 1e-45 + 1e-50 + 1e-42)
+
+
+def bits_of(node):
+    return max(bits(part.coefficient) for part in reachable([node]))
+
+
+def test_division_by_zero(table):
+    x = table.variable("x")
+    with pytest.raises(ZeroDivisionError):
+        x / table.zero
+    with pytest.raises(ZeroDivisionError):
+        table.zero**-2
+    with pytest.raises(ZeroDivisionError):
+        x / (x - x)
+
+
+@pytest.mark.parametrize("i", range(12))
+def test_substitution_is_evaluation_at_another_place(i):
+    for expression, generator in trees(15, f"substituted {i}"):
+        node, table = expression.node, expression.node.table
+        point = values(generator)
+        inner = table.variable("y") * table.variable("y") / 4 + Fraction(1, 3)
+        try:
+            moved, = substitute([node], {table.variable("x"): inner})
+        except ZeroDivisionError:
+            continue
+        there = point | {"x": point["y"] ** 2 / 4 + 1 / 3}
+        a, b = evaluate([moved], Floats, point)[0], evaluate([node], Floats, there)[0]
+        assert (a != a and b != b) or a == pytest.approx(b, rel=1e-7, abs=1e-7) or abs(b) > 1e6
+        assert not any(part is table.variable("x") for part in reachable([moved]))
+
+
+def test_substitution_leaves_the_rest(table):
+    x, y, m, _ = leaves(table)
+    node = table.call("sin", m * y) + m
+    assert substitute([node, x], {x: table.zero}) == [node, table.zero]
+    both = substitute([x + y], {x: y, y: x})[0]
+    assert both is x + y
+
+
+def test_exact_rationals(table):
+    x, y, m, k = leaves(table)
+    node = (x + y) ** 3 / (m * m) + table.sqrt(k)
+    given = {"x": Fraction(1, 3), "y": Fraction(1, 6), "m": Fraction(3), "k": Fraction(4, 9)}
+    assert evaluate_rational([node], given) == [Fraction(1, 72) + Fraction(2, 3)]
+    assert evaluate_rational([table.sqrt(k)], {"k": Fraction(2)}) is None
+    assert evaluate_rational([table.call("sin", x)], {"x": Fraction(1)}) is None
+    assert evaluate_rational([1 / x], {"x": Fraction(0)}) is None
+    assert evaluate_rational([table.pi], {}) is None
+    with pytest.raises(Rationals.Irrational):
+        evaluate([table.pi * m], Rationals(), {"m": Fraction(1)})
+
+
+def test_what_is_not_real_is_nan(table):
+    x = table.variable("x")
+    for node, value in ((table.sqrt(x), -1.0), (table.call("log", x), -1.0), (1 / x, 0.0), (table.call("exp", x), 1e6),
+                        (x ** Fraction(1, 3), -8.0), (table.call("asin", x), 1.5)):
+        assert evaluate([node], Floats, {"x": value})[0] != evaluate([node], Floats, {"x": value})[0]
+
+
+def test_deep_expressions_do_not_recurse():
+    table = Table()
+    x = table.variable("x")
+    node = x
+    for _ in range(5000):
+        node = table.call("sin", node + 1)
+    assert abs(evaluate([node], Floats, {"x": 0.3})[0]) <= 1
+    assert substitute([node], {x: table.zero})[0] is not node
+    assert not is_zero(x)
