@@ -218,6 +218,8 @@ def collected(table, terms):
 def factors_of(table, terms):
     """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
     monomials = list(terms)
+    if not monomials:
+        return ((table.zero, ONE),)
     if len(monomials) == 1:
         return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
     common = {}

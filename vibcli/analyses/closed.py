@@ -77,6 +77,8 @@ def ratio(above, below):
 def root_of(node, sample=None):
     """√node, factor by factor; a perfect square gives its root, positive at the sample values."""
     table = node.table
+    if node.is_zero:
+        return node
     pieces = node.args if node.op == "product" else ((node, ONE),)
     factors = [(table.sqrt(table.number(node.coefficient if node.op == "product" else 1)), ONE)]
     for base, exponent in pieces:
