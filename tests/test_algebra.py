@@ -23,7 +23,7 @@ from vibcli.algebra.expression import BITS, Table, bits
 from vibcli.algebra.meaning import lower
 from vibcli.algebra.normal import expanded, is_zero, textbook
 from vibcli.algebra.parse import parse
-from vibcli.report.notation import language
+from vibcli.report.language import language
 
 SMOOTH = ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp")
 MECHANICAL = ("sin", "cos")

@@ -6,8 +6,9 @@ the damping in them (quadratic.py), or directly where coordinates without inerti
 
 import math
 
-from vibcli.analyses.modal import CERTIFIED, DIGITS, ESCALATE, EVALUATED, EXACT, decimal, prepared
+from vibcli.analyses.modal import CERTIFIED, DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared
 
+CERTIFIABLE = 80
 GOAL = 160
 WANTED = 60
 
@@ -25,7 +26,9 @@ def damped(elements, precise=None, exact=None, digits=None):
     if elements.n > CERTIFIED:
         from vibcli.analyses.damped_floating import damped_floats
 
-        return damped_floats(elements)
+        modes = damped_floats(elements)
+        if elements.n > CERTIFIABLE or max(mode.error for mode in modes) <= ENOUGH:
+            return modes
     from vibcli.analyses.damped_modes import collected
     from vibcli.analyses.precise import Floats
 
@@ -66,11 +69,12 @@ class Answer:
 
     def __init__(self, elements, data, goal, wanted, unit):
         from vibcli.analyses import massless, quadratic
+        from vibcli.analyses.rigid import undamped_rigid
 
         self.scale, zeros = prepared(elements, bool(massless.dragged(elements)))
         self.decided = zeros is not None
         if massless.dragged(elements):
-            double = untouched(elements, zeros, data)
+            double = undamped_rigid(elements, zeros, data)
             self.system = massless.Reduced(data, self.scale, (zeros or 0) + double, goal)
         else:
             self.system = self._modal(elements, data, goal, zeros, unit, quadratic)
@@ -82,12 +86,13 @@ class Answer:
 
     def _modal(self, elements, data, goal, zeros, unit, quadratic):
         from vibcli.analyses.certified import enclosed
+        from vibcli.analyses.rigid import undamped_rigid
 
         answer = enclosed(data, self.scale, zeros, goal=goal)
         if unit > EXACT or data.K_size:
             answer.add_data_error(data, self.scale, unit)
         self.decided = zeros is not None or not answer.zero.any()
-        return quadratic.ModalDamping(answer, data, self.scale, untouched(elements, zeros, data), goal)
+        return quadratic.ModalDamping(answer, data, self.scale, undamped_rigid(elements, zeros, data), goal)
 
     def settled(self, goal):
         """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
@@ -115,16 +120,3 @@ class Answer:
         from vibcli.analyses.sharpened import shapes
 
         return shapes(self.system, self.found, self.scale)
-
-
-def untouched(elements, zeros, data):
-    """How many rigid motions no damper resists; 0 where the damping is not all of the form Σ c ∇s ∇sᵀ."""
-    from fractions import Fraction
-
-    from vibcli.analyses.rigid import rank
-
-    if not zeros or any(elements.C.values()) or any(elements.G.values()):
-        return 0
-    rows = [row for k, row in data.springs if k] + [row for c, row in data.dampers if c]
-    rational = all(isinstance(x, (int, Fraction)) for row in rows for x in row.values())
-    return elements.n - rank(elements.n, rows, rows if rational else None)

@@ -5,6 +5,8 @@ understate a rank with the odds of n/2^61; rows of floats by complete pivoting, 
 counting as dependent below 1e-14 n.
 """
 
+from fractions import Fraction
+
 from vibcli.analyses.scaled import exponent
 
 PRIME = (1 << 61) - 1
@@ -13,6 +15,18 @@ PRIME = (1 << 61) - 1
 def rigid_count(n, rows, exact_rows=None):
     """n − rank of the rows: dicts {coordinate: component}, and the same as Fractions where they are rational."""
     return n - rank(n, rows, exact_rows)
+
+
+def undamped_rigid(elements, zeros, data):
+    """How many of the `zeros` rigid motions no damper resists; 0 where damping is not all Σ c ∇s ∇sᵀ.
+
+    data: the elements in the arithmetic that decides about rows which are not rational.
+    """
+    if not zeros or any(elements.C.values()) or any(elements.G.values()):
+        return 0
+    rows = [row for k, row in data.springs if k] + [row for c, row in data.dampers if c]
+    rational = all(isinstance(x, (int, Fraction)) for row in rows for x in row.values())
+    return elements.n - rank(elements.n, rows, rows if rational else None)
 
 
 def rank(n, rows, exact_rows=None):

@@ -1,6 +1,6 @@
 """Closed forms as data: frequencies in letters, as expressions of the scene language."""
 
-from vibcli.report.notation import language
+from vibcli.report.language import language
 
 
 def closed_data(problem):

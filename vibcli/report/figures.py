@@ -44,3 +44,15 @@ def width(text):
 
 def padded(text, columns):
     return text + " " * (columns - width(text))
+
+
+def wrapped(text, columns=100, indent=2, gap=" ", first=0):
+    """Text broken at gaps into lines of at most `columns`, the lines after the first indented."""
+    lines, line = [], ""
+    for word in text.split(gap):
+        if line and width(line) + width(gap) + width(word) > columns:
+            lines.append(line)
+            line = " " * indent + word if gap == " " else word
+        else:
+            line = f"{line}{gap}{word}" if line else " " * first + word
+    return [*lines, line] if line else lines

@@ -1,16 +1,16 @@
-"""Expressions as text (m·L²·φ̈/3) and as LaTeX, in the notation of the field: dots for time derivatives."""
+"""Expressions as text, m·L²·φ̈/3, in the notation of the field: dots for time derivatives, roots as √(…)."""
 
 import re
 from fractions import Fraction
 
 from vibcli.algebra.expression import HALF, ONE
 
-_GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
+GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
           "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
           "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
           "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
           "Omega": "Ω"}
-_NAME = re.compile(rf"({'|'.join(sorted(_GREEK, key=len, reverse=True))}|[A-Za-zℓ])(.*)")
+_NAME = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))}|[A-Za-zℓ])(.*)")
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
@@ -119,7 +119,7 @@ class Plain(Notation):
 
     def symbol(self, name):
         letter, rest, primes = split_name(name)
-        dotted = _GREEK.get(letter, letter) + _DOTS[primes]
+        dotted = GREEK.get(letter, letter) + _DOTS[primes]
         dotted = _PRECOMPOSED.get(dotted, dotted)
         return dotted + (rest.translate(_SUBSCRIPT) if rest.isdigit() else "_" + rest if len(rest) > 1 else rest)
 
@@ -148,7 +148,7 @@ class Plain(Notation):
             tops.append(self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
-        if value.denominator > 1 and not _shown_as_decimal(value):
+        if value.denominator > 1 and not shown_as_decimal(value):
             bottoms.insert(0, str(value.denominator))
             value = Fraction(value.numerator)
         if value != 1 or not tops:
@@ -161,10 +161,10 @@ class Plain(Notation):
     def root(self, above, below):
         inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
         simple = re.fullmatch(r"[\w₀-₉]+", inner)
-        return "√" + (inner if simple else f"({inner.removeprefix('(').removesuffix(')') if _enclosed(inner) else inner})")
+        return "√" + (inner if simple else f"({inner.removeprefix('(').removesuffix(')') if enclosed(inner) else inner})")
 
 
-def _enclosed(text):
+def enclosed(text):
     """Is the text one pair of brackets around everything?"""
     depth = 0
     for i, letter in enumerate(text):
@@ -174,71 +174,7 @@ def _enclosed(text):
     return False
 
 
-class Latex(Notation):
-    """LaTeX, for math mode."""
-
-    def number(self, value):
-        if value.denominator == 1 or _shown_as_decimal(value):
-            return decimal(value)
-        sign = "-" if value < 0 else ""
-        return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
-
-    def minus(self, text):
-        return text.replace("−", "-")
-
-    def symbol(self, name):
-        letter, rest, primes = split_name(name)
-        if letter == "ℓ":
-            letter = r"\ell"
-        if letter in _GREEK:
-            letter = "\\" + {"phi": "varphi", "epsilon": "varepsilon"}.get(letter, letter)
-        accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]
-        word = rest if len(rest) < 2 or rest.isdigit() else rf"\mathrm{{{rest}}}"
-        return accent.format(letter) + (f"_{{{word}}}".replace("_", r"\_").replace(r"\_", "_", 1) if rest else "")
-
-    def brackets(self, text):
-        return rf"\left({text}\right)"
-
-    def power(self, base, exponent):
-        return f"{base}^{{{exponent}}}"
-
-    def function(self, name, args):
-        return rf"\operatorname{{{name}}}\left({', '.join(args)}\right)"
-
-    def call(self, name, arg, exponent):
-        known = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}.get(name, name)
-        head = rf"\operatorname{{{known}}}" if known in ("sign", "abs") else "\\" + known
-        head += "" if exponent == 1 else f"^{{{decimal(exponent)}}}"
-        inner = self.write(arg, 0)
-        return f"{head} {inner}" if arg.op in ("symbol", "pi") else rf"{head}\left({inner}\right)"
-
-    def product(self, value, args):
-        above, below, root_above, root_below = self.factors(value, args)
-        alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
-        thin = r" \, "
-        lone_root = root_below and not root_above
-        plain = not below and not lone_root and (value.denominator == 1 or _shown_as_decimal(value))
-        tops = [self.powered(base, e, alone and (not plain or value == 1)) for base, e in above]
-        if root_above:
-            tops.append(self.root(root_above, root_below))
-        if plain:
-            if value != 1 or not tops:
-                tops.insert(0, decimal(value))
-            return thin.join(tops)
-        bottoms = [self.powered(base, e, len(below) == 1 and value.denominator == 1) for base, e in below]
-        if lone_root:
-            bottoms.append(self.root(root_below, []))
-        if value.denominator > 1:
-            bottoms.insert(0, str(value.denominator))
-        if value.numerator != 1 or not tops:
-            tops.insert(0, str(value.numerator))
-        return rf"\frac{{{thin.join(tops)}}}{{{thin.join(bottoms)}}}"
-
-    def root(self, above, below):
-        return rf"\sqrt{{{self.product(ONE, (*above, *((base, -e) for base, e in below)))}}}"
-
-
-def _shown_as_decimal(value):
+def shown_as_decimal(value):
     """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
     return value.denominator > 48
 
@@ -248,24 +184,35 @@ def decimal(value):
     if value.denominator == 1:
         text = str(value.numerator)
         return text if len(text) < 16 else f"{float(value):.12g}"
-    if not _shown_as_decimal(value):
+    if not shown_as_decimal(value):
         return f"{value.numerator}/{value.denominator}".replace("-", "−")
     return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
 
 
 def _rank(pair):
-    """Accelerations first, then what moves, then constants; otherwise in the order of making."""
+    """Accelerations first, then velocities, then coordinates, each in the order of the coordinates; constants last."""
     node = pair[0]
     deepest = _most_primes(node)
-    return (-deepest if deepest > 1 else 0, not node.mask, node.index)
+    moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
+    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), node.index
+
+
+def _lowest(mask):
+    return (mask & -mask).bit_length()
+
+
+def primes(symbol):
+    """1 for x', 2 for x''."""
+    return len(symbol.name) - len(symbol.name.rstrip("'"))
+
+
+def _symbols(node):
+    factors = [base for base, _ in node.args] if node.op == "product" else [node]
+    return [base for base in factors if base.op == "symbol"]
 
 
 def _most_primes(node):
-    if node.op == "symbol":
-        return len(node.name) - len(node.name.rstrip("'"))
-    if node.op == "product":
-        return max((_most_primes(base) for base, _ in node.args), default=0)
-    return 0
+    return max(map(primes, _symbols(node)), default=0)
 
 
 def _factor_rank(pair):
@@ -277,50 +224,4 @@ def _factor_rank(pair):
     return kind, base.index
 
 
-plain, latex = Plain(), Latex()
-
-
-class Language(Plain):
-    """The scene's own expression language, so that a result can be pasted into a file."""
-
-    def symbol(self, name):
-        return name
-
-    def number(self, value):
-        return self._ascii(value)
-
-    @staticmethod
-    def _ascii(value):
-        return str(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
-
-    def minus(self, text):
-        return text.replace("−", "-")
-
-    def power(self, base, exponent):
-        return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
-
-    def call(self, name, arg, exponent):
-        text = f"{name}({self.write(arg, 0)})"
-        return text if exponent == 1 else self.power(text, self._ascii(exponent))
-
-    def product(self, value, args):
-        above, below, root_above, root_below = self.factors(value, args)
-        tops = [self.powered(base, e, False) for base, e in above]
-        bottoms = [self.powered(base, e, False) for base, e in below]
-        if root_above:
-            tops.append(self.root(root_above, root_below))
-        elif root_below:
-            bottoms.append(self.root(root_below, []))
-        if value.denominator > 1:
-            bottoms.insert(0, str(value.denominator))
-        if value.numerator != 1 or not tops:
-            tops.insert(0, str(value.numerator))
-        text = "*".join(tops)
-        return text if not bottoms else text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'*'.join(bottoms)})")
-
-    def root(self, above, below):
-        inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
-        return f"sqrt({inner[1:-1] if _enclosed(inner) else inner})"
-
-
-language = Language()
+plain = Plain()

@@ -1,7 +1,8 @@
 """Results as plain data with the documented keys of --json: SI units, null where there is nothing."""
 
 from vibcli.analyses.shapes import normalised
-from vibcli.report.notation import language, latex
+from vibcli.report.language import language
+from vibcli.report.latex import latex
 
 TURN = 6.283185307179586
 

@@ -4,9 +4,10 @@ frequencies, damping, modes. Each section is computed when it is printed, and on
 from vibcli import units
 from vibcli.analyses.shapes import WORDS, normalised
 from vibcli.report.abbreviate import abbreviated
-from vibcli.report.figures import figure, table, width, with_unit
+from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
-from vibcli.report.results import TURN, joined, numeric_row
+from vibcli.report.results import joined, numeric_row
+from vibcli.report.rows import damped_row, mode_row, polar, shape_rows
 
 EVERYTHING = ("given", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping", "modes")
 LONGEST = 2400
@@ -156,7 +157,7 @@ class Report:
         if problem.symbolic:
             self._frequencies_in_letters()
             return
-        rows = [_mode_row(mode) for mode in problem.modes]
+        rows = [mode_row(mode) for mode in problem.modes]
         damped = "of the undamped system" if problem.damped else "undamped"
         self.section(f"Natural frequencies ({damped})",
                      table(rows, ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")))
@@ -188,7 +189,7 @@ class Report:
     def _damping(self):
         if self.problem.symbolic or self.problem.damped is None:
             return
-        rows = [_damped_row(mode) for mode in self.problem.damped]
+        rows = [damped_row(mode) for mode in self.problem.damped]
         head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "error ≤", "")
         self.section("Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ, log. decrement = 2πζ/√(1−ζ²))",
                      table(rows, head))
@@ -202,12 +203,12 @@ class Report:
             return
         names = problem.scene.coordinates
         shapes = [normalised(mode.shape, self.normalise) for mode in problem.modes]
-        self.section(f"Mode shapes ({WORDS[self.normalise]})", _shape_rows(names, shapes))
+        self.section(f"Mode shapes ({WORDS[self.normalise]})", shape_rows(names, shapes))
         damped = problem.damped
         if damped is not None and any(abs(complex(v).imag) > 1e-9 for mode in damped
                                       for v in normalised(mode.shape, "first")):
             shapes = [normalised(mode.shape, self.normalise) for mode in damped]
-            self.section("Shapes of the damped modes (amplitude ∠ phase)", _shape_rows(names, shapes, _polar))
+            self.section("Shapes of the damped modes (amplitude ∠ phase)", shape_rows(names, shapes, polar))
 
     def _modes_in_letters(self):
         forms = self.problem.closed_forms
@@ -241,55 +242,6 @@ def _moves(problem, name):
     return ""
 
 
-def _mode_row(mode):
-    number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
-    if mode.omega is None:
-        return number, "–", "–", "–", error, f"unstable: grows as exp({figure(float(mode.growth_rate), mode.error)}·t)"
-    omega = float(mode.omega)
-    if not omega:
-        return number, "0", "0", "∞", "exact", "rigid-body mode"
-    return (number, figure(omega, mode.error), figure(omega / TURN, mode.error), figure(TURN / omega, mode.error), error, "")
-
-
-def _damped_row(mode):
-    error = f"{mode.error:.0e}" if mode.error else "exact"
-    note = mode.note or ""
-    if not note and mode.omega_d is None and mode.omega:
-        note = "over-damped" if mode.zeta is not None else "real eigenvalue"
-    if mode.growth_rate:
-        note = "unstable"
-    return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), mode.error),
-            figure(_float(mode.omega_d), mode.error),
-            figure(TURN / float(mode.omega_d), mode.error) if mode.omega_d else "–",
-            figure(_float(mode.decay), mode.error), error, note)
-
-
-def _float(value):
-    return None if value is None else float(value)
-
-
-def _real(value):
-    value = complex(value).real
-    return figure(0.0 if abs(value) < 1e-12 else value)
-
-
-def _polar(value):
-    from cmath import polar
-    from math import degrees
-
-    size, angle = polar(complex(value))
-    return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
-
-
-def _shape_rows(names, shapes, write=_real):
-    """A table of shapes: a column a mode, or a row a mode where there are many coordinates."""
-    if len(shapes) > 8:
-        return [f"mode {i + 1}: " + " ".join(write(value) for value in shape[:12]) + (" …" if len(shape) > 12 else "")
-                for i, shape in enumerate(shapes[:12])] + (["…"] if len(shapes) > 12 else [])
-    rows = [(plain.symbol(name), *(write(shape[i]) for shape in shapes)) for i, name in enumerate(names)]
-    return table(rows, ("", *(f"mode {i + 1}" for i in range(len(shapes)))))
-
-
 def sub(number):
     return str(number).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
 
@@ -298,15 +250,3 @@ def short(node):
     """An expression as text, or its size where it is too long to read."""
     text = plain(node)
     return text if len(text) <= LONGEST else f"(an expression of {len(text)} characters; see --json)"
-
-
-def wrapped(text, columns=100, indent=2, gap=" ", first=0):
-    """Text broken at gaps into lines of at most `columns`, the lines after the first indented."""
-    lines, line = [], ""
-    for word in text.split(gap):
-        if line and width(line) + width(gap) + width(word) > columns:
-            lines.append(line)
-            line = " " * indent + word if gap == " " else word
-        else:
-            line = f"{line}{gap}{word}" if line else " " * first + word
-    return [*lines, line] if line else lines

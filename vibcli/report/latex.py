@@ -1,0 +1,71 @@
+"""Expressions as LaTeX, for math mode."""
+
+from vibcli.algebra.expression import ONE
+from vibcli.report.notation import GREEK, Notation, decimal, shown_as_decimal, split_name
+
+
+class Latex(Notation):
+    """LaTeX, for math mode."""
+
+    def number(self, value):
+        if value.denominator == 1 or shown_as_decimal(value):
+            return decimal(value)
+        sign = "-" if value < 0 else ""
+        return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+
+    def minus(self, text):
+        return text.replace("−", "-")
+
+    def symbol(self, name):
+        letter, rest, primes = split_name(name)
+        if letter == "ℓ":
+            letter = r"\ell"
+        if letter in GREEK:
+            letter = "\\" + {"phi": "varphi", "epsilon": "varepsilon"}.get(letter, letter)
+        accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]
+        word = rest if len(rest) < 2 or rest.isdigit() else rf"\mathrm{{{rest}}}"
+        return accent.format(letter) + (f"_{{{word}}}".replace("_", r"\_").replace(r"\_", "_", 1) if rest else "")
+
+    def brackets(self, text):
+        return rf"\left({text}\right)"
+
+    def power(self, base, exponent):
+        return f"{base}^{{{exponent}}}"
+
+    def function(self, name, args):
+        return rf"\operatorname{{{name}}}\left({', '.join(args)}\right)"
+
+    def call(self, name, arg, exponent):
+        known = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}.get(name, name)
+        head = rf"\operatorname{{{known}}}" if known in ("sign", "abs") else "\\" + known
+        head += "" if exponent == 1 else f"^{{{decimal(exponent)}}}"
+        inner = self.write(arg, 0)
+        return f"{head} {inner}" if arg.op in ("symbol", "pi") else rf"{head}\left({inner}\right)"
+
+    def product(self, value, args):
+        above, below, root_above, root_below = self.factors(value, args)
+        alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
+        thin = r" \, "
+        lone_root = root_below and not root_above
+        plain = not below and not lone_root and (value.denominator == 1 or shown_as_decimal(value))
+        tops = [self.powered(base, e, alone and (not plain or value == 1)) for base, e in above]
+        if root_above:
+            tops.append(self.root(root_above, root_below))
+        if plain:
+            if value != 1 or not tops:
+                tops.insert(0, decimal(value))
+            return thin.join(tops)
+        bottoms = [self.powered(base, e, len(below) == 1 and value.denominator == 1) for base, e in below]
+        if lone_root:
+            bottoms.append(self.root(root_below, []))
+        if value.denominator > 1:
+            bottoms.insert(0, str(value.denominator))
+        if value.numerator != 1 or not tops:
+            tops.insert(0, str(value.numerator))
+        return rf"\frac{{{thin.join(tops)}}}{{{thin.join(bottoms)}}}"
+
+    def root(self, above, below):
+        return rf"\sqrt{{{self.product(ONE, (*above, *((base, -e) for base, e in below)))}}}"
+
+
+latex = Latex()

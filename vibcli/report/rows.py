@@ -1,0 +1,54 @@
+"""Rows of the tables of modes: frequencies, damping, shapes."""
+
+from cmath import polar as to_polar
+from math import degrees
+
+from vibcli.report.figures import figure, table
+from vibcli.report.notation import plain
+from vibcli.report.results import TURN
+
+
+def mode_row(mode):
+    number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
+    if mode.omega is None:
+        return number, "–", "–", "–", error, f"unstable: grows as exp({figure(float(mode.growth_rate), mode.error)}·t)"
+    omega = float(mode.omega)
+    if not omega:
+        return number, "0", "0", "∞", "exact", "rigid-body mode"
+    return (number, figure(omega, mode.error), figure(omega / TURN, mode.error), figure(TURN / omega, mode.error), error, "")
+
+
+def damped_row(mode):
+    error = f"{mode.error:.0e}" if mode.error else "exact"
+    note = mode.note or ""
+    if not note and mode.omega_d is None and mode.omega:
+        note = "over-damped" if mode.zeta is not None else "real eigenvalue"
+    if mode.growth_rate:
+        note = "unstable"
+    return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), mode.error),
+            figure(_float(mode.omega_d), mode.error),
+            figure(TURN / float(mode.omega_d), mode.error) if mode.omega_d else "–",
+            figure(_float(mode.decay), mode.error), error, note)
+
+
+def _float(value):
+    return None if value is None else float(value)
+
+
+def _real(value):
+    value = complex(value).real
+    return figure(0.0 if abs(value) < 1e-12 else value)
+
+
+def polar(value):
+    size, angle = to_polar(complex(value))
+    return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
+
+
+def shape_rows(names, shapes, write=_real):
+    """A table of shapes: a column a mode, or a row a mode where there are many coordinates."""
+    if len(shapes) > 8:
+        return [f"mode {i + 1}: " + " ".join(write(value) for value in shape[:12]) + (" …" if len(shape) > 12 else "")
+                for i, shape in enumerate(shapes[:12])] + (["…"] if len(shapes) > 12 else [])
+    rows = [(plain.symbol(name), *(write(shape[i]) for shape in shapes)) for i, name in enumerate(names)]
+    return table(rows, ("", *(f"mode {i + 1}" for i in range(len(shapes)))))
