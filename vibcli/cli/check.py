@@ -113,9 +113,13 @@ def _data(verdict):
 
 
 def _summary(counts):
-    parts = [f"{counts['agree']} answers agree"]
+    parts = [f"{_count(counts['agree'], 'answer')} agree" + "s" * (counts["agree"] == 1)]
     if counts["differ"]:
-        parts.append(f"{counts['differ']} differ")
+        parts.append(f"{counts['differ']} differ" + "s" * (counts["differ"] == 1))
     if counts["failed"]:
-        parts.append(f"{counts['failed']} files could not be checked")
-    return f"{', '.join(parts)} in {counts['files']} files"
+        parts.append(f"{_count(counts['failed'], 'file')} could not be checked")
+    return f"{', '.join(parts)} in {_count(counts['files'], 'file')}"
+
+
+def _count(number, what):
+    return f"{number} {what}" + ("" if number == 1 else "s")

@@ -11,7 +11,7 @@ def abbreviated(table, nodes, known):
     for node in nodes:
         for base in _rooted(node):
             if base not in known:
-                known[base] = table.parameter(f"ℓ{len(known) + 1}")
+                known[base] = table.variable(f"ℓ{len(known) + 1}")
                 new.append((known[base], table.power(base, HALF)))
     return [_replaced(table, node, known) for node in nodes], new
 

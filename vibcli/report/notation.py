@@ -105,11 +105,14 @@ class Notation:
             return self.call(base.name, base.args[0], exponent)
         if exponent == 1:
             return self.write(base, 0 if alone else 1)
+        if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
+            leading = min(base.args, key=_rank)
+            base = -base if leading[1] < 0 else base
         return self.power(self.write(base, 2), self.number(exponent))
 
 
 class Plain(Notation):
-    """Unicode text."""
+    """Unicode text; a no-break space holds a function and its argument together."""
 
     def number(self, value):
         return decimal(value)
@@ -137,7 +140,7 @@ class Plain(Notation):
     def call(self, name, arg, exponent):
         head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
         inner = self.write(arg, 0)
-        return f"{head} {inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
+        return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
 
     def product(self, value, args):
         above, below, root_above, root_below = self.factors(value, args)

@@ -223,7 +223,7 @@ class Report:
         self.section("Mode shapes (the first coordinate is 1)", lines)
 
     def text(self):
-        return "\n".join(self.lines)
+        return "\n".join(self.lines).replace("\u00a0", " ")
 
 
 def _unit(dimension):
