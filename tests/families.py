@@ -81,7 +81,7 @@ def general(random, n, ratio):
 
 def full_mass(random, n, ratio):
     """Coordinates coupled through the masses, as relative coordinates are."""
-    inertias = [(_weight(random, 1e3), {j: 1.0 for j in range(i + 1)}) for i in range(n)]
+    inertias = [(_weight(random, 1e3), dict.fromkeys(range(i + 1), 1.0)) for i in range(n)]
     inertias += [(_weight(random, 1e3), {i: random.uniform(-1, 1), (i + 1) % n: 1.0}) for i in range(n)]
     springs = [(_weight(random, ratio), {i: 1.0}) for i in range(n)]
     return _with_rows(n, inertias, springs)

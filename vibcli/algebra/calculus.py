@@ -2,7 +2,7 @@
 
 from fractions import Fraction
 
-from vibcli.algebra.expression import HALF, ONE, reachable
+from vibcli.algebra.expression import HALF, ONE, Node, reachable
 
 
 def gradient(node):
@@ -42,7 +42,7 @@ def _collect(table, pairs):
     terms = {}
     for part, weight in pairs:
         for variable, slope in part.gradient.items():
-            term = (slope, weight) if isinstance(weight, Fraction) else (slope * weight, ONE)
+            term = (slope * weight, ONE) if weight.__class__ is Node else (slope, weight)
             terms.setdefault(variable, []).append(term)
     found = {variable: table.sum(*parts) for variable, parts in terms.items()}
     return {variable: slope for variable, slope in found.items() if not slope.is_zero}

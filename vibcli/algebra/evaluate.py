@@ -7,7 +7,7 @@ sums and products use the operators of the numbers themselves.
 import math
 from fractions import Fraction
 
-from vibcli.algebra.expression import ONE, bits, reachable
+from vibcli.algebra.expression import HALF, ONE, bits, reachable
 
 
 def evaluate(nodes, arithmetic, values):
@@ -54,10 +54,10 @@ class Floats:
     @staticmethod
     def power(base, exponent):
         try:
-            if exponent == Fraction(1, 2):
-                return math.sqrt(base)
             if exponent.denominator == 1:
                 return base**exponent.numerator
+            if exponent == HALF:
+                return math.sqrt(base)
             return base ** (exponent.numerator / exponent.denominator) if base >= 0 else math.nan
         except (ValueError, OverflowError, ZeroDivisionError):
             return math.nan
@@ -94,9 +94,7 @@ class Rationals:
     def pi(self):
         raise self.Irrational
 
-    @staticmethod
-    def number(value):
-        return value
+    number = Fraction
 
     @classmethod
     def power(cls, base, exponent):
@@ -134,7 +132,7 @@ def multiprecision():
         def power(base, exponent):
             if exponent.denominator == 1:
                 return base**exponent.numerator
-            if exponent == Fraction(1, 2):
+            if exponent == HALF:
                 return mpmath.sqrt(base)
             return mpmath.power(base, mpmath.mpf(exponent.numerator) / exponent.denominator)
 

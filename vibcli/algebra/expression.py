@@ -6,15 +6,17 @@ A node is one of
     sum      c₀ + Σ cᵢ·nodeᵢ                        product  c·Π nodeᵢ^eᵢ, rational cᵢ, c, eᵢ
     call     a function of nodes                   pi
 
-Only rational literals fold, and only while the result stays within BITS; parameters are leaves. Every walk is
-iterative, because a node is always made after its parts: ascending `index` is an order of evaluation.
+Rationals are ints where they are whole, else Fractions. Only rational literals fold, and only while the result stays
+within BITS; parameters are leaves. Every walk is iterative, because a node is always made after its parts: ascending
+`index` is an order of evaluation.
 """
 
 from fractions import Fraction
 from math import isqrt
+from operator import attrgetter
 
 BITS = 256
-ZERO, ONE, HALF = Fraction(0), Fraction(1), Fraction(1, 2)
+ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
 
 
 class Node:
@@ -58,6 +60,13 @@ class Node:
         return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
 
 
+def exact(value):
+    """A rational as an int where it is whole (an order of magnitude faster than a Fraction), else as a Fraction."""
+    if value.__class__ is not Fraction:
+        value = Fraction(value)
+    return value.numerator if value.denominator == 1 else value
+
+
 def bits(value):
     return value.numerator.bit_length() + value.denominator.bit_length()
 
@@ -92,7 +101,7 @@ class Table:
         return node
 
     def number(self, value):
-        return self._make("number", (), Fraction(value), 0)
+        return self._make("number", (), value if value.__class__ is int else exact(value), 0)
 
     def node(self, value):
         return value if isinstance(value, Node) else self.number(value)
@@ -122,19 +131,20 @@ class Table:
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
         constant, collected = ZERO, {}
         for node, factor in terms:
+            if factor.__class__ is not int:
+                factor = exact(factor)
             if node.op == "sum":
-                parts = node.args
                 constant += factor * node.coefficient
-            else:
-                parts = ((node, ONE),)
-            for part, c in parts:
-                if part.op == "number" and bits(part.coefficient) <= BITS:
-                    constant += factor * c * part.coefficient
-                    continue
-                if part.op == "product" and part.coefficient != 1:
-                    c = c * part.coefficient
-                    part = self._bare(part)
-                collected[part] = collected.get(part, ZERO) + factor * c
+                for part, c in node.args:
+                    collected[part] = collected.get(part, ZERO) + factor * c
+                continue
+            if node.op == "number" and bits(node.coefficient) <= BITS:
+                constant += factor * node.coefficient
+                continue
+            if node.op == "product" and node.coefficient != 1:
+                factor = factor * node.coefficient
+                node = self._bare(node)
+            collected[node] = collected.get(node, ZERO) + factor
         return self._sum(constant, collected)
 
     def _bare(self, product):
@@ -148,7 +158,7 @@ class Table:
         if bits(constant) > BITS:
             collected[self.number(constant)] = ONE
             constant = ZERO
-        args = [(node, c) for node, c in collected.items() if c]
+        args = [(node, c if c.__class__ is int else exact(c)) for node, c in collected.items() if c]
         if not args:
             return self.number(constant)
         if len(args) == 1 and not constant:
@@ -158,18 +168,20 @@ class Table:
             if node.op == "product":
                 return self._make("product", node.args, c, node.mask)
             return self._make("product", ((node, ONE),), c, node.mask)
-        args.sort(key=lambda arg: arg[0].index)
+        args.sort(key=_index_of_first)
         mask = 0
         for node, _ in args:
             mask |= node.mask
-        return self._make("sum", tuple(args), constant, mask)
+        return self._make("sum", tuple(args), exact(constant), mask)
 
     def product(self, *factors):
         """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
         coefficient, collected = ONE, {}
         for node, exponent in factors:
+            if exponent.__class__ is not int:
+                exponent = exact(exponent)
             coefficient = self._gather(node, exponent, coefficient, collected)
-        args = [(base, e) for base, e in collected.items() if e]
+        args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
         if not coefficient:
             return self.zero
         if bits(coefficient) > BITS:
@@ -183,11 +195,11 @@ class Table:
                 return base
             if base.op == "sum":
                 return self.sum((base, coefficient))
-        args.sort(key=lambda arg: arg[0].index)
+        args.sort(key=_index_of_first)
         mask = 0
         for base, _ in args:
             mask |= base.mask
-        return self._make("product", tuple(args), coefficient, mask)
+        return self._make("product", tuple(args), exact(coefficient), mask)
 
     def _gather(self, node, exponent, coefficient, collected):
         """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
@@ -211,7 +223,7 @@ class Table:
                 base = self.scaled(base, -ONE)
                 coefficient = coefficient if e.numerator % 2 == 0 else -coefficient
             collected[base] = collected.get(base, ZERO) + e
-            if base.op == "number" and collected[base].denominator == 1:
+            if base.op == "number" and _rational_power(base.coefficient, collected[base]) is not None:
                 pending.append((base, collected.pop(base)))
         return coefficient
 
@@ -247,7 +259,7 @@ class Table:
             if exponent.op != "number":
                 return self.call("power", base, exponent)
             exponent = exponent.coefficient
-        exponent = Fraction(exponent)
+        exponent = exact(exponent)
         if abs(exponent.numerator) > 1000 or exponent.denominator > 1000:
             return self.call("power", base, self.number(exponent))
         if base.op == "number" and not base.coefficient and exponent <= 0:
@@ -277,12 +289,11 @@ class Table:
             mask |= arg.mask
         return self._make("call", tuple(args), ONE, mask, name)
 
-
     def _at_multiple_of_pi(self, name, angle):
         """sin or cos of a multiple of π/6 or π/4; None of other angles."""
         if angle is not self.pi and not (angle.op == "product" and angle.args == ((self.pi, ONE),)):
             return None
-        turns = angle.coefficient / 2 + (Fraction(1, 4) if name == "cos" else ZERO)
+        turns = angle.coefficient * HALF + (Fraction(1, 4) if name == "cos" else ZERO)
         turns %= 1
         sign = -ONE if turns > HALF else ONE
         turns = min(turns % HALF, HALF - turns % HALF)
@@ -296,6 +307,13 @@ _EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (
           "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0)}
 _ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
 _EVEN = {"cos", "cosh", "abs"}
+
+
+_index = attrgetter("index")
+
+
+def _index_of_first(pair):
+    return pair[0].index
 
 
 def _is_negative(node):
@@ -315,11 +333,11 @@ def _rational_power(base, exponent):
         power = exponent.numerator
         if not base and power <= 0:
             raise ZeroDivisionError("division by zero")
-        return base**power if bits(base) * abs(power) <= BITS else None
+        return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
     if exponent.denominator == 2 and base >= 0:
         up, down = isqrt(base.numerator), isqrt(base.denominator)
         if up * up == base.numerator and down * down == base.denominator:
-            return _rational_power(Fraction(up, down), exponent * 2)
+            return _rational_power(exact(Fraction(up, down)), exact(exponent * 2))
     return None
 
 
@@ -334,4 +352,4 @@ def reachable(nodes):
                 pending.extend(arg for arg, _ in node.args if arg not in seen)
             elif node.op == "call":
                 pending.extend(node.args)
-    return sorted(seen, key=lambda node: node.index)
+    return sorted(seen, key=_index)

@@ -1,4 +1,4 @@
-"""Eigenvalues of a small real block in fixed point: of two rows by the quadratic formula, of more by mpmath."""
+"""Eigenvalues of a small real block in fixed point: two rows by the quadratic formula, more by mpmath."""
 
 import math
 
@@ -58,12 +58,14 @@ def _of_two(block, bits):
     root = math.isqrt(abs(square))
     if square < 0:
         return [(middle, root, _direction(a, b, c, d, middle, root, bits))]
-    return [(middle + sign * root, 0, _direction(a, b, c, d, middle + sign * root, 0, bits)) for sign in (1, -1)]
+    ends = middle + root, middle - root
+    return [(end, 0, _direction(a, b, c, d, end, 0, bits)) for end in ends]
 
 
 def _direction(a, b, c, d, re, im, bits):
     """A null vector of [[a − λ, b], [c, d − λ]]: the better determined of two."""
-    upper, lower = floats(np.array([b, re - a, im], object), bits), floats(np.array([re - d, im, c], object), bits)
+    upper = floats(np.array([b, re - a, im], object), bits)
+    lower = floats(np.array([re - d, im, c], object), bits)
     choices = np.array([[upper[0], upper[1] + 1j * upper[2]], [lower[0] + 1j * lower[1], lower[2]]])
     best = choices[int(np.argmax(np.abs(choices).sum(axis=1)))]
     if not best.any():
@@ -78,7 +80,8 @@ def _of_many(block, bits):
 
     k, out = len(block), []
     with mpmath.workprec(bits + 64):
-        matrix = mpmath.matrix([[mpmath.ldexp(mpmath.mpf(int(x)), -bits) for x in row] for row in block.tolist()])
+        rows = [[mpmath.ldexp(mpmath.mpf(x), -bits) for x in row] for row in block.tolist()]
+        matrix = mpmath.matrix(rows)
         values, vectors = mpmath.eig(matrix)
         for place, value in enumerate(map(mpmath.mpc, values)):
             real = abs(value.imag) <= mpmath.ldexp(abs(value), -(bits // (2 * k)))

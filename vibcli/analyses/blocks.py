@@ -1,8 +1,8 @@
 """Eigenvalues of a real matrix in fixed point through a block diagonal form, each with a bound.
 
-A V = V (T + E) with T of small blocks: one for each real eigenvalue, each conjugate pair, and each group whose
-eigenvectors nearly coincide, as at critical damping (Bavely & Stewart 1979). V, T and the residual are in fixed
-point, V⁻¹ in floats; each step removes some fifty bits of E.
+A V = V (T + E) with T of small blocks: one for each real eigenvalue, each conjugate pair, and each group
+whose eigenvectors nearly coincide, as at critical damping (Bavely & Stewart 1979). V, T and the residual are
+in fixed point, V⁻¹ in floats; each step removes some fifty bits of E.
 """
 
 import math
@@ -17,7 +17,7 @@ PARALLEL = 1e4
 
 
 class Root:
-    """An eigenvalue re + i im in fixed point, |exact − value| <= 2^radius, with right and left vectors in floats.
+    """An eigenvalue re + i im in fixed point, |exact − value| <= 2^radius; its vectors in floats.
 
     Of a conjugate pair the one with im > 0; left · right = 1.
     """
@@ -39,7 +39,8 @@ def eigenvalues(apply, matrix, bits, enough, noise):
     for _ in range(20 + bits // 30):
         form.measure(apply)
         norms = form.unknown(noise)
-        found = [root for part, off in zip(form.blocks, norms, strict=True) for root in form.roots(part, off)]
+        found = [root for part, off in zip(form.blocks, norms, strict=True)
+                 for root in form.roots(part, off)]
         total = max(norms)
         stalled = stalled + 1 if total > best - 1 else 0
         best = min(best, total)
@@ -92,13 +93,13 @@ class BlockForm:
         return [float(rows[part].max()) + math.log2(len(part)) / 2 for part in self.blocks]
 
     def roots(self, part, off):
-        """The eigenvalues of one block of T, and how far 2^off, the norm of E in its rows, can move them."""
+        """The eigenvalues of one block of T; 2^off, the norm of E in its rows, bounds what can move them."""
         block = self.t[np.ix_(part, part)]
         return [Root(re, im, radius, self.vf[:, part] @ right, left @ self.inverse[part])
                 for re, im, radius, right, left in roots_of_block(block, self.bits, off)]
 
     def improve(self):
-        """One step of first order, V(I + X), T + diag E; blocks it cannot separate are joined and split anew."""
+        """A step of first order: V(I + X), T + diag E; blocks it cannot separate are joined and split anew."""
         blocks, bits = self.blocks, self.bits
         x, close = separation(floats(self.t, bits), blocks, self.e, self.shift)
         joined = components(close)
@@ -135,7 +136,7 @@ class BlockForm:
 
 
 def split(matrix):
-    """A real basis R of invariant subspaces of a float matrix, and their index sets: R⁻¹ A R ≈ block diagonal."""
+    """A real basis R of invariant subspaces of a float matrix, and their index sets."""
     values, vectors = np.linalg.eig(matrix)
     units = []
     for i, value in enumerate(values):
@@ -145,8 +146,8 @@ def split(matrix):
             units.append(([complex(value)], np.linalg.qr(columns)[0]))
     while True:
         r = np.concatenate([basis for _, basis in units], axis=1)
-        edges = np.cumsum([0] + [basis.shape[1] for _, basis in units])
-        blocks = [np.arange(a, b) for a, b in zip(edges[:-1], edges[1:], strict=True)]
+        edges = np.cumsum([basis.shape[1] for _, basis in units])
+        blocks = np.split(np.arange(len(r)), edges[:-1])
         try:
             steep = np.linalg.norm(np.linalg.inv(r), axis=1)
         except np.linalg.LinAlgError:
@@ -177,11 +178,12 @@ def separation(t, blocks, e, shift):
     sizes = {}
     for i, part in enumerate(blocks):
         sizes.setdefault(len(part), []).append(i)
-    for p, first in sizes.items():
-        for q, second in sizes.items():
+    for first in sizes.values():
+        for second in sizes.values():
             a, b = np.array([blocks[i] for i in first]), np.array([blocks[j] for j in second])
             rows, columns = a[:, None, :, None], b[None, :, None, :]
-            part = _sylvester(t[a[:, :, None], a[:, None, :]], t[b[:, :, None], b[:, None, :]], e[rows, columns])
+            own, other = t[a[:, :, None], a[:, None, :]], t[b[:, :, None], b[:, None, :]]
+            part = _sylvester(own, other, e[rows, columns])
             far = np.ldexp(np.abs(part).max(axis=(2, 3)), -shift) > 0.05
             far |= ~np.isfinite(part).all(axis=(2, 3))
             far &= np.array(first)[:, None] != np.array(second)[None, :]
@@ -195,7 +197,7 @@ def separation(t, blocks, e, shift):
 
 
 def _sylvester(a, b, c):
-    """X with a X − X b = −c for stacks of blocks a (r, p, p), b (s, q, q), c (r, s, p, q); NaN where singular."""
+    """X with a X − X b = −c, for stacks a (r, p, p), b (s, q, q), c (r, s, p, q); NaN where singular."""
     p, q = a.shape[1], b.shape[1]
     if p == q == 1:
         with np.errstate(divide="ignore", invalid="ignore"):

@@ -17,7 +17,7 @@ GUARDS = (160, 640, 2560)
 class Enclosed:
     """Scaled eigenvalues λ̂ = ω̂² in fixed point with what bounds them, and M̂-normalised shapes in columns.
 
-    zeros: how many vanish by structure, or None where that is not known; zero: flags of those that are zero.
+    zeros: how many vanish by structure, None where that is not known; zero: flags of those that are zero.
     off: log2 of a bound of the error of each λ̂.
     """
 
@@ -57,7 +57,8 @@ class Enclosed:
 
     def settled(self, goal):
         """Whether every value is known to `goal` and every zero follows from the structure."""
-        return (self.zeros is not None or not self.zero.any()) and bool((self.errors() <= math.log2(goal)).all())
+        decided = self.zeros is not None or not self.zero.any()
+        return decided and bool((self.errors() <= math.log2(goal)).all())
 
 
 def enclosed(elements, scale, zeros, goal=60):
@@ -123,7 +124,7 @@ def standard(elements, scale, bits):
 
 
 def reduced_by_mass(m, k, massive, bits):
-    """A = L⁻¹ k L⁻ᵀ, L (its diagonal alone where m is diagonal) and how much the rounding of m and k grew."""
+    """A = L⁻¹ k L⁻ᵀ; L, or its diagonal alone where m is diagonal; how much the rounding of m and k grew."""
     n = len(m)
     if fx.is_diagonal(m):
         lower = np.array([math.isqrt(x << bits) if x > 0 else 0 for x in m.diagonal().tolist()], object)
@@ -149,7 +150,7 @@ def condensed(k, massive, massless, bits, names=None):
 
 
 def inverted(a, names, bits):
-    """The inverse of a fixed-point matrix by Gauss–Jordan elimination, the largest pivot of each column first."""
+    """The inverse of a fixed-point matrix by Gauss–Jordan elimination, and how much rounding may grow by it."""
     n = len(a)
     work = np.concatenate([a, fx.identity(n, bits)], axis=1)
     left, order = list(range(n)), []
@@ -169,9 +170,10 @@ def inverted(a, names, bits):
 
 
 def sensitivity(elements, scale, shapes, sizes):
-    """First-order change of each λ̂ per relative rounding: of every weight and component; of the sums in K."""
+    """First-order change of each λ̂ per relative rounding of every weight and component; of the sums in K."""
     p, rows, sums = scale.coordinates, np.zeros(shapes.shape[1]), np.zeros(shapes.shape[1])
-    for terms, base, factor in ((elements.springs, scale.stiffness, 1.0), (elements.inertias, scale.mass, sizes)):
+    kinds = (elements.springs, scale.stiffness, 1.0), (elements.inertias, scale.mass, sizes)
+    for terms, base, factor in kinds:
         for weight, row in terms:
             value, size = 0.0, 0.0
             for i, x in row.items():

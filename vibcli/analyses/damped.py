@@ -1,12 +1,14 @@
 """Damped free vibration: (λ² M + λ (C + G) + K) x = 0.
 
-Up to CERTIFIED coordinates in fixed point with a bound of every eigenvalue: modes without damping first, then
-the damping in them (quadratic.py), or directly where coordinates without inertia are damped (massless.py).
+Up to CERTIFIED coordinates in fixed point with a bound of every eigenvalue: modes without damping first,
+then the damping in them (quadratic.py), or directly where coordinates without inertia are damped
+(massless.py). Larger systems in floats (damped_floating.py), enclosed too where their bound is above ENOUGH.
 """
 
 import math
 
 from vibcli.analyses.modal import CERTIFIED, DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared
+from vibcli.analyses.scaled import exponent
 
 CERTIFIABLE = 80
 GOAL = 160
@@ -16,11 +18,22 @@ WANTED = 60
 def damped(elements, precise=None, exact=None, digits=None):
     """The damped modes by ascending |λ|; None where nothing damps and nothing turns (no C and no G).
 
-    `precise(dps)` evaluates the elements to dps digits, `exact()` as Fractions (None where they are irrational);
-    without either the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
+    `precise(dps)` evaluates the elements to dps digits, `exact()` as Fractions (None where they are
+    irrational); without either the floats are taken for exact. `digits`: this many correct digits, and
+    numbers of mpmath.
     """
-    if not any(c for c, _ in elements.dampers) and not any(elements.C.values()) and not any(elements.G.values()):
+    damps = any(c for c, _ in elements.dampers) or any(elements.C.values())
+    if not damps and not any(elements.G.values()):
         return None
+    try:
+        return _damped(elements, precise, exact, digits)
+    except OverflowError:
+        from vibcli.analyses.precise import beyond
+
+        raise beyond() from None
+
+
+def _damped(elements, precise, exact, digits):
     if digits is not None:
         return damped_digits(elements, precise, exact, digits)
     if elements.n > CERTIFIED:
@@ -59,10 +72,21 @@ def damped_digits(elements, precise, exact, digits):
     return collected(answer.system, answer.found, answer.scale, Digits, answer.shapes_in_digits())
 
 
+def depth(elements, scale):
+    """Bits that very strong or very weak dampers need besides."""
+    p, sizes = scale.coordinates, [0]
+    for weight, row in elements.dampers:
+        felt = [exponent(x) + p[i] for i, x in row.items() if x]
+        if weight and felt:
+            sizes.append(exponent(weight) - scale.damping + 2 * max(felt))
+    return max(0, 2 * (max(sizes) - 30), -min(sizes) - 40)
+
+
 class Answer:
     """The eigenvalues of `data`, which is `elements` in any arithmetic, with their bounds.
 
-    system: ModalDamping or massless.Reduced, which hold the basis of the vectors; unit: the rounding of the data.
+    system: ModalDamping or massless.Reduced, which hold the basis of the vectors; unit: log2 of the relative
+    rounding of the data.
     """
 
     __slots__ = ("decided", "found", "scale", "system")
@@ -72,6 +96,7 @@ class Answer:
         from vibcli.analyses.rigid import undamped_rigid
 
         self.scale, zeros = prepared(elements, bool(massless.dragged(elements)))
+        goal += depth(elements, self.scale)
         self.decided = zeros is not None
         if massless.dragged(elements):
             double = undamped_rigid(elements, zeros, data)
@@ -98,19 +123,18 @@ class Answer:
         """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
         from vibcli.analyses.fixed import log2
 
-        bits = self.system.bits
-        return self.decided and all(
-            d.radius - log2(math.isqrt(d.re * d.re + d.im * d.im), bits) <= goal for d in self.found if d.re or d.im)
+        bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
+        sizes = [log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
+        return self.decided and all(d.radius - size <= goal for d, size in zip(moving, sizes, strict=True))
 
     def shapes(self):
-        """The vectors in all coordinates, a column for each eigenvalue, the largest component real and positive."""
+        """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""
         import numpy as np
 
         from vibcli.analyses import fixed as fx
+        from vibcli.analyses.precise import in_units
 
-        scale, bits = self.scale, self.system.bits
-        basis = np.ldexp(fx.floats(self.system.basis, bits), np.array(scale.coordinates)[:, None])
-        basis = np.ldexp(basis / math.sqrt(2.0) if scale.mass % 2 else basis, -(scale.mass // 2))
+        basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
         out = basis @ np.array([d.x for d in self.found]).T
         lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]
         return out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead))

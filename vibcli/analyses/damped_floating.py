@@ -1,8 +1,8 @@
 """Damped modes of many coordinates in floats, with a bound of the rounding.
 
-In the modes without damping, y = (v, Ω q): v' = −C v − Ω u, u' = Ω v. Without C and with K positive that matrix is
-skew and i times it Hermitian: every Re λ is exactly zero. Otherwise `eig`; small eigenvalues of heavily damped
-systems from the inverse, which is known entry by entry (Tisseur & Meerbergen 2001, sect. 5).
+In the modes without damping, y = (v, Ω q): v' = −C v − Ω u, u' = Ω v. Without C and with K positive that
+matrix is skew and i times it Hermitian: every Re λ is exactly zero. Otherwise `eig`; small eigenvalues of
+heavily damped systems from the inverse, known entry by entry (Tisseur & Meerbergen 2001, sect. 5).
 """
 
 import math
@@ -12,6 +12,7 @@ import numpy as np
 from vibcli.analyses.damped_modes import DampedMode
 from vibcli.analyses.floating import approximate, dense
 from vibcli.analyses.modal import prepared
+from vibcli.analyses.precise import in_units
 from vibcli.analyses.quadratic import turning
 from vibcli.analyses.rigid import undamped_rigid
 from vibcli.errors import PhysicsError
@@ -108,9 +109,7 @@ def _modes(form, values, vectors, radius, scale):
             x = y[:k] / (value or 1.0)
             found.append((complex(value), x / np.linalg.norm(x), float(off / abs(value)) if value else 0.0))
     found.sort(key=lambda entry: abs(entry[0]))
-    basis = np.ldexp(form.shapes, np.array(scale.coordinates)[:, None])
-    basis = np.ldexp(basis / math.sqrt(2.0) if scale.mass % 2 else basis, -(scale.mass // 2))
-    out = []
+    basis, out = in_units(form.shapes, scale)[1], []
     for place, (value, x, error) in enumerate(found, 1):
         value = complex(math.ldexp(value.real, scale.time), math.ldexp(value.imag, scale.time))
         size, shape = abs(value), basis @ x

@@ -1,10 +1,9 @@
-"""Damped modes as they are handed on: numbered, in pairs where two real eigenvalues are one over-damped mode."""
+"""Damped modes as they are handed on: numbered, two real eigenvalues of one over-damped mode as a pair."""
 
 import math
 
 from vibcli.analyses import fixed as fx
 
-ZERO = 100
 ULP = 2.0 ** -52
 PROPORTIONAL = 1e-12
 
@@ -12,13 +11,14 @@ PROPORTIONAL = 1e-12
 class DampedMode:
     """One eigenvalue λ: of a conjugate pair that with Im λ > 0, or a real one; q = Re(shape e^{λt}).
 
-    omega = |λ|, zeta = −Re λ/|λ|, omega_d = Im λ or None, decay = −Re λ, growth_rate = Re λ where positive, else
-    None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂) and
+    omega = |λ|, zeta = −Re λ/|λ|, omega_d = Im λ or None, decay = −Re λ, growth_rate = Re λ where positive,
+    else None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂) and
     zeta = −(λ₁ + λ₂)/(2 omega); a real one that belongs to no such pair has zeta None. shape: complex, with
     shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|. note: what has to be said, or None.
     """
 
-    __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape", "zeta")
+    __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
+                 "zeta")
 
     def __init__(self, index, eigenvalue, omega, zeta, shape, error, note=None):
         self.index, self.eigenvalue, self.omega, self.zeta = index, eigenvalue, omega, zeta
@@ -38,7 +38,7 @@ def collected(system, found, scale, numbers, shapes):
         d = found[i]
         size = fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits)
         re = d.re
-        if re and d.radius <= size - ZERO and fx.log2(re, bits) <= d.radius:
+        if re and d.radius <= size - system.deep + 5 and fx.log2(re, bits) <= d.radius:
             re = 0
         value = numbers.complex(re, d.im, bits - scale.time)
         square, zeta = math.isqrt(re * re + d.im * d.im), None
@@ -52,7 +52,8 @@ def collected(system, found, scale, numbers, shapes):
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
         error = numbers.error(d.radius - size) if square else 0.0
-        out.append(DampedMode(place, value, numbers.number(square, bits - scale.time), zeta, shapes[:, i], error, note))
+        omega = numbers.number(square, bits - scale.time)
+        out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
     return out
 
 

@@ -1,9 +1,9 @@
 """Singular values of a factor in floats, by the cheapest way whose bound allows it.
 
 Plain SVD knows each value to 4 √n ε of the largest. Where that is too little: rows sorted by size, QR with
-complete pivoting (Powell & Reid 1969; Cox & Higham 1998), then one-sided Jacobi on Rᵀ (Drmač & Veselić 2008),
-in NumPy for some hundred columns, by LAPACK's dgejsv beyond: the error then depends on the condition of R with
-its rows made equally long, and the ratio of the stiffnesses drops out.
+complete pivoting (Powell & Reid 1969; Cox & Higham 1998), then one-sided Jacobi on Rᵀ (Drmač & Veselić
+2008), in NumPy for some hundred columns, by LAPACK's dgejsv beyond: the error then depends on the condition
+of R with its rows made equally long, and the ratio of the stiffnesses drops out.
 """
 
 import numpy as np
@@ -18,8 +18,8 @@ SWEEPS = 30
 def singular_vectors(x, zeros, known=1.0):
     """Singular values of x descending, right singular vectors in columns, a relative bound for each value.
 
-    `zeros`: how many vanish by structure; they and their vectors come last. `known`: how many times its rounding
-    x may be off.
+    `zeros`: how many vanish by structure; they and their vectors come last. `known`: how many times its
+    rounding x may be off.
     """
     n = x.shape[1]
     tall = x if len(x) >= n else np.vstack([x, np.zeros((n - len(x), n))])
@@ -45,9 +45,9 @@ def singular_vectors(x, zeros, known=1.0):
 
 
 def pivoted_qr(a):
-    """R and the order of columns with a[:, order] = Q R, rows sorted, columns and rows exchanged for the pivots."""
+    """R and the order with a[:, order] = Q R; rows sorted, columns and rows exchanged for the pivots."""
     a = a[np.argsort(-np.abs(a).max(axis=1), kind="stable")]
-    m, n = a.shape
+    n = a.shape[1]
     order = np.arange(n)
     for k in range(n):
         j = k + int(np.argmax((a[k:, k:] ** 2).sum(axis=0)))
@@ -65,7 +65,7 @@ def pivoted_qr(a):
 
 
 def jacobi(a):
-    """Left singular vectors and singular values (descending) of a by rotations of its columns (Hestenes 1958)."""
+    """Left singular vectors and singular values, descending, by rotations of columns (Hestenes 1958)."""
     a = np.array(a, order="F")
     n = a.shape[1]
     for _ in range(SWEEPS):
@@ -115,7 +115,7 @@ def _jacobi_by_lapack(a):
 
 
 def mass_factor(rows):
-    """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the sorted rows: the product is never assembled."""
+    """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the sorted rows, never from the product."""
     order = np.argsort(-np.abs(rows).max(axis=1), kind="stable")
     r = np.linalg.qr(rows[order], mode="r")
     return (r * np.copysign(1.0, r.diagonal())[:, None]).T

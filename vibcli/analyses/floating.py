@@ -32,14 +32,14 @@ def approximate(elements, scale, zeros):
     rows = scaled_rows(elements.springs, scale.coordinates, scale.stiffness, n)
     lower = _mass(elements, scale, range(n))
     x = rows / lower if lower.ndim == 1 else _solved(lower, rows.T).T
-    known = 1.0 if lower.ndim == 1 else 1.0 + np.linalg.cond(lower)
+    known = 1.0 if lower.ndim == 1 else 1.0 + _growth(lower)
     sigma, v, bound = singular_vectors(x, zeros, known)
     sigma[n - zeros:] = 0.0
     return Approximate(sigma ** 2, _back(lower, v), bound + 2 * UNIT)
 
 
 def scaled_rows(terms, powers, scale, n):
-    """√(2^-scale w) s D as a dense array, a term to a row; powers of two enter exactly, by halves under the root."""
+    """√(2^-scale w) s D as a dense array, a term to a row; powers of two enter exactly."""
     out = np.zeros((len(terms), n))
     for place, (weight, row) in enumerate(terms):
         m, e = np.frexp(float(weight))
@@ -87,6 +87,12 @@ def _solved(triangle, b):
     from scipy.linalg import solve_triangular
 
     return solve_triangular(triangle, b, lower=not np.any(np.triu(triangle, 1)))
+
+
+def _growth(triangle):
+    """How much solving with a triangle may add to the rounding (Skeel 1979), free of the size of its rows."""
+    inverse = _solved(triangle, np.eye(len(triangle)))
+    return float(np.linalg.norm(np.abs(inverse) @ np.abs(triangle), 2))
 
 
 def _back(lower, v):

@@ -13,7 +13,7 @@ import numpy as np
 from vibcli.analyses import fixed as fx
 from vibcli.analyses.blocks import eigenvalues
 from vibcli.analyses.certified import condensed, inverted, reduced_by_mass, spread
-from vibcli.analyses.quadratic import Eigenvalue, turning, vanishing
+from vibcli.analyses.quadratic import Eigenvalue, known, turning, vanishing
 from vibcli.analyses.symmetric import spectrum
 from vibcli.errors import PhysicsError
 
@@ -28,15 +28,15 @@ def dragged(elements):
 class Reduced:
     """Fixed-point C, K of the massive coordinates and the dragged directions in which C_zz is regular.
 
-    basis: columns that give all coordinates from those; massive: how many of them have inertia, scaled to M = I.
+    basis: columns that give all coordinates from those; massive: how many have inertia, scaled to M = I.
     """
 
-    __slots__ = ("basis", "bits", "c", "coupled", "k", "massive", "release", "zeros")
+    __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "massive", "release", "zeros")
 
     def __init__(self, elements, scale, zeros, goal):
         n, p = elements.n, scale.coordinates
         self.bits = bits = 2 * goal + spread(elements, scale)
-        self.coupled, self.zeros = goal - 30, zeros
+        self.coupled, self.deep, self.zeros = goal - 30, goal - 50, zeros
         m = fx.assembled(n, elements.inertias, elements.M, p, scale.mass, bits)
         c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, bits)
         k = fx.assembled(n, elements.springs, elements.K, p, scale.stiffness, bits)
@@ -90,8 +90,7 @@ class Reduced:
         top = math.log2(np.abs(matrix).max())
 
         def enough(root):
-            size, decay = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, fx.log2(root.re, bits)
-            return root.radius <= max(decay - wanted, size - wanted - 50) or max(size, root.radius) <= top - 60
+            return known(root, bits, wanted, self.deep, top - 60)
 
         found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
         return [self._full(root, h, zero) for root, zero in vanishing(found, self.zeros)]

@@ -1,14 +1,15 @@
 """Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
 
-Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic (certified.py).
-Larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (floating.py);
-up to CERTIFIABLE coordinates they are enclosed too where that bound is above ENOUGH.
+Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic
+(certified.py). Larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their
+rounding (floating.py); up to CERTIFIABLE coordinates they are enclosed too where that bound is above ENOUGH.
 """
 
 import math
 
 from vibcli.analyses.rigid import rigid_count
 from vibcli.analyses.scaled import mechanism, scaling
+from vibcli.errors import PhysicsError
 
 CERTIFIED = 40
 CERTIFIABLE = 120
@@ -23,7 +24,7 @@ class Mode:
     """One mode, q = shape · cos ωt with shapeᵀ M shape = 1.
 
     omega: 0 exactly if rigid, None if unstable; growth_rate: > 0 if unstable, else None. error: bound of the
-    relative error of either. direction: shape but for one factor, its bits independent of the units of mass.
+    relative error of either. direction: shape but for one factor, its bits independent of units.
     """
 
     __slots__ = ("direction", "error", "growth_rate", "index", "omega", "rigid", "shape")
@@ -37,9 +38,18 @@ class Mode:
 def undamped(elements, precise=None, digits=None):
     """The modes by ascending ω²: unstable, then rigid, then the others, each with its relative error bound.
 
-    `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide; without
-    it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
+    `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
+    without it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
     """
+    try:
+        return _undamped(elements, precise, digits)
+    except OverflowError:
+        from vibcli.analyses.precise import beyond
+
+        raise beyond() from None
+
+
+def _undamped(elements, precise, digits):
     scale, zeros = prepared(elements)
     if digits is not None:
         return undamped_digits(elements, scale, zeros, precise, digits)
@@ -62,6 +72,8 @@ def prepared(elements, dragged=False):
     scale = scaling(elements)
     if not dragged:
         check_ties(elements)
+        if len(elements.massless) == elements.n:
+            raise PhysicsError("nothing in the scene has inertia: nothing can vibrate", hint="give a mass")
     return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
 
 
@@ -150,9 +162,9 @@ def many_modes(answer, scale):
     """Mode objects of approximate eigenvalues in floats."""
     import numpy as np
 
-    direction = np.ldexp(answer.shapes, np.array(scale.coordinates)[:, None])
-    full = np.ldexp(direction / math.sqrt(2.0) if scale.mass % 2 else direction, -(scale.mass // 2))
-    out = []
+    from vibcli.analyses.precise import in_units
+
+    (direction, full), out = in_units(answer.shapes, scale), []
     for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):
         value = float(answer.values[i])
         rate = math.ldexp(math.sqrt(abs(value)), scale.time)

@@ -1,12 +1,14 @@
-"""Fixed-point results as numbers: nearest floats, or mpmath's where digits were asked for; and what digits cost."""
+"""Fixed-point results as numbers: floats, or mpmath's where digits were asked for; and what digits cost."""
 
 import math
 
 import numpy as np
 
 from vibcli.analyses import fixed as fx
+from vibcli.errors import PhysicsError
 
 GUARD_DIGITS = 10
+SMALLEST = 2.0 ** -1022
 
 
 class Floats:
@@ -25,14 +27,31 @@ class Floats:
     @staticmethod
     def number(a, bits):
         """a / 2^bits."""
-        return fx.to_float(int(a), bits)
+        try:
+            out = fx.to_float(int(a), bits)
+        except OverflowError:
+            out = math.inf
+        if math.isinf(out) or (a and abs(out) < SMALLEST):
+            raise beyond()
+        return out
 
     @staticmethod
     def array(a, bits):
-        """An array of integers over 2^bits; bits may be an array of its shape."""
-        if np.ndim(bits) == 0:
-            return fx.floats(a, bits)
-        return np.ldexp(fx.floats(a, int(bits.max())), int(bits.max()) - bits)
+        """An array of integers over 2^bits, an array of its shape."""
+        top = int(bits.max())
+        out = np.ldexp(fx.floats(a, top), top - bits)
+        if not np.isfinite(out).all():
+            raise beyond()
+        return out
+
+
+def in_units(shapes, scale):
+    """Scaled shapes in floats, a column each, in the units of the coordinates: D q̂, and that over √(mass unit)."""
+    direction = np.ldexp(shapes, np.array(scale.coordinates)[:, None])
+    full = np.ldexp(direction / math.sqrt(2.0) if scale.mass % 2 else direction, -(scale.mass // 2))
+    if not np.isfinite(full).all():
+        raise beyond()
+    return direction, full
 
 
 class Digits:
@@ -61,12 +80,18 @@ class Digits:
 
     @classmethod
     def array(cls, a, bits):
-        """An array of integers over 2^bits; bits may be an array of its shape."""
+        """An array of integers over 2^bits, a number or an array of its shape."""
         out = np.empty(a.shape, object)
         bits = np.broadcast_to(bits, a.shape)
         for at in np.ndindex(a.shape):
             out[at] = cls.number(a[at], bits[at])
         return out
+
+
+def beyond():
+    """The refusal of a result that floats cannot hold."""
+    return PhysicsError("a frequency or a mode shape is beyond the range of floating-point numbers",
+                        hint="check the units, or ask for it with --digits")
 
 
 def working_bits(digits):
@@ -81,7 +106,7 @@ class Effort:
 
 
 def estimate_seconds(n, digits, damped=False):
-    """About how long `digits` digits take for n coordinates: a model fitted to measurements, good to a factor 3."""
+    """About how long `digits` digits take for n coordinates: fitted to measurements, good to a factor 3."""
     bits = 2 * working_bits(digits) + 160
     product = (n + 2) ** 3 * (Effort.flat + Effort.slope * bits ** 1.58)
     steps = 5 * (2 + math.log2(1 + digits / 15))

@@ -1,7 +1,7 @@
 """Damping in the modes without damping: λ² + λ C_m + diag(ω̂²) in fixed point, and its eigenvalues.
 
 Modes that no damping couples are quadratic equations of their own; the others are solved together from the
-first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has no u: one zero for each leaves exactly.
+first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has no u: one zero each leaves exactly.
 """
 
 import math
@@ -16,8 +16,8 @@ from vibcli.analyses.symmetric import components, spectrum
 class Eigenvalue:
     """λ = re + i im in fixed point, |exact − λ| <= 2^radius, of a conjugate pair that with im > 0.
 
-    x: the vector in the columns of `basis`. left: row y with y (δM λ² + δC λ + δK) x the change of −λ. mode: the
-    undamped mode that it belongs to alone, or None; excess: then c² − 4 ω̂² in fixed point.
+    x: the vector in the columns of `basis`. left: row y with y (δM λ² + δC λ + δK) x the change of −λ.
+    mode: the undamped mode that it belongs to alone, or None; excess: then c² − 4 ω̂² in fixed point.
     """
 
     __slots__ = ("excess", "im", "left", "mode", "radius", "re", "x")
@@ -28,18 +28,20 @@ class Eigenvalue:
 
 
 class ModalDamping:
-    """Modes (columns of basis), values ω̂² (0 for rigid ones) and damping c in their coordinates, in fixed point.
+    """Modes (columns of basis), values ω̂² (0 if rigid) and damping c in their coordinates, in fixed point.
 
-    same, coupled: bits to which frequencies have to agree to count as repeated, couplings to vanish as absent.
+    same, coupled: bits to which frequencies have to agree to count as repeated, couplings to vanish; deep: bits
+    beyond which a real part is zero.
     """
 
-    __slots__ = ("basis", "bits", "c", "coupled", "same", "values")
+    __slots__ = ("basis", "bits", "c", "coupled", "deep", "same", "values")
 
     def __init__(self, answer, elements, scale, untouched, goal):
         self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
         self.values[answer.zero] = 0
-        self.same, self.coupled = goal - 60, goal - 30
-        c = fx.assembled(elements.n, elements.dampers, turning(elements), scale.coordinates, scale.damping, self.bits)
+        self.same, self.coupled, self.deep = goal - 60, goal - 30, goal - 50
+        n, p = elements.n, scale.coordinates
+        c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, self.bits)
         self.c = fx.product(self.basis.T, fx.product(c, self.basis, self.bits), self.bits)
         self._align()
         self._clear(untouched)
@@ -60,10 +62,11 @@ class ModalDamping:
                 self.c[part, :] = fx.product(turn.T, self.c[part, :], self.bits)
 
     def _clear(self, untouched):
-        """Couplings that are zero but for the working precision become zero; so do `untouched` rigid motions."""
+        """Couplings that vanish but for the working precision become zero, as do `untouched` rigid motions."""
         largest = max(abs(x) for x in self.c.ravel().tolist())
         self.c[np.abs(self.c) <= (largest >> self.coupled)] = 0
-        rigid = sorted(np.flatnonzero(self.values == 0).tolist(), key=lambda i: abs(self.c[i, i]))[:untouched]
+        rigid = np.flatnonzero(self.values == 0).tolist()
+        rigid = sorted(rigid, key=lambda i: abs(self.c[i, i]))[:untouched]
         self.c[rigid, :] = 0
         self.c[:, rigid] = 0
 
@@ -113,15 +116,14 @@ class ModalDamping:
     def _coupled(self, part, wanted):
         """The eigenvalues of modes that damping couples."""
         system = Coupled(self, part)
-        top = math.log2(np.abs(system.matrix).max())
-        bits = self.bits
+        top, bits = math.log2(np.abs(system.matrix).max()), self.bits
 
         def enough(root):
-            size, decay = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2, fx.log2(root.re, bits)
-            return root.radius <= max(decay - wanted, size - wanted - 50) or max(size, root.radius) <= top - 80
+            return known(root, bits, wanted, self.deep, top - self.deep)
 
         found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
-        rigid = [Eigenvalue(0, 0, -math.inf, self._unit(i), self._unit(i)) for i in part if not self.values[i]]
+        zero = [self._unit(i) for i in part if not self.values[i]]
+        rigid = [Eigenvalue(0, 0, -math.inf, x, x) for x in zero]
         return rigid + [self._full(part, root, zero) for root, zero in vanishing(found, system.still())]
 
     def _full(self, part, root, zero):
@@ -148,7 +150,8 @@ class Coupled:
         self.elastic, self.rigid = np.flatnonzero(values != 0), np.flatnonzero(values == 0)
         roots = [math.isqrt(abs(int(values[i])) << self.bits) for i in self.elastic]
         self.omega = np.array(roots, object)
-        self.pull = np.array([w if values[i] > 0 else -w for w, i in zip(roots, self.elastic, strict=True)], object)
+        signed = [w if values[i] > 0 else -w for w, i in zip(roots, self.elastic, strict=True)]
+        self.pull = np.array(signed, object)
         k = len(part)
         self.matrix = np.zeros((k + len(roots), k + len(roots)))
         self.matrix[:k, :k] = -fx.floats(self.c, self.bits)
@@ -172,6 +175,13 @@ class Coupled:
             return 0
         sigma = np.linalg.svd(self.matrix[np.ix_(rigid, rigid)], compute_uv=False)
         return int((sigma <= 1e-13 * np.abs(self.matrix[:k, :k]).max()).sum())
+
+
+def known(root, bits, wanted, deep, floor):
+    """Whether Re λ is known to `wanted` bits, or λ to `deep` bits, or both are below 2^floor."""
+    size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
+    radius = root.radius
+    return radius <= max(fx.log2(root.re, bits) - wanted, size - deep) or max(size, radius) <= floor
 
 
 def vanishing(found, zeros):

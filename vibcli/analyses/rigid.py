@@ -1,19 +1,21 @@
-"""How many rigid-body motions a set of springs leaves free: n less the rank of the unscaled rows ∇s, exactly.
+"""How many rigid-body motions a set of springs leaves free: n less the rank of the unscaled rows ∇s.
 
-Stiffness plays no part in it. Rows of rational numbers are eliminated modulo a large prime, which can only
-understate a rank with the odds of n/2^61; rows of floats by complete pivoting, rows with rounding in their parts
-counting as dependent below 1e-14 n.
+Stiffness plays no part in it. Rows of rational numbers are eliminated modulo two large primes: a rank could
+come out too small by chance only, with odds of n²/2^120. Rows that are not rational carry rounding and count as
+dependent where what is left of them by complete pivoting is below 1e-14 n.
 """
 
+import math
 from fractions import Fraction
 
 from vibcli.analyses.scaled import exponent
 
-PRIME = (1 << 61) - 1
+PRIMES = (1 << 61) - 1, (1 << 59) - 55
+MANY = 200
 
 
 def rigid_count(n, rows, exact_rows=None):
-    """n − rank of the rows: dicts {coordinate: component}, and the same as Fractions where they are rational."""
+    """n − rank of rows {coordinate: component}; exact_rows: the same as Fractions where they are rational."""
     return n - rank(n, rows, exact_rows)
 
 
@@ -36,7 +38,7 @@ def rank(n, rows, exact_rows=None):
     if all(_is_difference(row) for row in rows):
         return n - _floating_components(n, rows)
     if exact_rows is not None:
-        return _rank_modulo(rows)
+        return max(_rank_modulo(rows, prime) for prime in PRIMES)
     return _rank_of_floats(n, rows)
 
 
@@ -63,24 +65,24 @@ def _floating_components(n, rows):
     return len({root(i) for i in range(n)} - {root(n)})
 
 
-def _rank_modulo(rows):
-    """Rank over the integers modulo 2^61 − 1, sparse, the shortest row first."""
+def _rank_modulo(rows, prime):
+    """Rank over the integers modulo a prime, sparse, the shortest row first; never more than the rank."""
     pivots = {}
     for row in sorted(rows, key=len):
-        rest = {}
+        rest, cleared = {}, math.lcm(*(x.denominator for x in row.values()))
         for i, x in row.items():
-            value = x.numerator % PRIME * pow(x.denominator % PRIME, -1, PRIME) % PRIME
+            value = x.numerator * cleared // x.denominator % prime
             if value:
                 rest[i] = value
         while rest:
             lead = min(rest)
             if lead not in pivots:
-                scale = pow(rest[lead], -1, PRIME)
-                pivots[lead] = {i: x * scale % PRIME for i, x in rest.items()}
+                scale = pow(rest[lead], -1, prime)
+                pivots[lead] = {i: x * scale % prime for i, x in rest.items()}
                 break
             factor = rest[lead]
             for i, x in pivots[lead].items():
-                value = (rest.get(i, 0) - factor * x) % PRIME
+                value = (rest.get(i, 0) - factor * x) % prime
                 if value:
                     rest[i] = value
                 else:
@@ -89,7 +91,7 @@ def _rank_modulo(rows):
 
 
 def _rank_of_floats(n, rows):
-    """Rank of float rows with rounding in their components, by Gaussian elimination with complete pivoting."""
+    """Rank of rows with rounding in their components, by Gaussian elimination with complete pivoting."""
     import numpy as np
 
     a = np.zeros((len(rows), n))
@@ -100,6 +102,8 @@ def _rank_of_floats(n, rows):
     for axis in (0, 1, 0, 1):
         size = np.abs(a).max(axis=1 - axis, initial=0.0, keepdims=True)
         a = a / np.where(size > 0, 2.0 ** np.round(np.log2(np.where(size > 0, size, 1.0))), 1.0)
+    if n > MANY:
+        return int(np.linalg.matrix_rank(a, tol=1e-14 * n))
     found, limit = 0, 1e-14 * n
     while found < min(a.shape):
         at = np.argmax(np.abs(a[found:, found:]))
@@ -107,7 +111,8 @@ def _rank_of_floats(n, rows):
         i, j = i + found, j + found
         if abs(a[i, j]) <= limit:
             break
-        a[[found, i]], a[:, [found, j]] = a[[i, found]], a[:, [j, found]]
+        a[[found, i]] = a[[i, found]]
+        a[:, [found, j]] = a[:, [j, found]]
         factor = a[found + 1:, found] / a[found, found]
         a[found + 1:, found:] -= np.multiply.outer(factor, a[found, found:])
         found += 1

@@ -1,8 +1,8 @@
 """Powers of two that bring the data of an oscillator near one, so that no choice of units changes a digit.
 
-With q = D q̂, D = diag(2^p), M = 2^m D⁻¹ M̂ D⁻¹ and K = 2^k D⁻¹ K̂ D⁻¹ where k − m is even, every number of the
-scaled problem keeps its bits when masses, lengths or times are counted in units 2^j times as large, and
-λ = 2^((k − m)/2) λ̂ is exact.
+With q = D q̂, D = diag(2^p), M = 2^m D⁻¹ M̂ D⁻¹ and K = 2^k D⁻¹ K̂ D⁻¹ where k − m is even, every number of
+the scaled problem keeps its bits when masses, lengths or times are counted in units 2^j times as large,
+and λ = 2^((k − m)/2) λ̂ is exact.
 """
 
 import math
@@ -20,7 +20,7 @@ def exponent(x):
 
 
 class Scaling:
-    """coordinates: the p of q = 2^p q̂; mass and stiffness: the m and k above; time: (k − m)/2, so λ = 2^time λ̂."""
+    """coordinates: the p of q = 2^p q̂; mass, stiffness: m and k above; time: (k − m)/2, so λ = 2^time λ̂."""
 
     __slots__ = ("coordinates", "mass", "stiffness", "time")
 
@@ -44,7 +44,8 @@ def scaling(elements):
         if i not in inertia and i not in massless:
             raise unmoved(i)
     mass = next((inertia[i] for i in range(elements.n) if i in inertia), 0)
-    p = [-((inertia[i] - mass) // 2) if i in inertia and i not in massless else None for i in range(elements.n)]
+    moved = [i in inertia and i not in massless for i in range(elements.n)]
+    p = [-((inertia[i] - mass) // 2) if moved[i] else None for i in range(elements.n)]
     held = [stiffness[i] + 2 * p[i] for i in stiffness if p[i] is not None]
     held += [exponent(x) + p[i] + p[j] for (i, j), x in elements.K.items()
              if x and p[i] is not None and p[j] is not None]
@@ -92,7 +93,7 @@ def check_finite(elements):
                                        hint="look for a length, an angle or a law that is singular there")
         for (i, j), value in matrix.items():
             if not _finite(value):
-                raise PhysicsError(f"the {name} between coordinates {i + 1} and {j + 1} is not a finite number",
+                raise PhysicsError(f"the {name} between coordinates {i + 1} and {j + 1} is not finite",
                                    hint="look for a length, an angle or a law that is singular there")
 
 
@@ -106,7 +107,7 @@ def _finite(x):
 
 def unmoved(i):
     """The refusal of a coordinate, or a combination led by it, which no inertia moves."""
-    error = PhysicsError(f"no inertia moves with coordinate {i + 1}", hint="give what it moves a mass or an inertia")
+    error = PhysicsError(f"no inertia moves with coordinate {i + 1}", hint="give what it moves a mass or inertia")
     error.coordinate = i
     return error
 

@@ -1,4 +1,4 @@
-"""Damped mode shapes to many digits: one bordered solve for each eigenvalue, which is known to all of them."""
+"""Damped mode shapes to many digits: a bordered solve for each eigenvalue, which is known to all of them."""
 
 import mpmath
 import numpy as np

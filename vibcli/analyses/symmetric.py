@@ -32,8 +32,8 @@ class Spectrum:
 def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
     """The eigenpairs of the symmetric fixed-point matrix a, known to 2^(slack − bits) in norm.
 
-    Each radius is at most 2^-goal |value| where bits and slack allow it. `zeros`: how many eigenvalues are known
-    to vanish. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
+    Each radius is at most 2^-goal |value| where bits and slack allow it. `zeros`: how many eigenvalues are
+    known to vanish. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
     """
     n = len(a)
     if start is None:
@@ -51,7 +51,8 @@ def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
         radius = off.radius()
         worst = off.worst(radius)
         rough = off.rough()
-        if (worst <= -goal and rough <= -goal / 2) or (worst > previous - 4 and rough < -30 and previous < -30):
+        stalled = worst > previous - 4 and rough < -30 and previous < -30
+        if (worst <= -goal and rough <= -goal / 2) or stalled:
             break
         previous = worst
         q = q.dot(step(h, gram, alpha, gaps, off.clusters(), bits)) >> bits

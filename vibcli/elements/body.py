@@ -38,7 +38,7 @@ def _settle_density(record):
 PART = Element("part", "One of several shapes welded into a body.",
                {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
-               settle=_settle_density)
+               settle=_settle_density, example="welded_parts")
 MOTIONS = ("slide", "pin", "roll", "move", "weld", "turn")
 ELEMENT = Element(
     "body",

@@ -14,8 +14,8 @@ ELEMENT = Element(
     "A viscous damper between two ends: its force is c times the rate at which they part. `torsion` turns between two "
     "bodies; `stretch` gives its deflection outright.",
     {
-        "c": Field(Quantity("N*s/m"), "damping coefficient"),
-        "torsion": Field(Quantity("N*m*s"), "torsional damping coefficient"),
+        "c": Field(Quantity("N*s/m"), "its coefficient, force per speed"),
+        "torsion": Field(Quantity("N*m*s"), "its torsional coefficient, moment per angular speed"),
         "between": Field(ENDS, "its two ends [A, B]"),
         "stretch": Field(Quantity(), "its deflection as an expression of the coordinates, instead of two ends"),
     },

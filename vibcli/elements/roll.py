@@ -14,7 +14,7 @@ ELEMENT = Element(
     "from a line's first place to its second, counter-clockwise about a circle's centre), `turn` (rotation in the fixed "
     "frame) and, on circles, `swing` (turn of the line of centres) says how far.",
     {
-        "surface": Field(NameOf("the name of a surface", "surfaces"), "the surface", required=True),
+        "surface": Field(NameOf("the name of a surface", "surfaces"), "what it rolls on", required=True),
         "travel": Field(Motion("m"), "displacement of the centre relative to the surface"),
         "turn": Field(Motion("rad"), "rotation in the fixed frame, counter-clockwise"),
         "swing": Field(Motion("rad"), "turn of the line of centres, on circles"),

@@ -37,8 +37,8 @@ ELEMENT = Element(
     "`free_length` or `preload` says otherwise. `torsion` turns between two bodies; `stretch` gives the deflection "
     "outright where no geometry is at hand.",
     {
-        "k": Field(Quantity("N/m"), "stiffness"),
-        "torsion": Field(Quantity("N*m"), "torsional stiffness, per radian"),
+        "k": Field(Quantity("N/m"), "its stiffness, force per length"),
+        "torsion": Field(Quantity("N*m"), "its torsional stiffness, moment per radian"),
         "between": Field(ENDS, "its two ends [A, B]; the stretch grows as B leaves A"),
         "stretch": Field(Quantity(), "the deflection as an expression of the coordinates, instead of two ends"),
         "free_length": Field(Quantity("m"), "its length when undeformed"),

@@ -17,7 +17,7 @@ STEPS, POLISH, FAR = 300, 12, 1e6
 
 class Equilibrium:
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
-    relative to the sum of the magnitudes of its terms."""
+    relative to the magnitudes of its terms and of K q."""
 
     __slots__ = ("drawn", "residual", "steps", "values")
 
@@ -78,6 +78,8 @@ class _Search:
         if not all(map(math.isfinite, numbers.residual)):
             raise PhysicsError("the forces of this scene are not defined in a position that the search for its "
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
+        bend = self.np.abs(self.stiffness(numbers)) @ self.np.abs(q)  # a coordinate is only known to its own rounding
+        numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
         return numbers
 
     def energy(self, q):
@@ -90,15 +92,19 @@ class _Search:
         return bool(self.np.any(self.np.abs(q) > FAR * self.scale)) if math.isfinite(self.first_radius) else False
 
     def hessian(self, numbers):
-        np, n = self.np, len(self.names)
-        K = np.zeros((n, n))
+        """K in scaled coordinates."""
+        return self.stiffness(numbers) * self.np.outer(self.scale, self.scale)
+
+    def stiffness(self, numbers):
+        n = len(self.names)
+        K = self.np.zeros((n, n))
         for k, row in numbers.elements.springs:
             for i, x in row.items():
                 for j, y in row.items():
                     K[i, j] += k * x * y
         for (i, j), value in numbers.elements.K.items():
             K[i, j] += value
-        return K * np.outer(self.scale, self.scale)
+        return K
 
     def step(self, q, numbers, radius):
         """One accepted step: (q, numbers, radius, True), or False where no step lowers V any more."""

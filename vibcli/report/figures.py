@@ -27,7 +27,8 @@ def text_of(value):
 def with_unit(value, dimension, error=0.0):
     """`0.0785 m`: a number and the SI unit of its dimension."""
     unit = "rad" if dimension == {} else units.text(dimension)
-    return f"{figure(value, error)} {unit}".rstrip()
+    degrees = f" ({figure(math.degrees(value), digits=4)}°)" if dimension == {} and value else ""
+    return f"{figure(value, error)} {unit}".rstrip() + degrees
 
 
 def table(rows, head):

@@ -1,0 +1,27 @@
+"""`vibcli explain [WORD]`: the manual of the scene language."""
+
+import click
+
+
+def _complete(context, parameter, incomplete):
+    from vibcli.manual import words
+
+    return [word for word in words() if word.startswith(incomplete)]
+
+
+@click.command("explain")
+@click.argument("word", nargs=-1, shell_complete=_complete)
+def command(word):
+    """The manual of the scene language: a section, an element, a key, a quantity, a unit or a topic.
+
+    Without a WORD an overview of all there is; `spring.preload` is a key of one element.
+    """
+    from vibcli.manual import nearest_words, overview, page
+
+    text = " ".join(word)
+    try:
+        click.echo(page(text) if text.strip() else overview())
+    except KeyError:
+        near = nearest_words(text)
+        hint = "did you mean " + " or ".join(near) + "?" if near else "`vibcli explain` lists what there is"
+        raise click.UsageError(f"the manual has no page '{text}'; {hint}") from None

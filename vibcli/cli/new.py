@@ -1,0 +1,61 @@
+"""`vibcli new [TEMPLATE]`: a commented scene to start from."""
+
+import click
+
+DEFAULT = "mass_spring"
+
+
+def _complete(context, parameter, incomplete):
+    from vibcli.manual import scenes
+
+    return [name for which in scenes.FOLDERS for name in scenes.names(which) if name.startswith(incomplete)]
+
+
+@click.command("new")
+@click.argument("template", default=DEFAULT, shell_complete=_complete)
+@click.option("-o", "--output", metavar="FILE", type=click.Path(), help="Write the scene to a new file.")
+@click.option("--list", "listing", is_flag=True, help="What there is to start from.")
+def command(template, output, listing):
+    """A commented scene to start from: a TEMPLATE (mass_spring if none is named) or an example of the manual.
+
+    `vibcli new pendulum -o pendulum.yaml` writes it to a file, which must not exist yet.
+    """
+    from vibcli.manual import scenes
+
+    if listing:
+        click.echo("\n".join(_listing(scenes)))
+        return
+    name = template.removesuffix(".yaml")
+    if scenes.path(name) is None:
+        from vibcli.fields import nearest
+
+        near = nearest(name, [*scenes.names("templates"), *scenes.names("examples")])
+        hint = near if near.startswith("did") else "templates: " + ", ".join(scenes.names("templates"))
+        raise click.UsageError(f"there is no template '{template}'; {hint} (all: vibcli new --list)")
+    if output in (None, "-"):
+        click.echo(scenes.text(name), nl=False)
+        return
+    _write(output, scenes.text(name))
+    click.echo(f"wrote {output}; next: vibcli solve {output}", err=True)
+
+
+def _listing(scenes):
+    from vibcli.manual.layout import table
+
+    titles = {which: [(name, scenes.title(name)) for name in scenes.names(which)] for which in scenes.FOLDERS}
+    width = max(len(name) for rows in titles.values() for name, _ in rows)
+    lines = []
+    for which, heading in zip(scenes.FOLDERS, ("Templates, commented", "Examples of the manual"), strict=True):
+        lines += [*([""] if lines else []), heading, *table(titles[which], least=width)]
+    return lines
+
+
+def _write(file, text):
+    """Write a new file; nothing is ever overwritten."""
+    try:
+        with open(file, "x", encoding="utf-8") as new:
+            new.write(text)
+    except FileExistsError:
+        raise click.UsageError(f"'{file}' exists already; nothing was written: name another file with -o") from None
+    except OSError as error:
+        raise click.UsageError(f"'{file}' cannot be written: {error.strerror}") from None

@@ -1,0 +1,122 @@
+"""What the declarations declare: every element with its keys, and where in a scene it stands."""
+
+from vibcli.document import Mapping, Scalar, Sequence
+from vibcli.elements import NAMES
+from vibcli.fields import Element, Lazy, Many, Named, OneOf, load
+from vibcli.spec import SECTIONS
+
+
+class Declared:
+    """An element of the language: its word, its kind, what it is, and the places where it may stand."""
+
+    __slots__ = ("about", "kind", "places", "section", "word")
+
+    def __init__(self, word, kind, about, section):
+        self.word, self.kind, self.about, self.section, self.places = word, kind, about, section, []
+
+    @property
+    def fields(self):
+        return self.kind.fields if isinstance(self.kind, Element) else {}
+
+    @property
+    def example(self):
+        return getattr(self.kind, "example", None)
+
+
+class Catalogue:
+    """All elements by word, found by walking the sections and their fields."""
+
+    def __init__(self):
+        self.elements, self.sections = {}, {}
+        modules = [load(name) for name in NAMES]
+        self._of_kind = {id(module.KIND): module for module in modules if hasattr(module, "KIND")}
+        for section, (kind, _) in SECTIONS.items():
+            module = self._of_kind.get(id(kind))
+            inner = kind.kind if isinstance(kind, Named) else kind
+            whole = inner is kind and module is None
+            place = f"the section `{section}`" if whole else f"an entry of `{section}`, by its name"
+            if module is not None and isinstance(getattr(module, "ELEMENT", None), Element):
+                inner = module.ELEMENT
+            declared = self._gather(inner, place, section)
+            if declared is not None:
+                self.sections[section] = declared
+
+    def _gather(self, kind, place, section):
+        """Enter the elements that a kind consists of; the outermost one is returned."""
+        if isinstance(kind, (Many, Named)):
+            return self._gather(kind.kind, place, section)
+        if isinstance(kind, OneOf):
+            for part in kind.kinds.values():
+                if part is not None:
+                    self._gather(part, place, section)
+            return None
+        if not isinstance(kind, (Lazy, Element)):
+            return None
+        word, element, about = opened(kind)
+        declared = self.elements.get(word)
+        if declared is None:
+            declared = self.elements[word] = Declared(word, element, about, section)
+            for key, field in declared.fields.items():
+                item = "an item of " if isinstance(field.kind, Many) else ""
+                self._gather(field.kind, f"{item}the key `{key}` of a {word}", None)
+        declared.places.append(place)
+        return declared
+
+    def about(self, section):
+        """What a section is: the fullest text that its declarations have."""
+        kind, about = SECTIONS[section]
+        module = self._of_kind.get(id(kind))
+        return getattr(module, "ABOUT", None) or about
+
+    def keys(self):
+        """Every key of every element as (element word, key)."""
+        return [(word, key) for word, declared in self.elements.items() for key in declared.fields]
+
+    def used(self, root):
+        """What a scene document uses: section names, and (element word, key), each as often as it occurs."""
+        found = []
+        for section, (_, node) in root.entries.items():
+            found.append(section)
+            if section == "cases":
+                for _, part in node.entries.values():
+                    found += self.used(part)
+            elif section in SECTIONS:
+                kind = SECTIONS[section][0]
+                module = self._of_kind.get(id(kind))
+                inner = Named(self.sections[section].kind, "") if module and section in self.sections else kind
+                found += _used(inner, node)
+        return found
+
+
+def opened(kind):
+    """(word, kind, about) of an element, the file of a lazy one loaded."""
+    if not isinstance(kind, Lazy):
+        return kind.name, kind, kind.about
+    module = load(kind.name)
+    element = module.ELEMENT
+    return kind.name, element, element.about if isinstance(element, Element) else module.ABOUT
+
+
+def _used(kind, node):
+    """(element word, key) of every key that a node of a kind uses, by short forms too."""
+    if isinstance(kind, Named):
+        return [use for _, value in node.entries.values() for use in _used(kind.kind, value)] if isinstance(
+            node, Mapping) else []
+    if isinstance(kind, Many):
+        return [use for item in node.items for use in _used(kind.kind, item)] if isinstance(node, Sequence) else []
+    if isinstance(kind, OneOf):
+        inner = kind.kinds[type(node)]
+        return _used(inner, node) if inner else []
+    if not isinstance(kind, (Lazy, Element)):
+        return []
+    word, element, _ = opened(kind)
+    if not isinstance(element, Element):
+        return []
+    if not isinstance(node, Mapping):
+        empty = isinstance(node, Scalar) and not node.text
+        return [] if empty or element.short is None else [(word, element.short)]
+    found = []
+    for key, (_, value) in node.entries.items():
+        if key in element.fields:
+            found += [(word, key), *_used(element.fields[key].kind, value)]
+    return found

@@ -1,0 +1,130 @@
+"""Pages of elements, their keys, and sections."""
+
+from vibcli.fields import Choice, Element, Flag, Lazy, Many, Motion, Quantity
+from vibcli.manual import scenes, topics
+from vibcli.manual.catalogue import opened
+from vibcli.manual.layout import blocks, either, paragraph, table
+from vibcli.spec import SECTIONS
+
+DECLARED_UNITS = {"rad": "an angle (rad)", "J": "an energy (J)", "W": "a power (W)",
+                  "N*m": "a torsional stiffness (N·m/rad)", "N*m*s": "a torsional damping (N·m·s/rad)"}
+
+
+def expects(kind):
+    """What a key holds, in words."""
+    if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
+        return f"{kind.wants}, each a {opened(kind.kind)[0]}"
+    if isinstance(kind, Flag):
+        return "true or false"
+    if isinstance(kind, Choice) and len(kind.words) == 1:
+        return f"the word {kind.words[0]}"
+    if isinstance(kind, Quantity):
+        wants = DECLARED_UNITS.get(kind.unit, kind.wants)
+        return wants + ", in coordinates" if isinstance(kind, Motion) else wants
+    if not isinstance(kind, (Element, Lazy)):
+        return kind.wants
+    _, element, _ = opened(kind)
+    if not isinstance(element, Element):
+        return expects(element)
+    mapping = "a mapping {" + ", ".join(element.fields) + "}"
+    return mapping if element.short is None else f"{expects(element.fields[element.short].kind)}, or {mapping}"
+
+
+def sentence(text):
+    """A text of a declaration as a sentence."""
+    text = text if text[:1] in "`[{" or text[:2].istitle() else text[:1].upper() + text[1:]
+    return text if text.endswith((".", "…", ":")) else text + "."
+
+
+def element_page(catalogue, word, scene=True):
+    """What an element is, its keys, which of them go together, its short form, and a scene."""
+    declared = catalogue.elements[word]
+    head = [f"{word} — {declared.places[0]}", *(f"{'':{len(word)}}   {place}" for place in declared.places[1:])]
+    example = _scene(declared.example) if scene and declared.example else _scene_using(catalogue, word) if scene else []
+    if not declared.fields:
+        return blocks(head, paragraph(sentence(declared.about)), example)
+    rows = [(key, expects(field.kind) + (" (required)" if field.required else ""), sentence(field.about))
+            for key, field in declared.fields.items()]
+    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind, catalogue), example)
+
+
+def _scene_using(catalogue, word):
+    """A scene for an element that has no keys of its own: one that uses the key of its name."""
+    use = next(((owner, key) for owner, key in catalogue.keys() if key == word), None)
+    return _scene(scenes.using(catalogue, use)) if use else []
+
+
+def _rules(element, catalogue):
+    """Sentences on the keys of an element that exclude or need one another, its short form, and further pages."""
+    found = []
+    for group in element.needs:
+        found.append(("Exactly one" if group in element.exclusive else "One or more") + f" of {either(group)} is needed.")
+    for group in element.exclusive:
+        if group not in element.needs:
+            found.append(f"At most one of {either(group)} may stand.")
+    if element.short is not None:
+        found.append(f"A bare value stands for `{element.short}`.")
+    further = [opened(kind)[0] for kind in map(_single, element.fields.values()) if isinstance(kind, (Element, Lazy))]
+    if further:
+        found.append(f"More: `vibcli explain {further[0]}`, likewise {either(further[1:], 'and')}.")
+    return [line for text in found for line in paragraph(text)]
+
+
+def _single(field):
+    return field.kind.kind if isinstance(field.kind, Many) else field.kind
+
+
+def _rules_of(element, key):
+    """Sentences on what a key excludes and what it may replace."""
+    found = []
+    others = [other for group in element.exclusive if key in group for other in group if other != key]
+    if others:
+        found.append(f"Not together with {either(list(dict.fromkeys(others)))}.")
+    for group in element.needs:
+        if key in group:
+            found.append(f"One of {either(group)} is needed.")
+    if element.short == key:
+        found.append("The short form: a bare value stands for this key.")
+    return " ".join(found)
+
+
+def _scene(name):
+    """A scene that runs, indented."""
+    if name is None:
+        return []
+    lines = [f"A scene that runs (vibcli new {name}):", ""]
+    return lines + ["  " + line if line else "" for line in scenes.text(name).rstrip("\n").split("\n")]
+
+
+def key_page(catalogue, word, key, scene=True):
+    """A key of an element: what it holds, what it means, what it excludes, and a scene that uses it."""
+    declared = catalogue.elements[word]
+    field = declared.fields[key]
+    head = [f"{word}.{key} — a key of {article(word)}" + (", required" if field.required else "")]
+    rows = [("holds", expects(field.kind)), ("means", field.about)]
+    rows += [("rules", _rules_of(declared.kind, key))] if _rules_of(declared.kind, key) else []
+    name = scenes.using(catalogue, (word, key), declared.example)
+    if not scene:
+        rows.append(("scene", f"vibcli explain {word}.{key}"))
+    return blocks(head, table(rows), _scene(name) if scene else [])
+
+
+def article(word):
+    return word if word.endswith("s") else ("an " if word[0] in "aeiou" else "a ") + word
+
+
+def section_page(catalogue, section):
+    """A section of a scene; that of a section of elements is followed by the page of the element."""
+    kind, _ = SECTIONS[section]
+    declared = catalogue.sections.get(section)
+    head = paragraph(f"{section} — a section of a scene: {kind.wants}")
+    about = paragraph(sentence(catalogue.about(section)))
+    if declared is not None:
+        inner = declared.word
+        page = element_page(catalogue, inner)
+        return page if inner == section else blocks(head, [page])
+    if section == "find":
+        return blocks(head, about, table(topics.FIND.items()), _scene(scenes.using(catalogue, section)))
+    if section == "cases":
+        about = [line for text in topics.CASES for line in paragraph(text)]
+    return blocks(head, about, _scene(scenes.using(catalogue, section)))

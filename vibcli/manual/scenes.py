@@ -1,0 +1,66 @@
+"""The example scenes and templates that come with the package."""
+
+import os
+import re
+
+import vibcli
+from vibcli.document import read_file
+
+FOLDERS = ("templates", "examples")
+PLAINEST = "mass_spring_damper"
+
+
+def folder(which):
+    return os.path.join(os.path.dirname(vibcli.__file__), which)
+
+
+def names(which):
+    """Names of the scenes in a folder of the package, sorted."""
+    return sorted(name.removesuffix(".yaml") for name in os.listdir(folder(which)) if name.endswith(".yaml"))
+
+
+def path(name):
+    """The file of a template or example; None where there is none of that name."""
+    places = [os.path.join(folder(which), name + ".yaml") for which in FOLDERS if name in names(which)]
+    return places[0] if places else None
+
+
+def text(name):
+    """The text of a template or example."""
+    with open(path(name), encoding="utf-8") as file:
+        return file.read()
+
+
+def title(name):
+    """The title of a template or example."""
+    return document(name).entries["title"][1].text
+
+
+def document(name):
+    """The document of a template or example."""
+    return read_file(path(name))[0]
+
+
+def using(catalogue, use, preferred=None):
+    """The name of an example that uses a section or an (element, key): the preferred one, or the shortest."""
+    for name in [preferred or PLAINEST, *sorted(names("examples"), key=lambda name: len(text(name)))]:
+        if use in catalogue.used(document(name)):
+            return name
+    return None
+
+
+def asking(head):
+    """The name of an example whose answers ask for a quantity."""
+    for name in names("examples"):
+        for asked in _asked(document(name)):
+            if re.match(rf"{head}(\[|$)", asked):
+                return name
+    return None
+
+
+def _asked(root):
+    keys = list(root.entries["answers"][1].entries) if "answers" in root.entries else []
+    if "cases" in root.entries:
+        for _, part in root.entries["cases"][1].entries.values():
+            keys += _asked(part)
+    return keys

@@ -1,0 +1,171 @@
+"""Pages of the topics, quantities, shapes, functions, units and JSON keys."""
+
+import re
+
+from vibcli import units
+from vibcli.algebra.expression import Table
+from vibcli.algebra.normal import textbook
+from vibcli.elements.body import MOTIONS
+from vibcli.elements.shapes import LAWS, NEEDS
+from vibcli.manual import scenes, topics
+from vibcli.manual.layout import blocks, in_short, paragraph, table
+from vibcli.questions import ASKED
+from vibcli.report import json_keys
+from vibcli.report.language import language
+
+LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "body": ("body",), "place": ("O",)}
+
+
+def topic_page(catalogue, word):
+    """A topic: its texts and tables, or what is generated for it."""
+    about, parts = topics.TOPICS[word]
+    head = [f"{word} — {about}"]
+    made = {"units": units_table, "functions": functions_table, "quantities": quantities_table, "exit": exit_table,
+            "json": json_table, "shapes": shapes_table, "motions": motions_table}
+    own = made[word](catalogue) if word in made else []
+    texts = [paragraph(part) if isinstance(part, str) else table(part) for part in parts or ()]
+    return blocks(head, *texts, *own)
+
+
+def exit_table(catalogue):
+    return [table(topics.EXIT_CODES)]
+
+
+def functions_table(catalogue):
+    text = "Angles are in radians; arguments are pure numbers where nothing else is said."
+    return [paragraph(text), table(topics.FUNCTIONS.items())]
+
+
+def motions_table(catalogue):
+    fields = catalogue.elements["body"].fields
+    return [table((word, in_short(fields[word].about)) for word in MOTIONS),
+            ["Each has a page of its own: `vibcli explain pin`."]]
+
+
+def shapes_table(catalogue):
+    rows = []
+    for word in NEEDS:
+        needs = ", ".join(NEEDS[word]) or "nothing"
+        rows.append((word, f"needs {needs}", *shape_facts(word)))
+    return [table(rows), ["A scene with all of them: vibcli new bodies_of_every_shape"]]
+
+
+def shape_facts(word):
+    """J, mass centre and measure of a shape, from the law that the code runs on."""
+    values = Table()
+    m = values.parameter("m")
+    sizes = [values.parameter(key) for key in NEEDS[word]] if word != "rod" else [values.parameter("length")]
+    law = LAWS[word](values, *sizes)
+    facts = []
+    if law.offset is None:
+        facts.append(f"J_C = {_text(m * law.gyration2)}")
+    else:
+        at_circle = textbook(m * (law.gyration2 + law.offset * law.offset))
+        facts += [f"J_O = {_text(at_circle)}, J_C = J_O − m*OC^2", f"OC = {_text(law.offset)}"]
+    if law.measure is not None:
+        what = "length" if word in ("rod", "ring", "arch") else "area"
+        facts.append(f"{what} {_text(law.measure)}" if word != "rod" else "length from `from` to `to`")
+    return facts
+
+
+def _text(node):
+    return language(textbook(node))
+
+
+def shape_page(catalogue, word):
+    needs = ", ".join(f"`{key}`" for key in NEEDS[word]) or "no size"
+    return blocks([f"{word} — a shape of a body"], table([("needs", needs), *(("", fact) for fact in shape_facts(word))]),
+                  ["All shapes: vibcli explain shapes"])
+
+
+def usage(head):
+    """How a quantity is written: M[q,r], J[body, O]."""
+    asked = ASKED[head]
+    if not asked.indices:
+        return head
+    letters = [LETTERS[kind][min(asked.indices[:i].count(kind), len(LETTERS[kind]) - 1)]
+               for i, kind in enumerate(asked.indices)]
+    joined = "][" if head == "mode" else ", " if "body" in asked.indices else ","
+    text = f"{head}[{joined.join(letters)}]"
+    if head == "J":
+        text = "J[body], " + text
+    return ", ".join(f"{text}.{a}" for a in asked.attributes) if asked.attributes != ("",) else text
+
+
+def quantities_table(catalogue):
+    rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
+    lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
+             "i counts modes from 1; q and r are coordinates, by name or by number."]
+    return [paragraph(lines[0]), table(rows), ["How they are compared", *table(topics.COMPARED)]]
+
+
+def _unit(asked):
+    return f" [{asked.unit}]" if asked.unit not in (None, "1") else ""
+
+
+def quantity_page(catalogue, head):
+    """One quantity: how it is written, and a scene whose answers ask for it."""
+    asked = ASKED[head]
+    rows = [("means", asked.about), ("unit", asked.unit if asked.unit not in (None, "1") else None)]
+    compared = {"equation": "equations", "motion": "equations", "T": "energies", "V": "energies", "Phi": "energies",
+                "stable": "stable"}.get(head)
+    rows.append(("compared", dict(topics.COMPARED)[compared] if compared else topics.IN_SHORT))
+    scene = scenes.asking(head)
+    return blocks([f"{usage(head)} — a quantity, for `answers`"], table(row for row in rows if row[1]),
+                  [f"A scene that asks for it: vibcli new {scene}"] if scene else [],
+                  ["All quantities: vibcli explain quantities"])
+
+
+def find_page(catalogue, word):
+    return blocks([f"{word} — a word of `find`"], table([("prints", topics.FIND[word])]),
+                  ["All words of `find`: vibcli explain find"])
+
+
+def function_page(catalogue, name):
+    return blocks([f"{name} — a function"], table([("means", topics.FUNCTIONS[name])]),
+                  ["All functions: vibcli explain functions"])
+
+
+def units_table(catalogue):
+    """The units by what they measure, each in the SI unit."""
+    groups = {}
+    for name, unit in units.UNITS.items():
+        groups.setdefault((tuple(sorted(unit.dimension.items())), unit.cycles), []).append(name)
+    rows = []
+    for names in groups.values():
+        label = re.sub(r"^an? |, [^(]*(?= )| or [^(]*(?= )", "", _measured(names[0]))
+        rows.append((label, ", ".join(f"`{_in_si(name)}`" for name in names)))
+    text = "Units are joined by `*`, `/` and `^`: `9.81 m/s^2`, `2 kN*m/rad`. In SI units:"
+    return [paragraph(text), [line.replace("`", "") for line in table(rows)]]
+
+
+def _measured(name):
+    unit = units.UNITS[name]
+    if unit.cycles:
+        return "cycles per time (Hz)"
+    if not unit.dimension:
+        return "a pure number or angle"
+    return units.name(unit.dimension) if units.name(unit.dimension) not in ("Pa", "W") else {
+        "Pa": "a pressure (Pa)", "W": "a power (W)"}[units.name(unit.dimension)]
+
+
+def _in_si(name):
+    unit = units.UNITS[name]
+    if unit.value == 1 and not unit.pi:
+        return name
+    size = "π" + (f"/{unit.value.denominator}" if unit.value != 1 else "") if unit.pi else f"{float(unit.value):.8g}"
+    return f"{name} = {size}".replace("e-0", "e-").replace("e+0", "e")
+
+
+def unit_page(catalogue, name):
+    return blocks([f"{name} — a unit"], table([("measures", _measured(name)), ("in SI", _in_si(name))]),
+                  ["All units: vibcli explain units"])
+
+
+def json_table(catalogue):
+    return [paragraph(json_keys.ABOUT), table(json_keys.KEYS.items())]
+
+
+def json_page(catalogue, word):
+    rows = [(key, about) for key, about in json_keys.KEYS.items() if key.replace("[]", "").split(".")[-1] == word]
+    return blocks([f"{word} — a key of --json"], table(rows), ["All keys: vibcli explain json"])

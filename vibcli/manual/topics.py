@@ -1,0 +1,178 @@
+"""Texts of the manual that no declaration holds: conventions, expressions, exit codes. Data alone.
+
+A topic is a list of parts: a text is a paragraph, a list of pairs a table.
+"""
+
+EXIT_CODES = [
+    ("0", "all well"),
+    ("1", "an answer differs (`vibcli check`)"),
+    ("2", "the command line is wrong"),
+    ("3", "a file is invalid: the diagnostics name line and column"),
+    ("4", "a scene cannot be solved, for a physical cause that is named"),
+    ("5", "nothing was found to check"),
+    ("101", "an error of vibcli itself"),
+    ("130", "interrupted"),
+]
+
+FUNCTIONS = {
+    "sin": "sine, of radians", "cos": "cosine, of radians", "tan": "tangent, of radians",
+    "asin": "arc sine", "acos": "arc cosine", "atan": "arc tangent",
+    "atan2": "`atan2(y, x)`: angle of the vector (x, y), from −pi to pi; both of one dimension",
+    "sinh": "hyperbolic sine", "cosh": "hyperbolic cosine", "tanh": "hyperbolic tangent",
+    "exp": "e to the power of", "log": "natural logarithm", "sqrt": "square root, of any dimension",
+    "abs": "magnitude, of any dimension", "sign": "−1, 0 or 1, of any dimension",
+    "min": "`min(a, b)`: the smaller one; both of one dimension",
+    "max": "`max(a, b)`: the larger one; both of one dimension",
+}
+
+FIND = {
+    "equations": "energies and equations of motion, in full and for small oscillations",
+    "energies": "kinetic and potential energy and the dissipation function",
+    "equilibrium": "the position of rest that is reached from the drawn one, and whether it is stable",
+    "frequencies": "natural frequencies and periods of the system without its dampers",
+    "modes": "mode shapes",
+    "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
+}
+
+COMPARED = [
+    ("numbers", "A written number allows half a unit of its last digit, never more than 0.5 %; one of fewer "
+     "than three digits is exact. `{value: 21.9 rad/s, rtol: 0.5 %}` sets the tolerance."),
+    ("expressions", "To rounding (1e-9), and the error bound of the result: `omega[1]: sqrt(k/m)`. Both sides may "
+     "hold parameters and quantities: `omega[2]/omega[1]: sqrt(3)`."),
+    ("equations", "Up to a non-zero factor, at random states of motion. `equation[q]` is that of small "
+     "oscillations, q counted from the equilibrium; `motion[q]` is the full one, q counted as in the scene."),
+    ("energies", "`T` and `Phi` at random states, `V` up to a constant."),
+    ("symbols", "A scene with symbols is compared at several sets of random values for them."),
+    ("stable", "`true` or `false`."),
+]
+
+IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
+            "`vibcli explain quantities`.")
+
+EXPRESSIONS = [
+    "Wherever a value is wanted, an expression of the parameters may stand; in motions, stretches and energies "
+    "also of the coordinates.",
+    [
+        ("numbers", "`3`, `0.5`, `1e-3`; decimals with a point, between 1e-300 and 1e300."),
+        ("units", "A number followed by a unit is one value: `0.5 m`, `9.81 m/s^2`, `2 kN*m/rad`. It takes the longest "
+         "chain of units that `*`, `/` and `^` join after it; `0.5 m` is half a metre whatever is called m."),
+        ("names", "Letters, digits and _, a letter first, at most 32. Greek letters and their names are the "
+         "same: `φ1` is `phi1`. `pi` is π. Upper and lower case differ."),
+        ("operators", "`+ - * / ^` (or `**`) and parentheses. There is no implicit multiplication: `2*x`."),
+        ("functions", "`sqrt(k/m)`, `cos(alpha)`: see `vibcli explain functions`."),
+        ("derivatives", "`x'` and `x''`, in `energies` (velocities only) and in the energies and equations of "
+         "`answers`."),
+        ("equations", "`left = right`, in `answers`."),
+    ],
+    "Dimensions are checked in every expression. In a scene that uses units a plain number has none, save that 0 "
+    "fits everywhere. A scene that uses no unit at all is taken in consistent SI numbers. A parameter without "
+    "value takes its dimension from where it stands, or from its `unit`.",
+    "`Hz` is not `rad/s`: an angular frequency refuses Hz (write `2*pi*f`), a frequency the reverse; `rpm` is "
+    "angular. `rad` is 1.",
+    "Where a scene has a name that is also a unit, `2 N*m` within a longer expression could mean two things and is "
+    "refused: write `(2 N)*m` or `(2 N*m)`.",
+    "An expression has at most 2000 characters and 64 levels of parentheses. In YAML, put quotes around a key "
+    "that holds brackets when it stands within braces: `{\"omega[1]\": 3 rad/s}`.",
+]
+
+CONVENTIONS = [
+    [
+        ("axes", "x to the right, y up; angles and moments counter-clockwise. Everything is drawn in one fixed frame, "
+         "in the position that the figure shows."),
+        ("coordinates", "Zero as drawn, unless `coordinates` says `drawn`. A motion is the change of its expression "
+         "since the drawn position, so constants in it do not matter."),
+        ("carriers", "`carrier` makes a motion relative to another body, and its directions turn with it. The "
+         "angle of a pin is that in the fixed frame unless `relative: true`; so is the `turn` of a rolling body."),
+        ("springs", "Stretch, tension and preload are positive in lengthening. A spring is undeformed as drawn "
+         "unless `free_length` or `preload` says otherwise. Between bodies without a place it stretches by the "
+         "motion of the second end minus that of the first."),
+        ("gravity", "`g` acts along −y, or as the vector given; without the section nothing has weight."),
+        ("equilibrium", "The one reached from the drawn position, or from the place that `equilibrium` gives. "
+         "Frequencies are those of small oscillations about it."),
+        ("omega, f, T", "omega is the angular frequency in rad/s, f = omega/(2 pi) the frequency in Hz, T = 1/f the "
+         "period. They belong to the system without its dampers and gyroscopic terms."),
+        ("modes", "Numbered from 1 by ascending omega². Unstable modes come first (a growth rate instead of omega), "
+         "then rigid ones (omega = 0 exactly)."),
+        ("mode shapes", "Normalised so that the first coordinate that moves is 1; `--normalise largest` or `mass` "
+         "(shapeᵀ M shape = 1) on the command line. A shape of a damped mode is complex: its argument is the phase "
+         "by which a coordinate leads the first one."),
+        ("damping", "x ~ exp(λt) with λ = −δ ± i omega_d: omega = |λ|, zeta = −Re λ/|λ|, δ = −Re λ = zeta·omega is "
+         "the decay, omega_d = omega·√(1 − zeta²). The logarithmic decrement is 2 pi zeta/√(1 − zeta²). Damped "
+         "modes are numbered by ascending |λ|. Two real eigenvalues of an over-damped mode share its number: "
+         "omega = √(λ₁λ₂), zeta = −(λ₁ + λ₂)/(2 omega) ≥ 1."),
+        ("amplitudes", "From rest to peak, not from peak to peak."),
+        ("units", "Any of the list in, SI out; angles in radians."),
+    ],
+]
+
+GROUND = [
+    "`ground` is an end of a spring or damper: the fixed world, for bodies without a place and for torsion. A "
+    "spring of a body that has a place ends at a place on the ground, `[x, y]`, because its direction matters.",
+    [
+        ("lumped", "`between: [ground, block]` stretches by the displacement of `block`."),
+        ("torsion", "`between: [ground, rod]` twists by the angle of `rod`."),
+    ],
+    "No point or body can be called ground.",
+]
+
+LUMPED = [
+    "A body without a place (no `at`, `from`, `parts`) is lumped: it lies on one axis, of which nothing needs to be "
+    "drawn. It has one motion and no weight.",
+    [
+        ("block: {mass: m, slide: x}", "translates by x; springs and dampers act along the axis."),
+        ("disc: {inertia: J, turn: phi}", "turns by phi; torsion springs and dampers act on it."),
+    ],
+    "Its motion may be an expression, which states a gear, a rope or a rack: `slide: r*phi`, `turn: -z1/z2*phi`. "
+    "Lumped bodies are joined with one another and with `ground`.",
+]
+
+CASES = [
+    "Each case is a part of a scene, merged over the scene: mappings are merged key by key, anything else is "
+    "replaced. `answers` and `find` are the case's own. A case may add parameters, bodies and springs, and it "
+    "cannot hold cases itself. `vibcli solve FILE --case NAME` solves one alone.",
+]
+
+MOTIONS = [
+    "How a body may move is one key of it; without any it is fixed. Each displacement and angle is a coordinate or "
+    "an expression of coordinates: `slide: x`, `pin: {at: O, by: 2*phi}`. A name that is no parameter becomes a "
+    "coordinate.",
+]
+
+SHAPES = [
+    "Uniform plane bodies. C is the mass centre; O, of a sector or arch, the centre of its circle, where `at` "
+    "stands, and OC points along `angle`. m is the mass: `mass`, or `density` times area or length. "
+    "`inertia` or `gyration` override the moment of inertia.",
+]
+
+EDITORS = [
+    "`vibcli schema` prints the JSON Schema (draft 7) of scene files, from the same declarations as this manual and "
+    "the error messages. An editor that knows it completes keys and underlines slips:",
+    [
+        ("vibcli schema > scene.schema.json", ""),
+        ("# yaml-language-server: $schema=scene.schema.json", "as the first line of a scene"),
+    ],
+    "Dimensions, names and geometry are checked by vibcli alone: `vibcli check FILE`.",
+]
+
+TOPICS = {
+    "expressions": ("how numbers, units, names and derivatives are written", EXPRESSIONS),
+    "units": ("the units that are known", None),
+    "functions": ("the functions that are known", None),
+    "conventions": ("signs, coordinates, numbering and normalisation of modes, damping", CONVENTIONS),
+    "motions": ("how bodies may move", MOTIONS),
+    "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
+    "lumped": ("bodies without a place", LUMPED),
+    "ground": ("the fixed end of springs and dampers", GROUND),
+    "quantities": ("what `answers` may ask for, and how it is compared", None),
+    "exit": ("exit codes", None),
+    "json": ("the keys of --json", None),
+    "editors": ("completion and checking in an editor", EDITORS),
+}
+ALIASES = {"expression": "expressions", "unit": "units", "function": "functions", "convention": "conventions",
+           "quantity": "quantities", "exit codes": "exit",
+           "exit code": "exit", "json keys": "json", "derivatives": "expressions", "derivative": "expressions",
+           "names": "expressions", "numbers": "expressions", "signs": "conventions", "coordinate system": "conventions",
+           "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
+           "amplitude": "conventions", "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
+           "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
+           "case": "cases", "tolerance": "quantities"}
