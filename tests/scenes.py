@@ -4,7 +4,9 @@ import math
 from textwrap import dedent
 
 from vibcli.algebra.meaning import literal_unit
+from vibcli.algebra.parse import parse
 from vibcli.document import read, read_file
+from vibcli.measured import measure
 from vibcli.problem import Problem
 from vibcli.spec import read_spec
 
@@ -56,3 +58,8 @@ def _product(factors, parts):
 
 
 _FUNCTIONS = {"abs": abs, "min": min, "max": max, "sign": lambda x: (x > 0) - (x < 0)}
+
+
+def value(scene, quantity):
+    """The value of a quantity such as omega[1] or K[x,y] of a numeric problem."""
+    return measure(scene, parse(quantity))[0]

@@ -109,7 +109,7 @@ def test_shapes_of_separated_modes(family):
         for j, mode in enumerate(modes):
             others = [x for i, x in enumerate(exact) if i != j]
             gap = min(abs(x - exact[j]) / max(abs(x), abs(exact[j])) for x in others)
-            if gap > 1e-6:
+            if gap > 1e-6 and not mode.rigid:
                 true = null_vector(k - exact[j] * m)
                 true = true * (1 / mpmath.sqrt((true.T * m * true)[0]))
                 sign = mpmath.sign((true.T * m * mpmath.matrix(mode.shape.tolist()))[0])
@@ -157,7 +157,7 @@ def test_rank_of_rational_rows_and_of_rows_with_rounding():
     angles = [0.3, 1.1, 2.0, 4.0]
     rows = [{0: math.cos(a), 1: math.sin(a), 2: 2 * math.cos(a) - math.sin(a)} for a in angles]
     assert rank(3, rows) == 2
-    assert rank(300, [{i: 0.1 * i + 0.1, i + 1: math.sqrt(i + 1)} for i in range(299)]) == 299
+    assert rank(300, [{i: math.sqrt(2), i + 1: math.cos(i)} for i in range(299)]) == 299
 
 
 def test_cart_with_a_pendulum_on_an_untied_rail_has_one_zero():

@@ -3,6 +3,7 @@
 from vibcli import units
 from vibcli.algebra.meaning import DimensionCheck, counts_cycles, quantities_in, whole_literal
 from vibcli.algebra.parse import ExpressionError
+from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.naming import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
@@ -41,12 +42,12 @@ def _answer(spec, reader, answer):
         if not _quantity(spec, reader, asked, quantity):
             return
     if not whole and not quantities_in(tree):
-        reader.report(asked.where, f"'{asked.text}' is not a quantity", nearest(asked.text.split("[")[0], ASKED))
+        reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text.split("[")[0], ASKED))
         return
     head = tree[4] if whole else None
     if head == "stable":
         if expected.text not in ("true", "false"):
-            reader.report(expected.where, "expected true or false")
+            reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}", "write stable: true")
         return
     for quantity in quantities_in(expected.tree):
         if not _quantity(spec, reader, expected, quantity):
@@ -55,6 +56,7 @@ def _answer(spec, reader, answer):
     names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates)
     check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if whole else _dimension_of(spec, asked)
+    expected.unit = ASKED[head].unit if whole else None
     check(spec, reader, expected, names, dimension_asked)
     if answer.rtol is not None:
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
@@ -76,13 +78,14 @@ def _quantity(spec, reader, expression, tree):
     if asked is None:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
         return False
-    usage = head + "".join(f"[{kind}]" for kind in asked.indices[:1])
+    usage = head + (f"[{', '.join(asked.indices)}]" if asked.indices else "")
     if len(indices) != len(asked.indices) and not (head == "J" and len(indices) == 1):
-        reader.report(place, f"'{head}' takes {len(asked.indices)} indices, found {len(indices)}", f"as in {usage}")
+        takes = {0: "no index", 1: "one index", 2: "two indices"}[len(asked.indices)]
+        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {usage}")
         return False
     if attribute not in asked.attributes:
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
-                      "write " + " or ".join(f"{tree[3].split('.')[0]}.{a}" for a in asked.attributes if a))
+                      "write " + " or ".join(tree[3].partition(".")[0] + (a and "." + a) for a in asked.attributes))
         return False
     return all(_index(spec, reader, place, head, kind, index)
                for kind, index in zip(asked.indices, indices, strict=False))
@@ -100,7 +103,7 @@ def _index(spec, reader, place, head, kind, index):
     else:
         good, valid = index in points or index in bodies, [*points, *bodies]
     if not good:
-        reader.report(place, f"'{head}' has no {kind} '{index}' in this scene", nearest(index, valid))
+        reader.report(place, f"this scene has no {kind} {quoted(index)}", nearest(index, valid) or "it has none at all")
     return good
 
 
@@ -108,7 +111,9 @@ def _cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
     cyclic = {name for name, record in spec.parameters.items() if "value" in record and counts_cycles(record["value"].tree)}
     if head in ("omega", "omega_d", "decay", "growth_rate") and counts_cycles(expected.tree, cyclic):
-        reader.report(expected.where, f"'{head}' is an angular frequency in rad/s, found Hz", "write 2*pi*f for f in Hz")
+        reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
+                      "write 2*pi*f, or ask for frequency[i]")
     literal = whole_literal(expected.tree)
     if head == "frequency" and literal and any(unit in ("rad", "rpm") for unit, _, _, _ in literal[4]):
-        reader.report(expected.where, "'frequency' is in Hz, found an angular frequency", "divide by 2*pi")
+        reader.report(expected.where, "expected a frequency (Hz) for 'frequency', found an angular frequency",
+                      "divide by 2*pi, or ask for omega[i]")

@@ -8,11 +8,13 @@ checked at several sets of random values of its symbols.
 import random
 import re
 from fractions import Fraction
+from math import isfinite
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower, quantities_in, whole_literal
+from vibcli.algebra.parse import ExpressionError
 from vibcli.asking import coordinate_name
-from vibcli.errors import PhysicsError
+from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.measured import measure
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 
@@ -49,6 +51,7 @@ def _verdict(problem, answer, case):
             verdict = _compare(draw, answer)
         except PhysicsError as error:
             verdict = Verdict(answer, False, remark="no such answer: " + error.message)
+            error.where = error.where or answer.asked.where
             verdict.refusal = error
         if not verdict.agrees:
             break
@@ -81,16 +84,16 @@ def _compare(problem, answer):
         stable = measure(problem, tree)[0]
         wanted = answer.expected.text == "true"
         return Verdict(answer, stable == wanted, wanted, stable)
-    found, error = value_of(problem, tree)
-    expected, _ = value_of(problem, answer.expected.tree)
+    found, error = value_of(problem, answer.asked)
+    expected, _ = value_of(problem, answer.expected)
     tolerance = _tolerance(problem, answer, expected, error)
     agrees = abs(found - expected) <= tolerance
     return Verdict(answer, agrees, expected, found, tolerance, None if agrees else likely_mistake(head, expected, found))
 
 
-def value_of(problem, tree):
+def value_of(problem, expression):
     """(value, relative error bound) of an expression of parameters and quantities."""
-    scene, values, worst = problem.scene, dict(problem.floats), 0.0
+    scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
     for quantity in quantities_in(tree):
         values[quantity[3]], error = measure(problem, quantity)
         worst = max(worst, error)
@@ -99,17 +102,26 @@ def value_of(problem, tree):
     def symbol(name, primes, part):
         return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
 
-    value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
-    if value != value:
-        raise PhysicsError("the expected value is not a real number here")
+    value = evaluate([_lowered(expression, table, symbol)], Floats, values)[0]
+    if not isfinite(value):
+        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
+                           expression.where)
     return value, worst
+
+
+def _lowered(expression, table, symbol):
+    try:
+        return lower(expression.tree, table, symbol)
+    except ExpressionError as error:
+        place = expression.scalar.place(error.offset, error.width)
+        raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
 
 
 def _tolerance(problem, answer, expected, error):
     """The absolute tolerance: that given, that of the digits written, or rounding."""
     rounding = (EXACT + 4 * error) * abs(expected) + 1e-300
     if answer.rtol is not None:
-        return value_of(problem, answer.rtol.tree)[0] * abs(expected) + 1e-300
+        return value_of(problem, answer.rtol)[0] * abs(expected) + 1e-300
     literal = whole_literal(answer.expected.tree)
     if literal is None:
         return rounding if expected else _small(problem, answer)
@@ -129,17 +141,30 @@ def _small(problem, answer):
 
 
 def _states(problem):
-    """Random states near the drawn position: {symbol name: value} with coordinates, velocities, accelerations."""
+    """Random states near the drawn position: {symbol name: array} of coordinates, velocities, accelerations."""
+    import numpy as np
+
     generator = random.Random("states")
     names = problem.scene.coordinates
-    for _ in range(STATES + 2 * len(names)):
-        state = {}
-        for name in names:
-            scale = _reach(problem, name)
-            state[name] = problem.drawn_floats[name] + scale * generator.uniform(-1, 1)
-            state[name + "'"] = scale * generator.uniform(-3, 3)
-            state[name + "''"] = scale * generator.uniform(-9, 9)
-        yield state
+    count, found = STATES + 3 * len(names), {}
+    for name in names:
+        scale = _reach(problem, name)
+        for symbol, centre, spread in ((name, problem.drawn_floats[name], scale), (name + "'", 0.0, 3 * scale),
+                                       (name + "''", 0.0, 9 * scale)):
+            found[symbol] = np.array([centre + spread * generator.uniform(-1, 1) for _ in range(count)])
+    return found
+
+
+def _at_states(problem, nodes, states):
+    """The values of expressions at all states, arrays of one length."""
+    import numpy as np
+
+    from vibcli.algebra.arrays import Arrays
+
+    count = STATES + 3 * len(problem.scene.coordinates)
+    with np.errstate(all="ignore"):
+        values = evaluate(nodes, Arrays, {**problem.floats, **states})
+    return [np.broadcast_to(value, (count,)) for value in values]
 
 
 def _reach(problem, name):
@@ -149,75 +174,60 @@ def _reach(problem, name):
     return 0.2 * (figure_size(problem) or 1.0) if problem.dimension(name) else 0.3
 
 
-def _expected_node(problem, tree):
+def _expected_node(problem, expression):
     scene = problem.scene
     symbols = dict(zip(scene.coordinates, zip(scene.q, scene.v, scene.a, strict=True), strict=True))
 
     def symbol(name, primes, part):
         return symbols[name][primes] if name in symbols else scene.parameters.nodes[name]
 
-    return lower(tree, scene.table, symbol)
+    return _lowered(expression, scene.table, symbol)
 
 
 def _compare_energy(problem, answer, head):
     scene = problem.scene
     ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
-    expected = _expected_node(problem, answer.expected.tree)
-    pairs = [evaluate([expected, ours], Floats, {**problem.floats, **state}) for state in _states(problem)]
+    expected = _expected_node(problem, answer.expected)
+    wanted, found = _at_states(problem, [expected, ours], _states(problem))
     if head == "V":
-        pairs = [(a - pairs[0][0], b - pairs[0][1]) for a, b in pairs[1:]]
-    size = max(max(abs(a), abs(b)) for a, b in pairs)
-    worst = max(pairs, key=lambda pair: abs(pair[0] - pair[1]))
-    agrees = abs(worst[0] - worst[1]) <= EXACT * size
-    return Verdict(answer, agrees, worst[0], worst[1], EXACT * size,
+        wanted, found = wanted - wanted[0], found - found[0]
+    size, worst = max(abs(wanted).max(), abs(found).max()), abs(wanted - found).argmax()
+    agrees = bool(abs(wanted - found)[worst] <= EXACT * size)
+    return Verdict(answer, agrees, float(wanted[worst]), float(found[worst]), EXACT * size,
                    None if agrees else "values at a random state of motion")
 
 
 def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
-    name = coordinate_name(problem.spec, answer.asked.tree[5][0])
-    expected = _expected_node(problem, answer.expected.tree)
+    i = scene.coordinates.index(coordinate_name(problem.spec, answer.asked.tree[5][0]))
+    expected = _expected_node(problem, answer.expected)
+    states = _states(problem)
     if head == "equation":
-        ours = _small_oscillation(problem, name)
+        states = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in states.items()}
+        wanted, = _at_states(problem, [expected], states)
+        found = _small_oscillation(problem, i, states)
     else:
         from vibcli.mechanics.lagrange import equation_of
 
-        node = equation_of(scene, scene.coordinates.index(name))
-
-        def ours(state):
-            return evaluate([node], Floats, {**problem.floats, **state})[0]
-
-    if head == "equation":
-        states = [{key: value - problem.drawn_floats.get(key, 0.0) for key, value in state.items()}
-                  for state in _states(problem)]
-    else:
-        states = list(_states(problem))
-    pairs = [(evaluate([expected], Floats, {**problem.floats, **state})[0], ours(state)) for state in states]
-    norm = sum(b * b for _, b in pairs)
-    factor = sum(a * b for a, b in pairs) / norm if norm else 0.0
-    size = max(abs(a) for a, _ in pairs)
-    off = max(abs(a - factor * b) for a, b in pairs)
+        wanted, found = _at_states(problem, [expected, equation_of(scene, i)], states)
+    factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
+    size, off = float(abs(wanted).max()), float(abs(wanted - factor * found).max())
     agrees = factor != 0.0 and off <= EXACT * size
     remark = None if agrees else f"not proportional: off by {off / size:.2g} of its size" if size else "it is empty"
     return Verdict(answer, agrees, None, None, None, remark)
 
 
-def _small_oscillation(problem, name):
-    """The left side of the linear equation of `name` as a function of a state."""
+def _small_oscillation(problem, i, states):
+    """The left side of the linear equation of coordinate i at all states."""
     from vibcli.mechanics.lagrange import matrices_in_numbers
 
-    i = problem.scene.coordinates.index(name)
     M, C, G, K = matrices_in_numbers(problem.elements)
-
-    def left(state):
-        total = 0.0
-        for j, other in enumerate(problem.scene.coordinates):
-            total += (M.get((i, j), 0.0) * state[other + "''"] + K.get((i, j), 0.0) * state[other]
-                      + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * state[other + "'"])
-        return total
-
-    return left
+    total = 0.0
+    for j, name in enumerate(problem.scene.coordinates):
+        total = total + (M.get((i, j), 0.0) * states[name + "''"] + K.get((i, j), 0.0) * states[name]
+                         + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * states[name + "'"])
+    return total
 
 
 _TURN = 6.283185307179586

@@ -9,30 +9,54 @@ from importlib import import_module
 
 from vibcli import units
 from vibcli.algebra.parse import ExpressionError, parse, plain_name
+from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar, Sequence
 from vibcli.errors import Diagnostic
 
 
-def nearest(word, words):
-    """A hint naming the nearest valid word, or all of them where none is near."""
+def near(word, words):
+    """The one of `words` that is most like `word`, None where none is."""
     from difflib import get_close_matches
 
-    words = [w for w in words if w]
-    near = get_close_matches(str(word), words, 1, 0.6) or [w for w in words if w.lower() == str(word).lower()]
-    if near:
-        return f"did you mean '{near[0]}'?"
-    return "valid here: " + ", ".join(sorted(words)) if words and len(words) <= 40 else None
+    same = [w for w in words if w and w.lower() == word.lower()]
+    found = same or get_close_matches(word, [w for w in words if w], 1, 0.6)
+    return found[0] if found else None
+
+
+def nearest(word, words):
+    """A hint naming the nearest valid word, or all of them where none is near."""
+    found = near(word, words)
+    if found:
+        return f"did you mean '{found}'?"
+    words = sorted(w for w in words if w)
+    return "valid here: " + ", ".join(words) if words and len(words) <= 40 else None
+
+
+def article(noun):
+    return ("an " if noun[0] in "aeiou" else "a ") + noun
+
+
+MOST_PROBLEMS = 100
+
+
+class TooMany(Exception):
+    """More is wrong with a file than anybody reads."""
 
 
 class Reader:
     """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
-    move something (a bare name there is a coordinate), and every reference as (Name, namespace)."""
+    move something (a bare name there is a coordinate), and every reference as (Name, namespaces, what is wanted).
+    `sound` tells whether the scene was read whole, apart from what is asked of it."""
 
     def __init__(self):
         self.diagnostics, self.expressions, self.motions, self.references = [], [], [], []
+        self.sound = True
 
     def report(self, where, message, hint=None):
         self.diagnostics.append(Diagnostic(where, message, hint))
+        if len(self.diagnostics) == MOST_PROBLEMS:
+            self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
+            raise TooMany
 
     def expected(self, node, what, hint=None):
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
@@ -43,7 +67,7 @@ def _found(node):
         return "a mapping"
     if isinstance(node, Sequence):
         return "a list"
-    return f"'{node.text}'" if node.text else "nothing"
+    return quoted(node.text) if node.text.strip() else "nothing"
 
 
 class Expression:
@@ -125,7 +149,7 @@ class Quantity(Kind):
             return "an equation"
         if self.unit is None:
             return "an expression"
-        return "a pure number" if not self.dimension else units.name(self.dimension)
+        return units.wanted(self.unit, self.dimension)
 
     def read(self, node, reader):
         if not isinstance(node, Scalar) or not node.text.strip():
@@ -179,12 +203,13 @@ class Choice(Kind):
 
     @property
     def wants(self):
-        return "one of " + ", ".join(self.words)
+        *words, last = self.words
+        return ("one of " if len(words) > 1 else "") + (", ".join(words) + " or " if words else "the word ") + last
 
     def read(self, node, reader):
         if not isinstance(node, Scalar) or node.text not in self.words:
-            text = node.text if isinstance(node, Scalar) else ""
-            return reader.expected(node, self.wants, nearest(text, self.words) if text else None)
+            meant = near(node.text, self.words) if isinstance(node, Scalar) else None
+            return reader.expected(node, self.wants, meant and f"did you mean '{meant}'?")
         return node.text
 
     def schema(self):
@@ -213,10 +238,15 @@ class Many(Kind):
     def read(self, node, reader):
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
             if isinstance(node, Sequence):
-                return reader.report(node.where, f"expected {self.wants}, found {len(node.items)} items")
-            return reader.expected(node, self.wants)
+                count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
+                return reader.report(node.where, f"expected {self.wants}, found {count}", self._bounds())
+            one = isinstance(node, Scalar) and node.text.strip() and self.least <= 1
+            return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items
+
+    def _bounds(self):
+        return None if self.least == self.most else f"write {self.least} to {self.most} items"
 
     def schema(self):
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
@@ -261,16 +291,21 @@ class Field:
 class Element(Kind):
     """A mapping with declared keys. `short` is the key that a bare value stands for (`slide: x` is `{by: x}`);
     `exclusive` lists groups of keys of which at most one may stand, `needs` groups of which at least one must.
-    `settle(record)` sets dimensions that depend on the other keys."""
+    `settle(record, reader)` sets dimensions that depend on the other keys, and reports keys that do not go together;
+    `instead` says what to write for a key that is missed here."""
 
-    def __init__(self, name, about, fields, short=None, exclusive=(), needs=(), settle=None, example=None):
+    def __init__(self, name, about, fields, short=None, exclusive=(), needs=(), settle=None, example=None,
+                 instead=None):
         self.name, self.about, self.fields, self.short = name, about, fields, short
         self.exclusive, self.needs, self.settle, self.example = exclusive, needs, settle, example
+        self.instead = instead or {}
 
     @property
     def wants(self):
         keys = ", ".join(list(self.fields)[:5]) + (", …" if len(self.fields) > 5 else "")
-        return f"a {self.name} as a mapping {{{keys}}}"
+        if self.short is not None:
+            return f"{self.fields[self.short].kind.wants}, or a mapping {{{keys}}}"
+        return f"{article(self.name)} as a mapping {{{keys}}}"
 
     def read(self, node, reader, name=None, where=None):
         where = where or node.where
@@ -285,7 +320,8 @@ class Element(Kind):
             keys[key] = key_node.where
             field = self.fields.get(key)
             if field is None:
-                reader.report(key_node.where, f"unknown key '{key}' in a {self.name}", nearest(key, self.fields))
+                reader.report(key_node.where, f"unknown key {quoted(key)} in {article(self.name)}",
+                              self.instead.get(key) or nearest(key, self.fields))
                 continue
             value = field.kind.read(value_node, reader)
             if value is not None:
@@ -295,21 +331,23 @@ class Element(Kind):
             return None
         record = Record(self, name, where, values, keys)
         if self.settle:
-            self.settle(record)
+            self.settle(record, reader)
         return record
 
     def _rules(self, reader, where, keys):
+        given = set(keys) | {near(key, self.fields) for key in keys if key not in self.fields}
         for key, field in self.fields.items():
-            if field.required and key not in keys:
+            if field.required and key not in given:
                 reader.report(where, f"this {self.name} needs '{key}': {field.about}")
         for group in self.exclusive:
-            present = [key for key in group if key in keys]
+            present = [key for key in keys if key in group]
             if len(present) > 1:
                 reader.report(keys[present[1]], f"'{present[1]}' contradicts '{present[0]}' in one {self.name}",
                               "give one of " + ", ".join(group))
         for group in self.needs:
-            if not any(key in keys for key in group):
-                reader.report(where, f"this {self.name} needs one of: " + ", ".join(group))
+            if not any(key in given for key in group):
+                reader.report(where, f"this {self.name} needs " + " or ".join(f"'{key}'" for key in group),
+                              f"{group[0]}: {self.fields[group[0]].about}")
 
     def schema(self):
         mapping = {"type": "object", "additionalProperties": False, "properties": {
@@ -343,19 +381,20 @@ class Lazy(Kind):
 class Named(Kind):
     """A mapping from names, chosen by the writer, to elements of one kind."""
 
-    def __init__(self, kind, wants):
-        self.kind, self.wants = kind, wants
+    def __init__(self, kind, wants, forbidden=()):
+        self.kind, self.wants, self.forbidden = kind, wants, forbidden
 
     def read(self, node, reader):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         records = {}
         for key, (key_node, value_node) in node.entries.items():
-            name = check_name(key_node, reader)
+            name = check_name(key_node, reader, self.forbidden)
             if name is None:
                 continue
             if name in records:
-                reader.report(key_node.where, f"'{key}' is the same name as one before it")
+                reader.report(key_node.where, f"'{key}' is the same name as one before it",
+                              "Greek letters are names like those that spell them: φ is phi")
                 continue
             record = (self.kind.read(value_node, reader, name, key_node.where) if isinstance(self.kind, (Element, Lazy))
                       else self.kind.read(value_node, reader))
@@ -371,8 +410,10 @@ def check_name(node, reader, forbidden=()):
     """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
     name = plain_name(node.text)
     if not name.isidentifier() or not name.isascii() or len(name) > 32:
-        return reader.report(node.where, f"'{node.text}' is not a name",
-                             "a name starts with a letter and holds letters, digits and _, at most 32")
+        return reader.report(node.where, f"{quoted(node.text)} is not a name",
+                             "a name starts with a letter, a to z or Greek, and goes on with letters, digits and _, at "
+                             "most 32")
     if name in forbidden:
-        return reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here")
+        return reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here",
+                             "choose another name")
     return name

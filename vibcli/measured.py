@@ -17,14 +17,18 @@ def _mode(problem, indices):
     modes = problem.modes
     number = int(indices[0])
     if number > len(modes):
-        raise PhysicsError(f"there are only {len(modes)} modes, no mode {number}")
+        raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}")
     return modes[number - 1]
+
+
+def _counted(count, noun):
+    return f"one {noun}" if count == 1 else f"{count} {noun}s"
 
 
 def _oscillating(problem, indices, what):
     mode = _mode(problem, indices)
     if mode.omega is None:
-        raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}")
+        raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}", "ask for growth_rate[i] or stable")
     return mode
 
 
@@ -41,14 +45,14 @@ def _frequency(problem, indices, attribute):
 def _period(problem, indices, attribute):
     mode = _oscillating(problem, indices, "period")
     if not mode.omega:
-        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period")
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period", "ask for omega[i]: 0 rad/s")
     return 6.283185307179586 / float(mode.omega), mode.error
 
 
 def _growth_rate(problem, indices, attribute):
     mode = _mode(problem, indices)
     if mode.growth_rate is None:
-        raise PhysicsError(f"mode {indices[0]} does not grow")
+        raise PhysicsError(f"mode {indices[0]} does not grow: it is not unstable", "ask for omega[i]")
     return float(mode.growth_rate), mode.error
 
 
@@ -69,7 +73,7 @@ def damped_mode(problem, indices):
     number = int(indices[0])
     found = [mode for mode in modes if mode.index == number]
     if not found:
-        raise PhysicsError(f"there are only {modes[-1].index} damped modes, no mode {number}")
+        raise PhysicsError(f"there is no damped mode {number}: this scene has {_counted(modes[-1].index, 'damped mode')}")
     return found[0]
 
 

@@ -5,18 +5,25 @@ from vibcli.algebra.meaning import (
     ANY,
     DimensionCheck,
     constant,
+    literal_unit,
     literals_in,
     names_in,
+    quantities_in,
     whole_literal,
 )
 from vibcli.algebra.parse import ExpressionError, parse
+from vibcli.diagnostics import quoted
 from vibcli.errors import Diagnostic
 from vibcli.fields import Record, nearest
 from vibcli.questions import dimension
 
+MOST_COORDINATES = 2000
+NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
+
 
 def resolve(spec, reader):
     """Settle the names and dimensions of `spec`; whatever does not fit goes to reader.diagnostics."""
+    before = len(reader.diagnostics)
     spec.dimensions = units.Dimensions()
     spec.used = set()
     spec.coordinates = _coordinates(spec, reader)
@@ -29,6 +36,7 @@ def resolve(spec, reader):
     _parameters(spec, reader)
     _matrices(spec, reader)
     _start(spec, reader)
+    _bounded(spec, reader)
     known = (*spec.parameters, *spec.coordinates)
     parameters = {id(p.get("value")) for p in spec.parameters.values()}
     moving = _moving(spec, reader)
@@ -36,7 +44,7 @@ def resolve(spec, reader):
         if id(expression) not in apart and id(expression) not in parameters:
             names = known if id(expression) in moving else spec.parameters
             check(spec, reader, expression, names, expression.dimension)
-    if spec.answers and not reader.diagnostics:
+    if spec.answers and reader.sound and len(reader.diagnostics) == before:
         from vibcli.asking import check_answers
 
         check_answers(spec, reader)
@@ -58,7 +66,7 @@ def _coordinates(spec, reader):
     for name, record in found.items():
         if name in spec.parameters:
             reader.report(record.where, f"'{name}' is a parameter and a coordinate", "rename one of them")
-    declared = set(found)
+    declared = set(found) if reader.sound else ()
     for motion in reader.motions:
         tree = motion.tree
         if tree[0] == "name" and not tree[4] and tree[3] not in spec.parameters and tree[3] not in ("t", "pi"):
@@ -76,38 +84,37 @@ def _coordinates(spec, reader):
         return found
     used = {name for e in reader.expressions for name, _, _, _ in names_in(e.tree)}
     for name, record in found.items():
-        if name not in used and matrices is None:
-            reader.report(record.where, f"the coordinate '{name}' is not used", "let a motion or an energy depend on it")
+        if name not in used and name not in spec.parameters and matrices is None:
+            reader.report(record.where, f"the coordinate '{name}' is not used",
+                          "let a motion or an energy depend on it")
     return found
 
 
 def _references(spec, reader):
     """Every reference must name something of its namespace; points and bodies share one namespace."""
-    spaces = {"points": spec.get("points") or {}, "bodies": spec.get("bodies") or {},
-              "surfaces": spec.get("surfaces") or {}, "ground": ("ground",)}
-    for name, record in spaces["points"].items():
+    spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces")}
+    spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
+    for name, record in (spec.get("points") or {}).items():
         if name in spaces["bodies"]:
             reader.report(record.where, f"'{name}' is a point and a body", "rename one of them")
-    for space in ("points", "bodies"):
-        if "ground" in spaces[space]:
-            reader.report(spaces[space]["ground"].where, "'ground' is a word of the language and cannot be a name here")
     for name, namespaces, wants in reader.references:
+        if any(name.text in spaces[space] for space in namespaces) or (
+                namespaces == ("coordinates",) and not reader.sound):
+            continue
         valid = [word for space in namespaces for word in spaces[space]]
-        if name.text not in valid:
-            kind = "surface" if namespaces == ("surfaces",) else "body" if namespaces == ("bodies",) else "point or body"
-            reader.report(name.where, f"there is no {kind} '{name.text}'",
-                          nearest(name.text, valid) or f"expected {wants}")
+        kind = _KINDS.get(namespaces[0] if len(namespaces) == 1 else None, "point or body")
+        reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
+                      nearest(name.text, valid) or f"expected {wants}")
+
+
+_KINDS = {"surfaces": "surface", "bodies": "body", "coordinates": "coordinate"}
 
 
 def _units_of_symbols(spec, reader):
     for name, record in spec.parameters.items():
         if "unit" in record:
-            try:
-                tree = parse("1 " + record["unit"])
-                dimension = DimensionCheck(spec.dimensions, None).dimension(tree)
-                spec.dimensions.equate(spec.dimensions.unknown(name), dimension)
-            except ExpressionError as error:
-                reader.report(record.place("unit"), error.message, error.hint)
+            dimension = DimensionCheck(spec.dimensions, None).dimension(parse("1 " + record["unit"]))
+            spec.dimensions.equate(spec.dimensions.unknown(name), dimension)
 
 
 def _parameters(spec, reader):
@@ -119,31 +126,32 @@ def _parameters(spec, reader):
         if spec.free_numbers and constant(value.tree) is not None:
             continue
         check(spec, reader, value, spec.parameters, spec.dimensions.unknown(name))
-    circle = _circle(spec)
-    if circle:
-        reader.report(spec.parameters[circle[0]].where, "these parameters are defined by one another: "
-                      + " → ".join([*circle, circle[0]]), "give one of them a value")
+    for circle in _circles(spec):
+        message = f"'{circle[0]}' is defined by itself" if len(circle) == 1 else (
+            "these parameters are defined by one another: " + " → ".join([*circle, circle[0]]))
+        reader.report(spec.parameters[circle[0]].where, message, "give one of them a value of its own")
 
 
-def _circle(spec):
-    """A cycle of definitions, as a list of names; None where there is none."""
+def _circles(spec):
+    """Cycles of definitions, as lists of names."""
     needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in spec.parameters]
              for name, record in spec.parameters.items() if "value" in record}
-    done = set()
+    done, found = set(), []
     for start in needs:
-        path, stack = [], [(start, iter(needs.get(start, ())))]
-        path.append(start)
+        if start in done:
+            continue
+        path, stack = {start: 0}, [iter(needs[start])]
         while stack:
-            following = next(stack[-1][1], None)
+            following = next(stack[-1], None)
             if following is None:
                 stack.pop()
-                done.add(path.pop())
+                done.add(path.popitem()[0])
             elif following in path:
-                return path[path.index(following):]
+                found.append(list(path)[path[following]:])
             elif following not in done:
-                path.append(following)
-                stack.append((following, iter(needs.get(following, ()))))
-    return None
+                path[following] = len(path)
+                stack.append(iter(needs.get(following, ())))
+    return found
 
 
 def _matrices(spec, reader):
@@ -160,12 +168,17 @@ def _matrices(spec, reader):
 
 def _start(spec, reader):
     for name, value in (spec.get("equilibrium") or {}).items():
-        if name not in spec.coordinates:
-            reader.report(value.where, f"'{name}' is not a coordinate", nearest(name, spec.coordinates))
         value.dimension = spec.dimensions.unknown(name)
     for name, record in spec.coordinates.items():
         if "drawn" in record:
             record["drawn"].dimension = spec.dimensions.unknown(name)
+
+
+def _bounded(spec, reader):
+    if len(spec.coordinates) > MOST_COORDINATES:
+        where = list(spec.coordinates.values())[MOST_COORDINATES].where
+        reader.report(where, f"the scene has {len(spec.coordinates)} coordinates; the limit is {MOST_COORDINATES}",
+                      "leave coordinates out, or divide the scene")
 
 
 def check(spec, reader, expression, names, expected):
@@ -175,14 +188,16 @@ def check(spec, reader, expression, names, expected):
         if name in names:
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
-        elif name != "pi":
+        elif name != "pi" and (reader.sound or name == "t"):
             reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
     _ambiguous(spec, reader, expression)
+    if not spec.asked_dimension:
+        _no_quantities(reader, expression)
     if len(reader.diagnostics) > before:
         return False
     try:
         checker = DimensionCheck(spec.dimensions, lambda name, primes: units.times(
-            spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension)
+            spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
     except ExpressionError as error:
@@ -199,14 +214,39 @@ def _sides(checker, expression):
 def _fits(spec, reader, expression, found, expected):
     if expected is None or found is ANY or (spec.free_numbers and _only_numbers(expression.tree)):
         return
-    wanted = units.name(spec.dimensions.resolve(expected))
+    wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
     if not spec.dimensions.equate(expected, found):
-        message = f"expected {wanted}, found {units.name(spec.dimensions.resolve(found))}"
-        literal = whole_literal(expression.tree)
-        hint = None
-        if literal and not literal[4] and expression.unit:
-            hint = f"write the unit: {expression.text} {expression.unit}"
-        reader.report(expression.scalar.place(0, len(expression.text)), message, hint)
+        message = f"expected {wanted}, found {_found(expression.tree, spec.dimensions.resolve(found))}"
+        reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
+
+
+def _found(tree, dimension):
+    literal = whole_literal(tree)
+    if literal and literal[4]:
+        if not dimension and literal[4][0][0] != "%":
+            return "an angle (rad)"
+        if literal_unit(literal[4]).cycles:
+            return "a frequency (Hz)"
+    return units.name(dimension)
+
+
+def _unit_hint(spec, expression):
+    """A number without unit: where and how to write it."""
+    literal = whole_literal(expression.tree)
+    if not expression.unit:
+        return None
+    if literal and not literal[4]:
+        return f"write the unit: {expression.text} {expression.unit}"
+    name = expression.tree[3] if expression.tree[0] == "name" else None
+    value = spec.parameters[name].get("value") if name in spec.parameters else None
+    literal = value and whole_literal(value.tree)
+    return f"give '{name}' its unit: {value.text} {expression.unit}" if literal and not literal[4] else None
+
+
+def _no_quantities(reader, expression):
+    for tree in quantities_in(expression.tree):
+        reader.report(expression.scalar.place(tree[1], tree[2] - tree[1]), f"'{tree[3]}' cannot stand here",
+                      "what is asked of a scene, such as omega[1], stands under answers")
 
 
 def _only_numbers(tree):
@@ -218,16 +258,18 @@ def _primes(spec, reader, expression, name, primes, start, end):
         return
     place = expression.scalar.place(start, end - start)
     if name in spec.parameters:
-        reader.report(place, f"'{name}' is a parameter: it has no derivative")
-    elif id(expression) not in spec.velocities:
-        reader.report(place, "a motion depends on coordinates, not on their derivatives")
+        reader.report(place, f"'{name}' is a parameter: it has no derivative", "only coordinates move")
+    elif reader.sound and id(expression) not in spec.velocities:
+        reader.report(place, "velocities cannot stand here", "they stand in energies and in expected equations")
 
 
 def _unknown(spec, name, names):
     if name == "t":
-        return "the time t cannot stand here", "scenes are driven by nothing yet: motions and loads do not depend on time"
+        return "the time t cannot stand here", "motions and loads that depend on time do not work yet"
     if name in spec.coordinates:
-        return f"'{name}' is a coordinate: only parameters may stand here", None
+        return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
+    if name.lower() in NO_NUMBERS:
+        return f"'{name}' is not a number", "write a finite number, or nothing at all: then the parameter is a symbol"
     hint = nearest(name, names)
     if names is not spec.parameters and (not hint or hint.startswith("valid")):
         hint = f"a parameter is declared under `parameters:`, a coordinate by a motion such as `slide: {name}`"

@@ -2,6 +2,7 @@
 
 from vibcli.algebra.expression import Table, bits
 from vibcli.algebra.meaning import lower, names_in, whole_literal
+from vibcli.algebra.parse import ExpressionError
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 
 WIDEST = 4096       # bits
@@ -35,11 +36,23 @@ class Parameters:
         self.records = spec.parameters
         self.nodes = {name: table.parameter(name, record.get("sign") != "any") for name, record in spec.parameters.items()}
         self.order = _order(spec.parameters)
-        self.definitions = {name: lower(spec.parameters[name]["value"].tree, table, self._symbol) for name in self.order
-                            if "value" in spec.parameters[name]}
+        self.definitions = self._lowered()
         self.free = [name for name in spec.parameters if name not in self.definitions]
         self.free += [name for name in self.order if name in self.definitions and self._depends_on_free(name)]
         self.symbolic = bool(self.free)
+
+    def _lowered(self):
+        found, wrong = {}, []
+        for name in self.order:
+            value = self.records[name].get("value")
+            try:
+                if value is not None:
+                    found[name] = lower(value.tree, self.table, self._symbol)
+            except ExpressionError as error:
+                wrong.append(Diagnostic(value.scalar.place(error.offset, error.width), error.message, error.hint))
+        if wrong:
+            raise SpecError(wrong)
+        return found
 
     def _symbol(self, name, primes, tree):
         return self.nodes[name]
@@ -51,7 +64,7 @@ class Parameters:
         """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
         from vibcli.algebra.evaluate import evaluate
 
-        found = dict(given or {})
+        found, wrong = dict(given or {}), []
         for name in self.order:
             if name in found or name not in self.definitions:
                 continue
@@ -61,8 +74,12 @@ class Parameters:
                 continue
             if hasattr(arithmetic, "isfinite") and not arithmetic.isfinite(value):
                 expression = self.records[name]["value"]
-                raise SpecError([Diagnostic(expression.where, f"the value of '{name}' is not a finite real number")])
-            found[name] = value
+                wrong.append(Diagnostic(expression.where, f"the value of '{name}' is not a finite real number",
+                                        "look for a division by zero, a root of a negative number, or a value out of range"))
+            else:
+                found[name] = value
+        if wrong:
+            raise SpecError(wrong)
         return found
 
     def rational(self):

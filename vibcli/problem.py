@@ -71,16 +71,25 @@ class Problem:
 
     @_Stage
     def form(self):
+        from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import linearise
 
+        if not self.scene.q:
+            raise PhysicsError("nothing moves in this scene: it has no coordinates",
+                               "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
         return linearise(self.scene)
 
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
+        from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import at_position
 
-        return at_position(self.form, self.scene.drawn)
+        try:
+            return at_position(self.form, self.scene.drawn)
+        except ZeroDivisionError:
+            raise PhysicsError("the forces are not defined in the drawn position: something divides by zero there",
+                               "draw the scene elsewhere, or say what its coordinates are as drawn") from None
 
     @cached_property
     def is_linear(self):

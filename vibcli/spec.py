@@ -6,10 +6,12 @@ All diagnostics of a file are collected and raised together as one SpecError.
 import re
 
 from vibcli import naming
+from vibcli.algebra.parse import plain_name
+from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar
 from vibcli.elements import answer, coordinates, equilibrium, gravity
 from vibcli.errors import SpecError
-from vibcli.fields import Choice, Kind, Lazy, Many, Named, Reader, Text, nearest
+from vibcli.fields import Choice, Kind, Lazy, Many, Named, Reader, Text, TooMany, nearest
 from vibcli.questions import FIND
 
 
@@ -36,12 +38,12 @@ SECTIONS = {
     "title": (Text(), "what the scene shows, in a line"),
     "source": (Text(), "where the problem is from"),
     "question": (Text(), "the question as a textbook would pose it; may quote parameters: {m}"),
-    "parameters": (Named(Lazy("parameter"), "a mapping from names to values"), "what is given"),
+    "parameters": (Named(Lazy("parameter"), "a mapping from names to values", ("pi",)), "what is given"),
     "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
     "gravity": (gravity.KIND, gravity.ABOUT),
-    "points": (Named(Lazy("point"), "a mapping from names to places"), "named places, fixed or carried"),
+    "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
     "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll on"),
-    "bodies": (Named(Lazy("body"), "a mapping from names to bodies"), "what moves, and how"),
+    "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
     "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
     "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),
     "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
@@ -53,14 +55,26 @@ SECTIONS = {
 }
 
 
+INSTEAD = {
+    "forces": "a constant force is written as a potential, energies: {V: -F*x}; loads in time do not work yet",
+    "constraints": "write what follows from x as a motion in x, such as turn: -x/R",
+    "initial": "motion in time does not work yet",
+    "motion": "the equations are always found in full and for small oscillations",
+    "choose": "leave the parameter without value: the results are then written in letters",
+    "variants": "give other values under cases, or with --set",
+    "damping": "write the dampers one by one under dampers",
+} | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
+
+
 class Spec:
     """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
-    __slots__ = ("answers", "asked_dimension", "cases", "coordinates", "dimensions", "file", "free_numbers",
+    __slots__ = ("answers", "asked_dimension", "cases", "coordinates", "dimensions", "file", "free_numbers", "named",
                  "parameters", "sections", "used", "velocities")
 
-    def __init__(self, file, sections):
-        self.file, self.sections = file, sections
+    def __init__(self, file, sections, named):
+        """`named`: the names that stand in each section, of what could not be read as well."""
+        self.file, self.sections, self.named = file, sections, named
         self.parameters = sections.get("parameters", {})
         self.answers = sections.get("answers", [])
         self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
@@ -74,12 +88,13 @@ def read_spec(root, file, diagnostics=(), settings=None):
     found = list(diagnostics)
     if root is None:
         raise SpecError(found)
-    cases = root.entries.get("cases")
     base = _read_one(root, file, found, settings or {})
+    cases = root.entries.get("cases")
     specs = {}
-    if base is not None and cases is not None and isinstance(cases[1], Mapping):
-        for name, part in (base.get("cases") or {}).items():
-            specs[name] = _read_one(_merged(root, part), file, found, settings or {})
+    if cases is not None and isinstance(cases[1], Mapping):
+        for name, (_, part) in cases[1].entries.items():
+            if isinstance(part, Mapping) and "cases" not in part.entries:
+                specs[name] = _read_one(_merged(root, part), file, found, settings or {})
     everything = [spec for spec in (base, *specs.values()) if spec is not None]
     for spec in everything[:1]:
         naming.report_unused(spec, set().union(*(s.used for s in everything)), found)
@@ -119,26 +134,47 @@ def _over(below, above):
 
 def _read_one(root, file, found, settings):
     reader = Reader()
+    try:
+        spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
+        _settings(spec, settings)
+        naming.resolve(spec, reader)
+        _question(spec, root, reader)
+    except TooMany:
+        pass
+    found.extend(reader.diagnostics)
+    return None if reader.diagnostics else spec
+
+
+def _sections(root, reader):
+    """The records of each section; reader.sound tells whether the scene was read whole."""
     sections = {}
     for key, (key_node, value) in root.entries.items():
+        before = len(reader.diagnostics)
         if key not in SECTIONS:
-            reader.report(key_node.where, f"unknown key '{key}'", nearest(key, SECTIONS))
-            continue
-        if isinstance(value, Scalar) and not value.text.strip() and not isinstance(SECTIONS[key][0], Text):
+            reader.report(key_node.where, f"unknown key {quoted(key)}", INSTEAD.get(key) or nearest(key, SECTIONS))
+        elif _is_empty(value) and not isinstance(SECTIONS[key][0], Text):
             reader.report(key_node.where, f"the section '{key}' is empty", "fill it in or leave it out")
-            continue
-        record = SECTIONS[key][0].read(value, reader)
-        if record is not None:
-            sections[key] = record
-    spec = Spec(file, sections)
-    try:
-        _settings(spec, settings)
-        if not reader.diagnostics:
-            naming.resolve(spec, reader)
-            _question(spec, root, reader)
-    finally:
-        found.extend(reader.diagnostics)
-    return None if reader.diagnostics else spec
+        else:
+            record = SECTIONS[key][0].read(value, reader)
+            if record is not None:
+                sections[key] = record
+        if key not in ("answers", "find", "cases"):
+            reader.sound &= len(reader.diagnostics) == before
+    return sections
+
+
+def _is_empty(node):
+    if isinstance(node, Scalar):
+        return not node.text.strip()
+    return not (node.entries if isinstance(node, Mapping) else node.items)
+
+
+def _names(node):
+    """The names in a section, whether or not what they stand for could be read."""
+    if isinstance(node, Mapping):
+        return [plain_name(key) for key in node.entries]
+    items = [] if isinstance(node, Scalar) else node.items
+    return [plain_name(item.text) for item in items if isinstance(item, Scalar)]
 
 
 def _settings(spec, settings):
@@ -151,8 +187,9 @@ def _settings(spec, settings):
 
 
 def _question(spec, root, reader):
-    text = spec.get("question", "")
-    for name in re.findall(r"\{([^{}]*)\}", text):
-        if name.strip() not in spec.parameters:
-            reader.report(root.entries["question"][1].where, f"the question quotes '{{{name}}}', which is no parameter",
-                          nearest(name.strip(), spec.parameters))
+    for quote in re.finditer(r"\{([^{}]*)\}", spec.get("question", "")):
+        name = quote.group(1).strip()
+        if plain_name(name) not in spec.named.get("parameters", ()):
+            place = root.entries["question"][1].place(quote.start(), len(quote.group()))
+            reader.report(place, f"the question quotes {quoted(quote.group())}, which is no parameter",
+                          nearest(name, spec.parameters))

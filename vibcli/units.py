@@ -102,6 +102,15 @@ def _powered(base, exponent):
     return base if exponent == 1 else base + str(exponent).translate(_SUPERSCRIPT)
 
 
+def wanted(unit, dimension):
+    """What a field of this unit expects, in words for messages; `unit` None or unknown: by the dimension alone."""
+    return _WANTED.get(unit) or name(dimension)
+
+
+_WANTED = {"rad": "an angle (rad)", "J": "an energy (J)", "N*m": "a moment or torsional stiffness (N·m)",
+           "Hz": "a frequency (Hz)", "1/s": "a rate (1/s)", "W": "a power (W)"}
+
+
 def name(dimension):
     """A dimension in words for messages: 'a stiffness (N/m)' reads better than its exponents."""
     if not dimension:
@@ -114,7 +123,7 @@ def name(dimension):
 
 _WORDS = ((LENGTH, "a length"), (MASS, "a mass"), (TIME, "a time"), (_FORCE, "a force"),
           (_dimension(1, 0, -2), "a stiffness"), (_dimension(1, 0, -1), "a damping coefficient"),
-          (_ENERGY, "an energy, moment or torsional stiffness"), (_dimension(1, 2), "a moment of inertia"),
+          (_ENERGY, "a moment, torsional stiffness or energy"), (_dimension(1, 2), "a moment of inertia"),
           (_dimension(1, 2, -1), "a torsional damping coefficient"), (_dimension(0, 1, -2), "an acceleration"),
           (_dimension(0, 1, -1), "a speed"), (_dimension(s=-1), "an angular frequency"), (_dimension(m=2), "an area"))
 

@@ -43,13 +43,18 @@ def _sign(x):
 
 
 class Floats:
-    """Python floats. What has no real value there (√−1, log 0, overflow) is NaN, for the caller to refuse."""
+    """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
+    refuse."""
 
     pi = math.pi
 
     @staticmethod
     def number(value):
-        return value.numerator / value.denominator
+        try:
+            found = value.numerator / value.denominator
+        except OverflowError:
+            return math.nan
+        return found if found or not value else math.nan
 
     @staticmethod
     def power(base, exponent):

@@ -207,11 +207,9 @@ class Table:
         while pending:
             base, e = pending.pop()
             if base.op == "number":
-                value = _rational_power(base.coefficient, e)
-                if value is not None:
-                    coefficient *= value
-                    continue
-            elif base.op == "product" and (e.denominator == 1 or self._splits(base)):
+                coefficient = self._gather_number(base.coefficient, e, coefficient, collected)
+                continue
+            if base.op == "product" and (e.denominator == 1 or self._splits(base)):
                 value = _rational_power(base.coefficient, e)
                 if value is None:
                     pending.append((self.number(base.coefficient), e))
@@ -222,9 +220,30 @@ class Table:
             if base.op == "sum" and e.denominator == 1 and self._leads_negative(base):
                 base = self.scaled(base, -ONE)
                 coefficient = coefficient if e.numerator % 2 == 0 else -coefficient
-            collected[base] = collected.get(base, ZERO) + e
-            if base.op == "number" and _rational_power(base.coefficient, collected[base]) is not None:
-                pending.append((base, collected.pop(base)))
+            e += collected.pop(base, ZERO)
+            if base.op == "product" and e.denominator == 1:
+                pending.append((base, e))
+            else:
+                collected[base] = e
+        return coefficient
+
+    def _gather_number(self, value, e, coefficient, collected):
+        """value^e into the coefficient as far as that is rational and short; of √8 = 2√2 the root stays."""
+        if not value:
+            return coefficient * _rational_power(value, exact(e) if e <= 0 else ONE)
+        if e.denominator == 2:
+            outside, value = _square_part(value)
+            coefficient = exact(coefficient * Fraction(outside) ** e.numerator)
+        if value == 1:
+            return coefficient
+        base = self.number(value)
+        e = exact(e + collected.pop(base, ZERO))
+        whole = e.numerator // e.denominator
+        factor = _rational_power(value, whole)
+        if factor is not None and bits(factor) + bits(coefficient) <= BITS:
+            coefficient, e = exact(coefficient * factor), exact(e - whole)
+        if e:
+            collected[base] = e
         return coefficient
 
     def _leads_negative(self, total):
@@ -339,6 +358,18 @@ def _rational_power(base, exponent):
         if up * up == base.numerator and down * down == base.denominator:
             return _rational_power(exact(Fraction(up, down)), exact(exponent * 2))
     return None
+
+
+def _square_part(value):
+    """(r, n) with value = r²·n and n an integer without small square factors: √8 = 2√2, √(1/2) = √2/2."""
+    inside, outside = value.numerator * value.denominator, Fraction(1, value.denominator)
+    if value <= 0 or inside.bit_length() > BITS // 2:
+        return ONE, value
+    for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31):
+        while inside % prime**2 == 0:
+            inside //= prime**2
+            outside *= prime
+    return exact(outside), inside
 
 
 def reachable(nodes):

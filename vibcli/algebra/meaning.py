@@ -5,6 +5,7 @@ from fractions import Fraction
 from vibcli import units
 from vibcli.algebra.expression import HALF, ONE
 from vibcli.algebra.parse import ExpressionError
+from vibcli.diagnostics import quoted
 
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
 
@@ -85,8 +86,9 @@ class DimensionCheck:
     `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity.
     """
 
-    def __init__(self, dimensions, of, free_numbers=False, quantity=None):
+    def __init__(self, dimensions, of, free_numbers=False, quantity=None, text=""):
         self.dimensions, self.of, self.free_numbers, self.quantity = dimensions, of, free_numbers, quantity
+        self.text = text
 
     def dimension(self, tree):
         return getattr(self, "_" + tree[0])(tree)
@@ -106,7 +108,7 @@ class DimensionCheck:
     def _quantity(self, tree):
         return self.quantity(tree) if self.quantity else ANY
 
-    def _sum(self, tree):
+    def _sum(self, tree, done="added"):
         found, first = ANY, None
         for _, part in tree[3]:
             dimension = ANY if self.free_numbers and whole_literal(part) else self.dimension(part)
@@ -115,12 +117,15 @@ class DimensionCheck:
             if found is ANY:
                 found, first = dimension, part
             elif not self.dimensions.equate(found, dimension):
-                raise ExpressionError(part[1], part[2] - part[1], "these terms cannot be added: "
-                                      f"{self._words(found)} and {self._words(dimension)}",
-                                      f"the first term of that kind starts at character {first[1] + 1}")
+                raise ExpressionError(part[1], part[2] - part[1], f"these cannot be {done}: {self._quoted(first)} is "
+                                      f"{self._words(found)}, {self._quoted(part)} {self._words(dimension)}",
+                                      "terms of one sum measure the same")
         if found is ANY and not self.free_numbers and all(whole_literal(part) for _, part in tree[3]):
             found = ANY if all(not whole_literal(part)[3] for _, part in tree[3]) else units.NONE
         return found
+
+    def _quoted(self, part):
+        return quoted(self.text[part[1]:part[2]].strip())
 
     def _words(self, dimension):
         return units.name(self.dimensions.resolve(dimension))
@@ -143,7 +148,8 @@ class DimensionCheck:
                 self._pure(tree[3], "the base of a power that is not a number")
             return units.NONE
         if abs(exponent) > 100:
-            raise ExpressionError(tree[4][1], tree[4][2] - tree[4][1], "powers are bounded by 100")
+            raise ExpressionError(tree[4][1], tree[4][2] - tree[4][1], "this power is out of range",
+                                  "powers lie between -100 and 100")
         return base if base is ANY else units.raised(base, exponent)
 
     def _pure(self, tree, what):
@@ -163,7 +169,7 @@ class DimensionCheck:
             self.dimension(args[0])
             return units.NONE
         if name in ("min", "max", "atan2"):
-            found = self._sum(("sum", tree[1], tree[2], [(1, arg) for arg in args]))
+            found = self._sum(("sum", tree[1], tree[2], [(1, arg) for arg in args]), "compared")
             return units.NONE if name == "atan2" else found
         self._pure(args[0], f"the argument of {name}")
         return units.NONE
@@ -208,7 +214,8 @@ def lower(tree, table, symbol):
         args = [lower(arg, table, symbol) for arg in tree[4]]
         return table.sqrt(args[0]) if tree[3] == "sqrt" else table.call(tree[3], *args)
     except ZeroDivisionError:
-        raise ExpressionError(tree[1], tree[2] - tree[1], "this divides by zero") from None
+        raise ExpressionError(tree[1], tree[2] - tree[1], "this divides by zero", "look for a difference that vanishes") \
+            from None
 
 
 def _literal(tree, table):

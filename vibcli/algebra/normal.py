@@ -9,7 +9,7 @@ from functools import reduce
 from math import gcd, isqrt
 
 from vibcli.algebra.calculus import substitute
-from vibcli.algebra.expression import ONE, ZERO, reachable
+from vibcli.algebra.expression import HALF, ONE, ZERO, reachable
 
 MOST = 300
 
@@ -72,7 +72,13 @@ def _multiplied(left, right):
         raise TooLong
     for a, x in left.items():
         for b, y in right.items():
-            _add(found, times(a, b), x * y)
+            monomial, value = times(a, b), x * y
+            if any(e.denominator == 1 and atom.op in ("number", "product") for atom, e in monomial):
+                table = monomial[0][0].table
+                for part, c in expanded(table.product(*monomial), ()).items():
+                    _add(found, part, c * value)
+            else:
+                _add(found, monomial, value)
     return found
 
 
@@ -250,7 +256,7 @@ def square_root(terms):
     """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
     squares = {monomial: _exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
-    roots = [(tuple((atom, e / 2) for atom, e in monomial), value) for monomial, value in squares.items() if value]
+    roots = [(tuple((atom, e * HALF) for atom, e in monomial), value) for monomial, value in squares.items() if value]
     k = len(roots)
     if not 2 <= k <= 4 or len(terms) != k * (k + 1) // 2:
         return None
@@ -276,8 +282,8 @@ def root_of_square(node):
     if len(terms) == 1:
         (monomial, value), = terms.items()
         root = _exact_root(value) if value > 0 else None
-        if root is None or any((e / 2).denominator > 1 for _, e in monomial):
+        if root is None or any((e * HALF).denominator > 1 for _, e in monomial):
             return None
-        return node.table.product((node.table.number(root), ONE), *((atom, e / 2) for atom, e in monomial))
+        return node.table.product((node.table.number(root), ONE), *((atom, e * HALF) for atom, e in monomial))
     root = square_root(terms)
     return None if root is None else _node(node.table, root)

@@ -14,6 +14,7 @@ Sums and products are flat, so depth is that of the parentheses, and bounded. No
 import re
 from fractions import Fraction
 
+from vibcli.diagnostics import quoted
 from vibcli.units import UNITS
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
@@ -26,6 +27,7 @@ GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣ
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
 _UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(-?\d)(?!\d)|([²³⁴]))?(?![\w.(\[])")
+_PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
 _INDEX = re.compile(r"\[([^][]{1,80})\]")
 _SUPERSCRIPTS = {"²": 2, "³": 3, "⁴": 4}
 _SPACE = re.compile(r"[ \t\n]*")
@@ -47,17 +49,36 @@ def plain_name(text):
 def parse(text, equation=False):
     """The syntax tree of `text`; with `equation`, of `left = right`."""
     if len(text) > LONGEST:
-        raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}")
+        raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
+                              "give parts of it names under parameters")
     parser = _Parser(text)
     tree = parser.expression(0)
     if equation:
         parser.skip()
         if not parser.take("="):
-            raise ExpressionError(parser.at, 1, "expected an equation", "write it as `left = right`")
+            raise ExpressionError(parser.at, 1, "expected an equation, found an expression",
+                                  "write it as left = right, for example m*x'' + k*x = 0")
         right = parser.expression(0)
         tree = ("equation", 0, len(text), tree, right)
     parser.finish()
     return tree
+
+
+def _unit_meant(word):
+    """The unit, or product of units, that a word most likely stands for; None where it is like none."""
+    from difflib import get_close_matches
+
+    plain = word.lower().removesuffix("s")
+    same = [unit for unit in UNITS if unit.lower() == word.lower()] or [_SPELT[plain] for plain in (plain,) if plain in _SPELT]
+    split = [f"{word[:i]}*{word[i:]}" for i in range(1, len(word)) if word[:i] in UNITS and word[i:] in UNITS]
+    found = same or split or get_close_matches(word, UNITS, 1)
+    return found[0] if found else None
+
+
+_SPELT = {"meter": "m", "metre": "m", "centimeter": "cm", "millimeter": "mm", "kilogram": "kg", "kilo": "kg", "gram": "g",
+          "second": "s", "sec": "s", "minute": "min", "newton": "N", "kilonewton": "kN", "joule": "J", "pascal": "Pa",
+          "hertz": "Hz", "degree": "deg", "radian": "rad", "percent": "%", "inch": "in", "foot": "ft", "feet": "ft",
+          "pound": "lb"}
 
 
 class _Parser:
@@ -84,19 +105,28 @@ class _Parser:
         found = self.text[self.at]
         word = _NAME.match(self.text, self.at)
         if found == "=":
-            raise ExpressionError(self.at, 1, "expected an expression, found an equation")
+            raise ExpressionError(self.at, 1, "expected an expression, found an equation", "write what one side is")
         if found == ",":
-            raise ExpressionError(self.at, 1, "unexpected ','", "decimals are written with a point: 0.5")
+            raise ExpressionError(self.at, 1, "found ',' where the expression should go on or end",
+                                  "decimals are written with a point: 0.5")
         if word or found in "(" or found.isdigit():
             what = word.group() if word else found
-            raise ExpressionError(self.at, len(what), f"expected an operator before '{what}'",
-                                  "there is no implicit multiplication: write a * between factors")
-        raise ExpressionError(self.at, 1, f"unexpected '{found}'")
+            raise ExpressionError(self.at, len(what), f"expected an operator before {quoted(what)}", self._joined(what))
+        raise ExpressionError(self.at, 1, f"found {quoted(found)} where the expression should go on or end",
+                              "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
+
+    def _joined(self, what):
+        """What to write where a number or name is followed by another."""
+        if _PER_UNIT.match(self.text, self.at):
+            return "the unit 1/s is written s^-1: 3 s^-1"
+        if self.text[self.at - 1].isdigit() and what[0] in "_xXob":
+            return "numbers are written in decimal digits alone: 1000"
+        return "there is no implicit multiplication: write a * between factors"
 
     def expression(self, depth):
         """A sum of products."""
         if depth > DEEPEST:
-            raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses")
+            raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
         self.skip()
         start, terms = self.at, []
         sign = -1 if self.take("-") else 1
@@ -105,7 +135,7 @@ class _Parser:
         while True:
             terms.append((sign, self.product(depth)))
             if len(terms) > PARTS:
-                raise ExpressionError(start, 1, f"more than {PARTS} terms in one sum")
+                raise ExpressionError(start, 1, f"more than {PARTS} terms in one sum", "name parts of it")
             if self.take("+"):
                 sign = 1
             elif self.take("-"):
@@ -122,7 +152,7 @@ class _Parser:
         while True:
             factors.append((power, self.power(depth)))
             if len(factors) > PARTS:
-                raise ExpressionError(start, 1, f"more than {PARTS} factors in one product")
+                raise ExpressionError(start, 1, f"more than {PARTS} factors in one product", "name parts of it")
             self.skip()
             if self.text.startswith("**", self.at):
                 break
@@ -140,7 +170,7 @@ class _Parser:
         base = self.atom(depth)
         if self.take("^") or self.take("**"):
             if depth > DEEPEST:
-                raise ExpressionError(self.at, 1, f"more than {DEEPEST} powers of powers")
+                raise ExpressionError(self.at, 1, f"more than {DEEPEST} powers of powers", "name the inner parts")
             self.skip()
             inner = self.at
             negative = self.take("-")
@@ -164,16 +194,18 @@ class _Parser:
             self.close(start, ")")
             return inner
         if start >= len(self.text):
-            raise ExpressionError(max(start - 1, 0), 1, "the expression ends too early")
+            raise ExpressionError(max(start - 1, 0), 1, "the expression ends too early",
+                                  "a number, a name or a bracket is missing at its end")
         if self.text[start] in "+-":
             raise ExpressionError(start, 1, "two operators in a row", "put the signed factor in parentheses")
-        raise ExpressionError(start, 1, f"expected a number, a name or '(', found '{self.text[start]}'")
+        raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
+                              "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
 
     def close(self, start, bracket):
         if not self.take(bracket):
             self.skip()
             if self.at >= len(self.text):
-                raise ExpressionError(start, 1, f"this bracket is never closed with '{bracket}'")
+                raise ExpressionError(start, 1, "this bracket is never closed", f"write '{bracket}' where it ends")
             self.fail_after()
 
     def number(self, match):
@@ -183,10 +215,10 @@ class _Parser:
         if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 300:
             raise ExpressionError(start, len(text), "this number is out of range",
                                   "numbers lie between 1e-300 and 1e300 in size")
-        chain = self.units()
+        chain = self.units(start)
         return ("number", start, self.at, Fraction(text), chain)
 
-    def units(self):
+    def units(self, start):
         """The longest chain of units after a number."""
         chain = []
         while True:
@@ -196,26 +228,23 @@ class _Parser:
             word = match.group(2).replace("μ", "µ")
             if word not in UNITS:
                 if not chain:
-                    self.unknown_unit(match)
+                    self.unknown_unit(match, start)
                 return chain
             power = int(match.group(3) or _SUPERSCRIPTS.get(match.group(4), 1))
             chain.append((word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
             self.at = match.end()
 
-    def unknown_unit(self, match):
-        from difflib import get_close_matches
-
+    def unknown_unit(self, match, start):
         word = match.group(2)
-        near = get_close_matches(word, UNITS, 1)
-        hint = f"did you mean '{near[0]}'? " if near else ""
-        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
-                              hint + f"a product is written with *: {self.text[self.at - 1]} * {word}")
+        meant = _unit_meant(word)
+        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit", f"did you mean '{meant}'?" if meant else
+                              f"a product is written with *: {self.text[start:self.at]}*{word}")
 
     def word(self, match, depth):
         start, self.at = match.start(), match.end()
         name = match.group()
         if len(name) > 32:
-            raise ExpressionError(start, len(name), "a name has at most 32 characters")
+            raise ExpressionError(start, len(name), "a name has at most 32 characters", "shorten it")
         if self.text.startswith("(", self.at):
             return self.call(start, name, depth)
         if self.text.startswith("[", self.at):
@@ -224,7 +253,7 @@ class _Parser:
         while primes < 3 and self.text.startswith("'", self.at):
             primes, self.at = primes + 1, self.at + 1
         if primes > 2:
-            raise ExpressionError(start, self.at - start, "derivatives go up to the second: x''")
+            raise ExpressionError(start, self.at - start, "derivatives go up to the second", "write x' or x''")
         return ("name", start, self.at, plain_name(name), primes)
 
     def call(self, start, name, depth):
@@ -241,10 +270,13 @@ class _Parser:
         self.close(start + len(name), ")")
         if len(args) != FUNCTIONS[name]:
             raise ExpressionError(start, self.at - start, f"{name} takes {FUNCTIONS[name]} argument"
-                                  + ("s" if FUNCTIONS[name] > 1 else "") + f", found {len(args)}")
+                                  + ("s" if FUNCTIONS[name] > 1 else "") + f", found {len(args)}",
+                                  f"write {name}(" + ", ".join("xy"[:FUNCTIONS[name]]) + ")")
         return ("call", start, self.at, name, args)
 
     def quantity(self, start, head):
+        if head in FUNCTIONS:
+            raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices = []
         while match := _INDEX.match(self.text, self.at):
             indices.extend(plain_name(part.strip()) for part in match.group(1).split(","))

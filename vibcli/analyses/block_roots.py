@@ -43,11 +43,11 @@ def _radius(block, value, every, off):
 
 
 def _left(block, value, right):
-    """The left vector of a block for one eigenvalue, with left · right = 1; infinite at a double root."""
+    """The left vector of a block for one eigenvalue, with left · right = 1; NaN at a double root."""
     _, _, vh = np.linalg.svd((block - value * np.eye(len(block))).T)
     left = vh[-1].conj()
     product = left @ right
-    return left / product if product else np.full(len(block), np.inf)
+    return left / product if product else np.full(len(block), np.nan)
 
 
 def _of_two(block, bits):

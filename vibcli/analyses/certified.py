@@ -12,6 +12,7 @@ from vibcli.analyses.scaled import exponent, mechanism, unmoved
 from vibcli.analyses.symmetric import spectrum
 
 GUARDS = (160, 640, 2560)
+STEEP = 24
 
 
 class Enclosed:
@@ -66,11 +67,24 @@ def enclosed(elements, scale, zeros, goal=60):
     for guard in GUARDS:
         bits = guard + goal + spread(elements, scale)
         a, reduced = standard(elements, scale, bits)
-        found = spectrum(a, bits, goal, zeros or 0, reduced.slack)
+        start = from_factor(elements, scale, reduced) if zeros is not None and bits - guard - goal > STEEP else None
+        found = spectrum(a, bits, goal, zeros or 0, reduced.slack, start)
         answer = Enclosed(found, reduced, zeros)
         if (answer.errors() <= -goal).all():
             break
     return answer
+
+
+def from_factor(elements, scale, reduced):
+    """Approximate eigenvectors of A = XᵀX from X = √k̂ ∇s L⁻ᵀ, which holds twice the digits of A; or None."""
+    from vibcli.analyses.floating import scaled_rows
+
+    if reduced.massless:
+        return None
+    rows = scaled_rows(elements.springs, scale.coordinates, scale.stiffness, elements.n)
+    lower = fx.floats(reduced.lower, reduced.bits)
+    x = rows / lower if lower.ndim == 1 else np.linalg.solve(lower, rows.T).T
+    return np.linalg.svd(x)[2].T
 
 
 def spread(elements, scale):

@@ -50,7 +50,7 @@ def _damped(elements, precise, exact, digits):
     answer = Answer(elements, data or elements, GOAL, WANTED, unit)
     if unit > EXACT and not answer.settled(math.log2(ESCALATE)):
         answer = Answer(elements, precise(DIGITS), GOAL, WANTED, decimal(DIGITS))
-    return collected(answer.system, answer.found, answer.scale, Floats, answer.shapes())
+    return collected(answer, Floats, answer.shapes())
 
 
 def damped_digits(elements, precise, exact, digits):
@@ -69,17 +69,22 @@ def damped_digits(elements, precise, exact, digits):
             answer = Answer(elements, precise(dps), goal, wanted, decimal(dps))
             if answer.settled(-digits * math.log2(10)):
                 break
-    return collected(answer.system, answer.found, answer.scale, Digits, answer.shapes_in_digits())
+    return collected(answer, Digits, answer.shapes_in_digits())
 
 
 def depth(elements, scale):
-    """Bits that very strong or very weak dampers need besides."""
+    """Bits that soft springs and strong damping, and that very weak damping need besides."""
+    from vibcli.analyses.certified import spread
+
     p, sizes = scale.coordinates, [0]
     for weight, row in elements.dampers:
         felt = [exponent(x) + p[i] for i, x in row.items() if x]
         if weight and felt:
             sizes.append(exponent(weight) - scale.damping + 2 * max(felt))
-    return max(0, 2 * (max(sizes) - 30), -min(sizes) - 40)
+    for (i, j), x in (*elements.C.items(), *elements.G.items()):
+        if x:
+            sizes.append(exponent(x) - scale.damping + p[i] + p[j])
+    return spread(elements, scale) + max(0, 3 * max(sizes)), max(0, -min(sizes) - 40)
 
 
 class Answer:
@@ -89,35 +94,39 @@ class Answer:
     rounding of the data.
     """
 
-    __slots__ = ("decided", "found", "scale", "system")
+    __slots__ = ("conservative", "decided", "found", "scale", "system")
 
     def __init__(self, elements, data, goal, wanted, unit):
-        from vibcli.analyses import massless, quadratic
+        from vibcli.analyses import massless
         from vibcli.analyses.rigid import undamped_rigid
 
+        self.conservative = not any(c for c, _ in elements.dampers) and not any(elements.C.values())
         self.scale, zeros = prepared(elements, bool(massless.dragged(elements)))
-        goal += depth(elements, self.scale)
+        strong, weak = depth(elements, self.scale)
+        goal, deep = goal + strong + weak, goal - 50 + weak
         self.decided = zeros is not None
         if massless.dragged(elements):
             double = undamped_rigid(elements, zeros, data)
-            self.system = massless.Reduced(data, self.scale, (zeros or 0) + double, goal)
+            self.system = massless.Reduced(data, self.scale, (zeros or 0) + double, goal, deep)
         else:
-            self.system = self._modal(elements, data, goal, zeros, unit, quadratic)
+            self.system = self._modal(elements, data, goal, deep, zeros, unit)
         self.found = self.system.eigenvalues(wanted)
         if unit > EXACT or data.K_size:
             from vibcli.analyses.rounding import add_data_error
 
             add_data_error(self.found, self.system, data, self.scale, unit)
 
-    def _modal(self, elements, data, goal, zeros, unit, quadratic):
+    def _modal(self, elements, data, goal, deep, zeros, unit):
         from vibcli.analyses.certified import enclosed
+        from vibcli.analyses.quadratic import ModalDamping
         from vibcli.analyses.rigid import undamped_rigid
 
         answer = enclosed(data, self.scale, zeros, goal=goal)
         if unit > EXACT or data.K_size:
             answer.add_data_error(data, self.scale, unit)
         self.decided = zeros is not None or not answer.zero.any()
-        return quadratic.ModalDamping(answer, data, self.scale, undamped_rigid(elements, zeros, data), goal)
+        still = undamped_rigid(elements, zeros, data)
+        return ModalDamping(answer, data, self.scale, still, goal, deep)
 
     def settled(self, goal):
         """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""

@@ -33,7 +33,7 @@ def damped_floats(elements):
     form = FirstOrder(modal, c, size)
     damps = any(w for w, _ in elements.dampers) or any(elements.C.values())
     values, vectors, radius = form.general() if damps or (modal.values < 0).any() else form.conservative()
-    still = np.argsort(np.abs(values), kind="stable")[:undamped_rigid(elements, zeros, elements)]
+    still = np.argsort(np.abs(values), kind="stable")[:form.still(elements, zeros)]
     values[still], radius[still] = 0.0, 0.0
     return _modes(form, values, vectors, radius, scale)
 
@@ -54,6 +54,13 @@ class FirstOrder:
         self.matrix[self.elastic, at] = -np.sign(modal.values[self.elastic]) * self.omega
         for i, j in ((at, self.elastic), (self.elastic, at)):
             self.size[i, j] = self.omega * (modal.errors[self.elastic] + UNIT)
+
+    def still(self, elements, zeros):
+        """How many eigenvalues vanish besides one for each rigid mode."""
+        if not any(elements.G.values()) and not any(elements.C.values()):
+            return undamped_rigid(elements, zeros, elements)
+        sigma = np.linalg.svd(self.matrix[np.ix_(self.rigid, self.rigid)], compute_uv=False)
+        return int((sigma <= 1e-13 * np.abs(self.matrix[:self.k, :self.k]).max()).sum())
 
     def conservative(self):
         """Eigenvalues i times real numbers, from a Hermitian matrix."""

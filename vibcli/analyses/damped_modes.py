@@ -29,17 +29,16 @@ class DampedMode:
         self.growth_rate = re if re > 0 else None
 
 
-def collected(system, found, scale, numbers, shapes):
-    """DampedMode objects by ascending |λ|; shapes: a column for each eigenvalue of `found`."""
+def collected(answer, numbers, shapes):
+    """DampedMode objects by ascending |λ| of a damped.Answer; shapes: a column for each of its eigenvalues."""
+    system, found, scale = answer.system, answer.found, answer.scale
     bits, index, out = system.bits, {}, []
     partner = pairs(system, found)
     order = sorted(range(len(found)), key=lambda i: (found[i].re ** 2 + found[i].im ** 2, -found[i].re))
     for i in order:
         d = found[i]
         size = fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits)
-        re = d.re
-        if re and d.radius <= size - system.deep + 5 and fx.log2(re, bits) <= d.radius:
-            re = 0
+        re = 0 if _imaginary(d, size, answer) else d.re
         value = numbers.complex(re, d.im, bits - scale.time)
         square, zeta = math.isqrt(re * re + d.im * d.im), None
         if d.im:
@@ -55,6 +54,15 @@ def collected(system, found, scale, numbers, shapes):
         omega = numbers.number(square, bits - scale.time)
         out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
     return out
+
+
+def _imaginary(d, size, answer):
+    """Whether Re λ is zero: nothing at the depth asked for, or a conservative system.
+
+    There −λ̄ is an eigenvalue too, so one that stands alone next to the axis is on it.
+    """
+    near = fx.log2(d.re, answer.system.bits) <= d.radius + 1
+    return near and d.radius <= size - (40 if answer.conservative else answer.system.deep - 5)
 
 
 def pairs(system, found):

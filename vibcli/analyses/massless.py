@@ -33,10 +33,10 @@ class Reduced:
 
     __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "massive", "release", "zeros")
 
-    def __init__(self, elements, scale, zeros, goal):
+    def __init__(self, elements, scale, zeros, goal, deep):
         n, p = elements.n, scale.coordinates
         self.bits = bits = 2 * goal + spread(elements, scale)
-        self.coupled, self.deep, self.zeros = goal - 30, goal - 50, zeros
+        self.coupled, self.deep, self.zeros = goal - 30, deep, zeros
         m = fx.assembled(n, elements.inertias, elements.M, p, scale.mass, bits)
         c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, bits)
         k = fx.assembled(n, elements.springs, elements.K, p, scale.stiffness, bits)
@@ -90,7 +90,7 @@ class Reduced:
         top = math.log2(np.abs(matrix).max())
 
         def enough(root):
-            return known(root, bits, wanted, self.deep, top - 60)
+            return known(root, bits, wanted, self.deep, top - self.coupled + 50)
 
         found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
         return [self._full(root, h, zero) for root, zero in vanishing(found, self.zeros)]

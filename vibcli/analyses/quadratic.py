@@ -36,10 +36,10 @@ class ModalDamping:
 
     __slots__ = ("basis", "bits", "c", "coupled", "deep", "same", "values")
 
-    def __init__(self, answer, elements, scale, untouched, goal):
+    def __init__(self, answer, elements, scale, untouched, goal, deep):
         self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
         self.values[answer.zero] = 0
-        self.same, self.coupled, self.deep = goal - 60, goal - 30, goal - 50
+        self.same, self.coupled, self.deep = goal - 60, goal - 30, deep
         n, p = elements.n, scale.coordinates
         c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, self.bits)
         self.c = fx.product(self.basis.T, fx.product(c, self.basis, self.bits), self.bits)
@@ -119,7 +119,7 @@ class ModalDamping:
         top, bits = math.log2(np.abs(system.matrix).max()), self.bits
 
         def enough(root):
-            return known(root, bits, wanted, self.deep, top - self.deep)
+            return known(root, bits, wanted, self.deep, top - self.coupled + 50)
 
         found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
         zero = [self._unit(i) for i in part if not self.values[i]]
@@ -133,11 +133,10 @@ class ModalDamping:
         x, left = np.zeros(len(self.values), complex), np.zeros(len(self.values), complex)
         x[part] = root.right[:k]
         left[part] = root.left[:k]
-        if zero or not value:
-            return Eigenvalue(0, 0, -math.inf, x, left)
-        x, left = x / value, left * value
         size = np.linalg.norm(x)
-        return Eigenvalue(root.re, root.im, root.radius, x / size, left)
+        if zero or not value:
+            return Eigenvalue(0, 0, -math.inf, x / size, left)
+        return Eigenvalue(root.re, root.im, root.radius, x / size * abs(value) / value, left * size)
 
 
 class Coupled:

@@ -62,6 +62,7 @@ def load(file, settings=()):
         node, diagnostics, lines = read_file(file)
     except FileNotFoundError:
         raise click.UsageError(f"there is no file '{file}'{_near(file)}") from None
+    _sources.pop(os.fsdecode(file), None)
     _sources[os.fsdecode(file)] = lines
     middle = perf_counter()
     spec = read_spec(node, os.fsdecode(file), diagnostics, _settings(settings, node))
@@ -131,13 +132,10 @@ def show_diagnostics(diagnostics):
 
 def show_refusal(error, file=None):
     """A physical refusal on stderr."""
-    from vibcli.errors import Diagnostic
+    from vibcli.errors import Diagnostic, Where
 
-    if error.where is not None:
-        show_diagnostics([Diagnostic(error.where, error.message, error.hint)])
-        return
-    prefix = f"{file}: " if file else ""
-    click.echo(f"{prefix}error: {error.message}" + (f"\n  hint: {error.hint}" if error.hint else ""), err=True)
+    where = error.where or Where(file or next(reversed(_sources), ""), 1, 1, 0)
+    show_diagnostics([Diagnostic(where, error.message, error.hint)])
 
 
 def _color(stream):

@@ -1,8 +1,10 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
 from vibcli.algebra.parse import ExpressionError, parse
+from vibcli.diagnostics import quoted
 from vibcli.document import Mapping
-from vibcli.fields import Element, Expression, Field, Kind, Quantity
+from vibcli.fields import Element, Expression, Field, Kind, Quantity, nearest
+from vibcli.questions import ASKED
 
 ELEMENT = Element(
     "answer",
@@ -41,7 +43,11 @@ class Answers(Kind):
             try:
                 tree = parse(key.text)
             except ExpressionError as error:
-                reader.report(key.place(error.offset, error.width), error.message, error.hint)
+                asked = key.text.partition("(")[0].strip()
+                if error.message.startswith("unknown function") and error.offset == 0:
+                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, ASKED))
+                else:
+                    reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue
             equation = tree[0] == "quantity" and tree[4] in ("equation", "motion")
             record = (_EQUATION if equation else ELEMENT).read(value, reader, key.text, key.where)

@@ -5,9 +5,9 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
+from vibcli.elements import fitting
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load, vector
-from vibcli.units import parse_unit
 
 _AT = vector("m", "a place [x, y]")
 _SHAPE = {
@@ -27,18 +27,10 @@ _SHAPE = {
     "b": Field(Quantity("m"), "the other semi-axis of an ellipse"),
 }
 
-
-def _settle_density(record):
-    """Density is per length of a rod, ring or arch, per area of the rest."""
-    if "density" in record:
-        slender = record.get("shape") in ("rod", "ring", "arch")
-        record["density"].dimension = parse_unit("kg/m" if slender else "kg/m^2").dimension
-
-
 PART = Element("part", "One of several shapes welded into a body.",
                {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
-               settle=_settle_density, example="welded_parts")
+               settle=fitting.part, example="welded_parts")
 MOTIONS = ("slide", "pin", "roll", "move", "weld", "turn")
 ELEMENT = Element(
     "body",
@@ -57,8 +49,9 @@ ELEMENT = Element(
         "weld": Field(Lazy("weld"), "carried rigidly by another body"),
         "turn": Field(Lazy("turn"), "rotation of a body without a place"),
     },
-    exclusive=(("mass", "density", "parts"), ("at", "from"), ("inertia", "gyration"), MOTIONS, ("shape", "parts")),
-    settle=_settle_density,
+    exclusive=(("mass", "density", "parts"), ("at", "from"), ("at", "to"), ("inertia", "gyration"), MOTIONS,
+               ("shape", "parts")),
+    settle=fitting.body,
     example="bodies_of_every_shape",
 )
 
@@ -89,7 +82,8 @@ def build(record, scene):
         else:
             _lump(body, motion, scene)
     except ZeroDivisionError:
-        scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn")
+        scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn",
+                     "look for a length or a mass that vanishes")
     return body
 
 
@@ -98,38 +92,35 @@ def _inertia(body, record, scene, placed):
     if "parts" in record:
         pieces = [_piece(part, scene, part.get("cut", False)) for part in record["parts"]]
         mass, centre, inertia = _welded(pieces)
+        if not scene.number(mass) > 0 or not scene.number(inertia) >= 0:
+            scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
+                         "a hole lies within the shape that it is cut from")
         body.drawn = scene.pair(record["at"]) if "at" in record else pieces[0][3]
         if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record.values):
             body.pieces = [piece[:3] for piece in pieces]
     else:
         mass, centre, inertia, body.drawn, body.rolling_radius = _piece(record, scene, False, placed)
     if "inertia" in record:
-        inertia = scene.lower(record["inertia"])
+        inertia = scene.positive(record["inertia"], f"the inertia of '{body.name}'", zero=True)
     elif "gyration" in record:
-        if mass is None:
-            scene.report(record.place("gyration"), f"'{body.name}' has a radius of gyration but no mass")
-        else:
-            inertia = mass * scene.lower(record["gyration"]) ** 2
+        inertia = mass * scene.positive(record["gyration"], f"the radius of gyration of '{body.name}'", zero=True) ** 2
     body.mass, body.inertia, body.centre = mass, inertia, centre
 
 
 def _piece(record, scene, cut, placed=True):
     """(mass, mass centre, J_C, drawn place, rolling radius) of one shape."""
     table, shape = scene.table, record.get("shape", "particle")
-    missing = [key for key in NEEDS[shape] if key not in record]
-    if missing:
-        scene.report(record.where, f"a {shape} needs " + " and ".join(f"'{key}'" for key in missing))
-        return scene.nothing()
     if shape == "rod":
         (ax, ay), (bx, by) = scene.pair(record["from"]), scene.pair(record["to"])
         drawn = ((ax + bx) / 2, (ay + by) / 2)
         sizes = [scene.distance(bx - ax, by - ay)]
+        if not scene.number(sizes[0]):
+            scene.report(record.place("to"), "this rod has no length", "draw its two ends apart")
     else:
-        if "from" in record:
-            scene.report(record.place("from"), f"'from' and 'to' are for rods, not for a {shape}")
-            return scene.nothing()
         drawn = scene.pair(record["at"]) if placed else (table.zero, table.zero)
-        sizes = [scene.lower(record[key]) for key in NEEDS[shape]]
+        sizes = [scene.positive(record[key], f"the {key.replace('_', ' ')}") for key in NEEDS[shape]]
+        if shape in ("sector", "arch") and scene.number(sizes[1]) > 3.1415926535897936:
+            scene.report(record.place("half_angle"), "the half angle is more than π", "180 deg is the whole circle")
     uniform = LAWS[shape](table, *sizes)
     centre = drawn
     if uniform.offset is not None:
@@ -145,13 +136,10 @@ def _piece(record, scene, cut, placed=True):
 
 def _mass(record, scene, uniform):
     if "mass" in record:
-        return scene.lower(record["mass"])
+        return scene.positive(record["mass"], "the mass", zero=True)
     if "density" not in record:
         return None
-    if uniform.measure is None:
-        scene.report(record.place("density"), "a particle has no area or length: give its mass")
-        return None
-    return scene.lower(record["density"]) * uniform.measure
+    return scene.positive(record["density"], "the density", zero=True) * uniform.measure
 
 
 def _welded(pieces):
@@ -169,11 +157,6 @@ def _welded(pieces):
 def _place(body, motion, scene):
     """Give a placed body its frame, then its energies."""
     record = body.record
-    if motion == "turn":
-        scene.report(record.place("turn"), f"'{body.name}' has a place, so it turns about a point",
-                     "write `pin: {at: …, by: …}`")
-        body.frame = scene.still(body.drawn)
-        return
     body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.drawn)
     for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):
         if mass is not None:
@@ -187,18 +170,7 @@ def _place(body, motion, scene):
 
 def _lump(body, motion, scene):
     record = body.record
-    if motion not in ("slide", "turn"):
-        scene.report(record.where, f"'{body.name}' has no place" + (f" but a '{motion}'" if motion else " and no motion"),
-                     "say where it is drawn with `at: [x, y]`, or lump it: `slide: x` or `turn: phi`")
-        return
-    if motion == "slide" and not set(record["slide"].values) <= {"by"}:
-        scene.report(record.place("slide"), f"'{body.name}' has a direction or a carrier but no place",
-                     "say where it is drawn with `at: [x, y]`")
-        return
     body.lumped = load(motion).lump(record[motion], scene)
     weight, what = (body.mass, "mass") if motion == "slide" else (body.inertia, "inertia")
     if weight is not None:
         scene.add_inertia(body.name, weight, body.lumped[1], what)
-    elif motion == "turn" and body.mass is not None:
-        scene.report(record.where, f"'{body.name}' turns: it needs an inertia, not only a mass",
-                     "give `inertia: J`, `gyration: i` or a shape")

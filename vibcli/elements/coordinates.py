@@ -33,7 +33,7 @@ class Coordinates(Kind):
                 continue
             name = check_name(key, reader, ("t", "pi"))
             if name in records:
-                reader.report(key.where, f"coordinate '{name}' stands twice")
+                reader.report(key.where, f"the coordinate '{name}' stands twice", "leave one of the two out")
             elif name is not None:
                 empty = value is None or (hasattr(value, "text") and not value.text)
                 record = Record(ELEMENT, name, key.where, {}, {}) if empty else ELEMENT.read(

@@ -4,7 +4,7 @@ from vibcli import units
 from vibcli.fields import ENDS, Element, Field, Quantity
 
 
-def _settle(record):
+def _settle(record, reader):
     if "stretch" in record:
         record["stretch"].dimension = units.NONE if "torsion" in record else units.LENGTH
 
@@ -22,6 +22,8 @@ ELEMENT = Element(
     exclusive=(("c", "torsion"), ("between", "stretch")),
     needs=(("c", "torsion"), ("between", "stretch")),
     settle=_settle,
+    instead={"law": "a nonlinear law does not work yet", "series": "c: c1*c2/(c1 + c2)",
+             "parallel": "write two dampers with the same ends, or c: c1 + c2"},
     example="mass_spring_damper",
 )
 

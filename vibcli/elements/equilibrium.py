@@ -1,6 +1,7 @@
 """A starting place for the search of the equilibrium, where several exist."""
 
-from vibcli.fields import Kind, Named, Quantity
+from vibcli.document import Mapping
+from vibcli.fields import Kind, Named, NameOf, Quantity
 
 
 class _Start(Kind):
@@ -10,6 +11,8 @@ class _Start(Kind):
         self.named = Named(Quantity(), self.wants)
 
     def read(self, node, reader):
+        for key, _ in node.entries.values() if isinstance(node, Mapping) else ():
+            NameOf("the name of a coordinate", "coordinates").read(key, reader)
         return self.named.read(node, reader)
 
     def schema(self):

@@ -20,8 +20,10 @@ def build(record, scene):
     """Add the entries of the matrices to the scene, after checking shape and symmetry."""
     n = len(scene.coordinates)
     for key, rows in record.values.items():
-        if len(rows) != n or any(len(row) != n for row in rows):
-            scene.report(record.place(key), f"{key} has {len(rows)} rows, the scene has {n} coordinates",
+        wrong = next((i for i, row in enumerate(rows) if len(row) != n), None)
+        if len(rows) != n or wrong is not None:
+            found = f"{len(rows)} rows" if len(rows) != n else f"{len(rows[wrong])} entries in row {wrong + 1}"
+            scene.report(record.place(key), f"{key} has {found}, the scene has {n} coordinates",
                          f"write {n} rows of {n} entries each")
             continue
         nodes = [[scene.lower(entry) for entry in row] for row in rows]
@@ -29,5 +31,5 @@ def build(record, scene):
             for j in range(i):
                 if key != "C" and not scene.agree(nodes[i][j], nodes[j][i]):
                     scene.report(rows[i][j].where, f"{key} is not symmetric: entries ({i + 1}, {j + 1}) and "
-                                 f"({j + 1}, {i + 1}) differ")
+                                 f"({j + 1}, {i + 1}) differ", "write the same in both places")
         scene.add_matrix(key, nodes)

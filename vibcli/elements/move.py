@@ -25,7 +25,7 @@ ELEMENT = Element(
     "General plane motion: the displacement of the body's centre in x and y and its rotation, each a coordinate or "
     "an expression of coordinates, counted from the drawn position.",
     {
-        "by": Field(_Displacements(), "displacement of the centre and rotation; what does not move is 0", required=True),
+        "by": Field(_Displacements(), "displacement of the centre and rotation; 0 what is held", required=True),
         "carrier": Field(BODY, "the body relative to which it moves; axes and angle turn with it"),
     },
     short="by",

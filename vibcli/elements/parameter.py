@@ -1,9 +1,30 @@
 """Parameters: what is given, as numbers with units, as expressions of one another, or left as symbols."""
 
+from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.document import Mapping, Scalar
-from vibcli.fields import Choice, Element, Field, Quantity, Record, Text
+from vibcli.fields import Choice, Element, Field, Quantity, Record, Text, nearest
+from vibcli.units import UNITS
 
-UNIT = Text()
+
+class _Unit(Text):
+    """A unit, kept as its text."""
+
+    wants = "a unit such as N/m"
+
+    def read(self, node, reader):
+        text = super().read(node, reader)
+        if text is None:
+            return None
+        try:
+            literal = parse("1 " + text)
+        except ExpressionError:
+            literal = ()
+        if not text.strip() or literal[:1] != ("number",) or literal[3] != 1 or not (literal[4] or text.strip() == "1"):
+            return reader.expected(node, self.wants, nearest(text, UNITS) if text.isalpha() else None)
+        return text
+
+
+UNIT = _Unit()
 
 
 class _Parameter(Element):

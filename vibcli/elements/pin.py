@@ -22,5 +22,8 @@ def build(pin, body, scene):
     pivot, place, carrier = scene.pivot(pin, body)
     angle = scene.change(pin["by"])
     if pin.get("relative"):
+        if carrier is scene.ground:
+            scene.report(pin.place("relative"), "'relative' needs a carrier",
+                         "name the body that carries the pin, or leave it out")
         angle = angle + carrier.angle
     return scene.new_frame(pivot, place, angle)

@@ -29,7 +29,7 @@ ELEMENT = Element(
 def build(roll, body, scene):
     """The frame of a rolling body; its reference point is the centre of the rolling circle."""
     surface = scene.surfaces[roll["surface"].text]
-    radius = scene.lower(roll["radius"]) if "radius" in roll else body.rolling_radius
+    radius = scene.positive(roll["radius"], "the radius it rolls on") if "radius" in roll else body.rolling_radius
     if radius is None:
         scene.report(roll.where, f"'{body.name}' has no radius to roll on", "give `radius`, or a shape that is round")
         return scene.still(body.drawn)
@@ -45,7 +45,8 @@ def _on_line(roll, body, scene, surface, radius, carrier):
     height = (y0 - ay) * ex - (x0 - ax) * ey
     side = scene.sign(height)
     scene.require_equal(abs_of(height, side), radius, roll.where,
-                        f"'{body.name}' does not touch its line as drawn: its centre is {{}} from it, its radius is {{}}")
+                        f"'{body.name}' does not touch its line as drawn: its centre is {{}} m away, its radius {{}} m",
+                        "move the body or the line until they touch")
     if "swing" in roll:
         scene.report(roll.place("swing"), "'swing' is for circles", "on a line use `travel` or `turn`")
         return scene.still(body.drawn)
@@ -65,17 +66,18 @@ def abs_of(node, sign):
 
 def _on_circle(roll, body, scene, surface, radius, carrier):
     cx, cy = scene.pair(surface["circle"])
-    if "radius" not in surface:
-        scene.report(surface.where, "a circle needs 'radius'")
-        return scene.still(body.drawn)
-    track = scene.lower(surface["radius"])
+    track = scene.positive(surface["radius"], "the radius of the circle")
     x0, y0 = body.drawn
     inside = surface.get("side") == "inside"
     distance = scene.distance(x0 - cx, y0 - cy)
     encloses = not inside and scene.sign(distance - track) < 0
     arm = track - radius if inside else radius - track if encloses else track + radius
     scene.require_equal(distance, arm, roll.where, f"'{body.name}' does not touch its circle as drawn: the centres are "
-                        f"{{}} apart, {'inside' if inside else 'outside'} it that should be {{}}")
+                        f"{{}} m apart, where {{}} m is due {'inside' if inside else 'outside'}",
+                        "move the body, or say on which `side` of the circle it is")
+    if not scene.number(arm):
+        scene.report(roll.where, f"'{body.name}' is as large as the circle it rolls on", "give another radius")
+        return scene.still(body.drawn)
     sense = -1 if inside else 1
     if "swing" in roll:
         swing = scene.change(roll["swing"])

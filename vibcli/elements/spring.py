@@ -23,7 +23,7 @@ class _Preload(Kind):
 
 
 
-def _settle(record):
+def _settle(record, reader):
     torsion = "torsion" in record
     if "stretch" in record:
         record["stretch"].dimension = units.NONE if torsion else units.LENGTH
@@ -48,6 +48,8 @@ ELEMENT = Element(
                ("free_length", "stretch"), ("free_length", "torsion")),
     needs=(("k", "torsion"), ("between", "stretch")),
     settle=_settle,
+    instead={"law": "a nonlinear law is written as its potential under energies", "series": "k: k1*k2/(k1 + k2)",
+             "parallel": "write two springs with the same ends, or k: k1 + k2"},
     example="preloaded_spring",
 )
 
@@ -58,15 +60,15 @@ def build(record, scene):
     k = scene.lower(record["torsion" if torsion else "k"])
     preload = _preload(record, scene)
     if "free_length" in record and "between" in record:
-        free = scene.lower(record["free_length"])
+        free = scene.positive(record["free_length"], "the free length", zero=True)
         dx, dy = scene.span(record)
-        if dx is None:
+        if dx is None or scene.moving(record, dx if dx.mask else dy) is None:
             return
         if free.is_zero:
             scene.add_spring(record, k, preload, dx)
             scene.add_spring(record, k, preload, dy)
-        else:
-            scene.add_spring(record, k, preload, scene.distance(dx, dy, record) - free)
+        elif (length := scene.length(record, dx, dy)) is not None:
+            scene.add_spring(record, k, preload, length - free)
         return
     stretch = scene.stretch(record, torsion)
     if stretch is not None:

@@ -2,6 +2,12 @@
 
 from vibcli.fields import BODY, Choice, Element, Field, Many, Quantity, vector
 
+
+def _settle(record, reader):
+    if "circle" in record and "radius" not in record:
+        reader.report(record.where, "a circle needs 'radius'", "radius: the radius of the circle")
+
+
 ELEMENT = Element(
     "surface",
     "What a body rolls on: a straight line through two places, or a circle with the body inside or outside of it.",
@@ -15,5 +21,6 @@ ELEMENT = Element(
     },
     exclusive=(("line", "circle"), ("line", "radius"), ("line", "side")),
     needs=(("line", "circle"),),
+    settle=_settle,
     example="rolling_in_a_track",
 )

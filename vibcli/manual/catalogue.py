@@ -68,7 +68,7 @@ class Catalogue:
         module = self._of_kind.get(id(kind))
         return getattr(module, "ABOUT", None) or about
 
-    def keys(self):
+    def pairs(self):
         """Every key of every element as (element word, key)."""
         return [(word, key) for word, declared in self.elements.items() for key in declared.fields]
 

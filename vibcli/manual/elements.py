@@ -1,26 +1,18 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.fields import Choice, Element, Flag, Lazy, Many, Motion, Quantity
+from vibcli.fields import Element, Lazy, Many, Motion
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
 from vibcli.spec import SECTIONS
-
-DECLARED_UNITS = {"rad": "an angle (rad)", "J": "an energy (J)", "W": "a power (W)",
-                  "N*m": "a torsional stiffness (N·m/rad)", "N*m*s": "a torsional damping (N·m·s/rad)"}
 
 
 def expects(kind):
     """What a key holds, in words."""
     if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
         return f"{kind.wants}, each a {opened(kind.kind)[0]}"
-    if isinstance(kind, Flag):
-        return "true or false"
-    if isinstance(kind, Choice) and len(kind.words) == 1:
-        return f"the word {kind.words[0]}"
-    if isinstance(kind, Quantity):
-        wants = DECLARED_UNITS.get(kind.unit, kind.wants)
-        return wants + ", in coordinates" if isinstance(kind, Motion) else wants
+    if isinstance(kind, Motion):
+        return kind.wants + ", in coordinates"
     if not isinstance(kind, (Element, Lazy)):
         return kind.wants
     _, element, _ = opened(kind)
@@ -45,20 +37,21 @@ def element_page(catalogue, word, scene=True):
         return blocks(head, paragraph(sentence(declared.about)), example)
     rows = [(key, expects(field.kind) + (" (required)" if field.required else ""), sentence(field.about))
             for key, field in declared.fields.items()]
-    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind, catalogue), example)
+    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind), example)
 
 
 def _scene_using(catalogue, word):
     """A scene for an element that has no keys of its own: one that uses the key of its name."""
-    use = next(((owner, key) for owner, key in catalogue.keys() if key == word), None)
+    use = next(((owner, key) for owner, key in catalogue.pairs() if key == word), None)
     return _scene(scenes.using(catalogue, use)) if use else []
 
 
-def _rules(element, catalogue):
+def _rules(element):
     """Sentences on the keys of an element that exclude or need one another, its short form, and further pages."""
     found = []
     for group in element.needs:
-        found.append(("Exactly one" if group in element.exclusive else "One or more") + f" of {either(group)} is needed.")
+        count = "Exactly one" if group in element.exclusive else "One or more"
+        found.append(f"{count} of {either(group)} is needed.")
     for group in element.exclusive:
         if group not in element.needs:
             found.append(f"At most one of {either(group)} may stand.")

@@ -7,7 +7,7 @@ from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
 from vibcli.questions import ASKED
 from vibcli.report.json_keys import KEYS
-from vibcli.spec import SECTIONS
+from vibcli.spec import INSTEAD, SECTIONS
 from vibcli.units import UNITS
 
 
@@ -20,16 +20,16 @@ class Index:
             self._add(word, "topic", subjects.topic_page, word)
         for section in SECTIONS:
             self._add(section, "section", elements.section_page, section)
-        for word, declared in self.catalogue.elements.items():
+        for word in self.catalogue.elements:
             if word not in SECTIONS:
                 self._add(word, "element", elements.element_page, word)
-        for word, key in self.catalogue.keys():
+        for word, key in self.catalogue.pairs():
             self._add(f"{word}.{key}", "key", elements.key_page, word, key)
             if key not in self.catalogue.elements or word != "body":
                 self._add(key, "key", elements.key_page, word, key)
         subjects_of = (("find", subjects.find_page, topics.FIND), ("quantity", subjects.quantity_page, ASKED),
                        ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, topics.FUNCTIONS),
-                       ("unit", subjects.unit_page, UNITS))
+                       ("unit", subjects.unit_page, UNITS), ("missing", subjects.missing_page, INSTEAD))
         for kind, function, words in subjects_of:
             for word in words:
                 self._add(word, kind, function, word)
@@ -44,7 +44,7 @@ class Index:
         text = " ".join(word.replace("_", " ").split())
         singular = {section: declared.word for section, declared in self.catalogue.sections.items()}
         head, dot, key = plain_name(word.strip("`'\" ")).replace(" ", ".").partition(".")
-        spellings = [word, plain_name(word), text, singular.get(head, head) + dot + key]
+        spellings = [word, plain_name(word), text, text.replace(" ", "_"), singular.get(head, head) + dot + key]
         for spelling in [*spellings, *(spelling.lower() for spelling in spellings)]:
             spelling = topics.ALIASES.get(spelling, spelling)
             if spelling in self.entries:

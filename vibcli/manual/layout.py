@@ -10,10 +10,14 @@ JOINT = "\x1f"
 def paragraph(text, indent=0):
     """Wrapped lines of a text; what stands between backquotes stays on one line."""
     space = " " * indent
-    whole = re.sub(r"`[^`]{1,60}`", lambda code: code.group().replace(" ", JOINT), text)
-    lines = textwrap.wrap(whole, WIDTH, initial_indent=space, subsequent_indent=space, break_on_hyphens=False,
+    lines = textwrap.wrap(_joined(text), WIDTH, initial_indent=space, subsequent_indent=space, break_on_hyphens=False,
                           break_long_words=False)
     return [line.replace(JOINT, " ") for line in lines]
+
+
+def _joined(text):
+    """The text with its code, between backquotes, as one word."""
+    return re.sub(r"`[^`]{1,60}`", lambda code: code.group().replace(" ", JOINT), text)
 
 
 def table(rows, indent=2, least=0):
@@ -46,5 +50,5 @@ def either(words, last="or"):
 
 def in_short(text):
     """The first clause of a text, to stand in a list."""
-    clause = re.split(r"[.;:] ", text)[0].rstrip(".")
+    clause = re.split(r"[.;:] ", _joined(text))[0].rstrip(".").replace(JOINT, " ")
     return clause[0].lower() + clause[1:] if clause[1:2].islower() or clause[1:2] == " " else clause

@@ -1,7 +1,5 @@
 """Pages of the topics, quantities, shapes, functions, units and JSON keys."""
 
-import re
-
 from vibcli import units
 from vibcli.algebra.expression import Table
 from vibcli.algebra.normal import textbook
@@ -12,6 +10,7 @@ from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.questions import ASKED
 from vibcli.report import json_keys
 from vibcli.report.language import language
+from vibcli.spec import INSTEAD
 
 LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "body": ("body",), "place": ("O",)}
 
@@ -74,7 +73,7 @@ def _text(node):
 
 def shape_page(catalogue, word):
     needs = ", ".join(f"`{key}`" for key in NEEDS[word]) or "no size"
-    return blocks([f"{word} — a shape of a body"], table([("needs", needs), *(("", fact) for fact in shape_facts(word))]),
+    return blocks([f"{word} — a shape of a body"], table([("needs", needs), ("has", *shape_facts(word))]),
                   ["All shapes: vibcli explain shapes"])
 
 
@@ -121,6 +120,10 @@ def find_page(catalogue, word):
                   ["All words of `find`: vibcli explain find"])
 
 
+def missing_page(catalogue, word):
+    return blocks([f"{word} — no section of a scene, but:"], paragraph(INSTEAD[word], 2))
+
+
 def function_page(catalogue, name):
     return blocks([f"{name} — a function"], table([("means", topics.FUNCTIONS[name])]),
                   ["All functions: vibcli explain functions"])
@@ -133,7 +136,7 @@ def units_table(catalogue):
         groups.setdefault((tuple(sorted(unit.dimension.items())), unit.cycles), []).append(name)
     rows = []
     for names in groups.values():
-        label = re.sub(r"^an? |, [^(]*(?= )| or [^(]*(?= )", "", _measured(names[0]))
+        label = _measured(names[0]).removeprefix("a ").removeprefix("an ")
         rows.append((label, ", ".join(f"`{_in_si(name)}`" for name in names)))
     text = "Units are joined by `*`, `/` and `^`: `9.81 m/s^2`, `2 kN*m/rad`. In SI units:"
     return [paragraph(text), [line.replace("`", "") for line in table(rows)]]
@@ -145,8 +148,7 @@ def _measured(name):
         return "cycles per time (Hz)"
     if not unit.dimension:
         return "a pure number or angle"
-    return units.name(unit.dimension) if units.name(unit.dimension) not in ("Pa", "W") else {
-        "Pa": "a pressure (Pa)", "W": "a power (W)"}[units.name(unit.dimension)]
+    return "a pressure (Pa)" if unit.dimension == units.UNITS["Pa"].dimension else units.wanted(name, unit.dimension)
 
 
 def _in_si(name):

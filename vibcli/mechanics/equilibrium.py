@@ -152,7 +152,8 @@ class _Search:
         name = self.names[int(np.argmax(np.abs(q - start) / self.scale))]
         return PhysicsError(f"no equilibrium is reached from the drawn position: nothing holds '{name}', "
                             "the potential energy keeps falling along it",
-                            "add the spring or support that carries the load, or start elsewhere with `equilibrium:`")
+                            "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
+                            self.problem.spec.coordinates[name].where)
 
 
 def _trust_step(values, slope, radius):

@@ -118,7 +118,8 @@ def _consistent(scene, numbers, tensions, names):
             raise PhysicsError(
                 f"no preload of {_listed(names)} makes the drawn position an equilibrium: the condition for "
                 f"'{scene.coordinates[i]}' is left with {sum(terms):.6g}",
-                "draw the position of equilibrium, or let a spring act along that coordinate")
+                "draw the position of equilibrium, or let a spring act along that coordinate",
+                scene.static_preloads[0][1].place("preload"))
 
 
 def _harmless(scene, form, unknowns, columns, rows, picked, names):
@@ -135,7 +136,8 @@ def _harmless(scene, form, unknowns, columns, rows, picked, names):
         values = evaluate(terms, Floats, scene.sample)
         if abs(sum(values)) > LOOSE * sum(map(abs, values)):
             raise PhysicsError(f"the conditions of equilibrium do not fix the preloads of {_listed(names)}, and the "
-                               "stiffness depends on them", "give the tension of one of them: `preload: 20 N`")
+                               "stiffness depends on them", "give the tension of one of them: `preload: 20 N`",
+                               scene.static_preloads[free][1].place("preload"))
 
 
 def _listed(names):

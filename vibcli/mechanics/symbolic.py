@@ -37,8 +37,9 @@ def equilibrium_in_letters(problem):
     held = [i for i in range(n) if any((i, j) in K for j in range(n))]
     for i in range(n):
         if i not in held and not load[i].is_zero:
-            raise PhysicsError(f"no equilibrium: nothing holds '{scene.coordinates[i]}'", "add the spring that carries "
-                               "the load")
+            name = scene.coordinates[i]
+            raise PhysicsError(f"no equilibrium: nothing holds '{name}'", "add the spring that carries the load",
+                               scene.spec.coordinates[name].where)
     rows = [[K.get((i, j), zero) for j in held] + [-load[i]] for i in held]
     try:
         shift = dict(zip(held, solve_linear(rows, zero), strict=True))

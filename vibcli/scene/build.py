@@ -4,7 +4,9 @@
 """
 
 from fractions import Fraction
+from math import isfinite
 
+from vibcli import units
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table
@@ -75,7 +77,7 @@ class Scene(Terms, Ends):
                 try:
                     load(element).build(record, self)
                 except ZeroDivisionError:
-                    self.report(record.where, f"'{record.name}' divides by zero as drawn")
+                    self.report(record.where, f"'{record.name}' divides by zero as drawn", "draw its ends apart")
         for section in ("energies", "matrices"):
             if section in spec.sections:
                 load(section).build(spec.get(section), self)
@@ -88,10 +90,28 @@ class Scene(Terms, Ends):
     def lower(self, expression):
         """The node of a parsed field."""
         try:
-            return lower(expression.tree, self.table, self._symbol)
+            node = lower(expression.tree, self.table, self._symbol)
         except ExpressionError as error:
             self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
+        if node.mask or node.op == "symbol" or isfinite(self._constant(node)):
+            return node
+        self.report(expression.scalar.place(0, len(expression.text)), "this is not a finite real number",
+                    "look for a root or logarithm of a negative number, or a value out of range")
+        return self.table.one
+
+    def _constant(self, node):
+        return evaluate([node], Floats, self.sample)[0]
+
+    def positive(self, expression, what, zero=False):
+        """The node of a field whose value must be positive, or not negative."""
+        node = self.lower(expression)
+        value = self._constant(node)
+        if not (value > 0 or (zero and value == 0)):
+            found = f"{value:.6g} {units.text(expression.dimension or {})}".rstrip()
+            self.report(expression.where, f"{what} is {found}, expected {'zero or more' if zero else 'a positive value'}",
+                        "mind the signs" if value < 0 else None)
+        return node
 
     def _symbol(self, name, primes, tree):
         known = self._symbols.get((name, primes))
@@ -128,10 +148,10 @@ class Scene(Terms, Ends):
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def require_equal(self, a, b, where, message):
+    def require_equal(self, a, b, where, message, hint=None):
         """Report `message` with both values where they differ in the drawn position."""
         if not self.agree(*self.at_drawn(a, b)):
-            self.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"))
+            self.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
 
     # geometry
 
@@ -139,14 +159,14 @@ class Scene(Terms, Ends):
         """The unit vector along (dx, dy), constants."""
         length = self.distance(dx, dy)
         if abs(self.number(length)) == 0:
-            self.report(where, "this direction has no length")
+            self.report(where, "this direction has no length", "give one such as [0, 1], or two different places")
             return self.table.one, self.table.zero
         return dx / length, dy / length
 
     def direction(self, expressions):
         return self.unit(*self.pair(expressions), expressions[0].where)
 
-    def distance(self, dx, dy, record=None):
+    def distance(self, dx, dy):
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
         dx0, dy0 = self.at_drawn(dx, dy)
         for along, across in ((dx, dy), (dy, dx)):
@@ -172,11 +192,6 @@ class Scene(Terms, Ends):
 
     def still(self, drawn):
         return Frame(drawn, drawn, self.table.zero)
-
-    def nothing(self):
-        """Stands for a shape that was reported as wrong."""
-        one, zero = self.table.one, self.table.zero
-        return one, (zero, zero), one, (zero, zero), one
 
     def pivot(self, pin, body):
         """(pin as drawn, pin now, frame that carries it)."""

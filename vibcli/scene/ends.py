@@ -7,24 +7,29 @@ class Ends:
     def stretch(self, record, torsion):
         """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
         if "stretch" in record:
-            return self._moving(record, self.lower(record["stretch"]))
+            return self.moving(record, self.lower(record["stretch"]))
         if torsion:
-            return self._moving(record, self._difference(record, [self._angle(end) for end in record["between"]]))
+            return self.moving(record, self._difference(record, [self._angle(end) for end in record["between"]]))
         lumped = [self._lumped(end) for end in record["between"]]
-        if any(part is not None and part != 0 for part in lumped):
-            return self._moving(record, self._lumped_stretch(record, lumped))
+        if lumped == [0, 0] or any(part is not None and part != 0 for part in lumped):
+            return self.moving(record, self._lumped_stretch(record, lumped))
         dx, dy = self.span(record)
         if dx is None:
             return None
-        length = self.distance(dx, dy)
-        drawn = self.at_drawn(length)[0]
-        if self.number(drawn) <= 0:
-            self.report(record.where, f"the ends of '{record.name}' coincide as drawn: its direction is not defined",
-                        "draw them apart, or give `free_length: 0` to a spring")
-            return None
-        return self._moving(record, length - drawn)
+        length = self.length(record, dx, dy)
+        return None if length is None else self.moving(record, length - self.at_drawn(length)[0])
 
-    def _moving(self, record, stretch):
+    def length(self, record, dx, dy):
+        """The distance of two ends; None where they coincide as drawn, which is reported."""
+        length = self.distance(dx, dy)
+        if self.number(length) > 0:
+            return length
+        self.report(record.where, f"the ends of '{record.name}' coincide as drawn: its direction is not defined",
+                    "draw them apart" + (", or give `free_length: 0`" if "k" in record else ""))
+        return None
+
+    def moving(self, record, stretch):
+        """The stretch; None where it never changes, which is reported."""
         if stretch is not None and not stretch.mask:
             self.report(record.where, f"'{record.name}' joins what never moves relative to one another",
                         "check its ends, or take it out")
@@ -46,8 +51,8 @@ class Ends:
             self.report(end.where, f"'{record.name}' joins a place and bare ground", "say where on the ground: [x, y]")
             return None
         if end.text in self.bodies and self.bodies[end.text].frame is None:
-            self.report(end.where, f"'{end.text}' is lumped: it has no place", "join lumped bodies with each other or "
-                        "with `ground`, or say where it is drawn with `at`")
+            self.report(end.where, f"'{end.text}' is lumped: it has no place, so '{record.name}' has no free length",
+                        "give `preload` instead, or say where the body is drawn with `at`")
             return None
         return self.place(end)[1]
 
@@ -89,7 +94,8 @@ class Ends:
         if body.frame is not None:
             return body.frame.angle
         if body.lumped[0] == "slide":
-            self.report(end.where, f"'{end.text}' slides: it has no rotation for a torsion element")
+            self.report(end.where, f"'{end.text}' slides: it has no rotation for a torsion element",
+                        "write `k` or `c` instead of `torsion`")
             return None
         return body.lumped[1]
 

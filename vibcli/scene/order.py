@@ -5,7 +5,7 @@ def carriers_first(spec, report):
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
     bodies = spec.get("bodies") or {}
     needs = {name: _carriers(record, spec) for name, record in bodies.items()}
-    order, state = [], {}
+    order, state, circles = [], {}, 0
     for start in bodies:
         stack = [start]
         while stack:
@@ -19,13 +19,16 @@ def carriers_first(spec, report):
                 state[name] = "done"
                 order.append(name)
                 stack.pop()
-            elif any(state.get(other) == "open" for other in waiting):
-                report(bodies[name].where, f"'{name}' and '{waiting[0]}' carry each other", "one of them must be carried "
-                       "by the ground")
-                return []
+            elif stack.count(waiting[0]):
+                circle = [n for n in stack[stack.index(waiting[0]):] if state[n] == "open"]
+                message = (f"'{name}' carries itself" if waiting[0] == name else
+                           "these bodies carry one another: " + " → ".join([*circle, circle[0]]))
+                report(bodies[circle[0]].where, message, "one of them must be carried by the ground")
+                state.update(dict.fromkeys(circle, "done"))
+                circles += 1
             else:
                 stack.append(waiting[0])
-    return order
+    return [] if circles else order
 
 
 def _carriers(record, spec):
