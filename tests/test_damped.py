@@ -12,7 +12,7 @@ import pytest
 
 from vibcli.analyses import damped as damped_module
 from vibcli.analyses.damped import damped
-from vibcli.analyses.precise import estimate_seconds
+from vibcli.analyses.digits import estimate_seconds
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 

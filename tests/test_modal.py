@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 from vibcli.analyses import modal
+from vibcli.analyses.digits import estimate_seconds
 from vibcli.analyses.factored import jacobi, pivoted_qr
 from vibcli.analyses.modal import undamped
-from vibcli.analyses.precise import estimate_seconds
 from vibcli.analyses.rigid import rank
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements

@@ -87,8 +87,15 @@ def _quantity(spec, reader, expression, tree):
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
                       "write " + " or ".join(tree[3].partition(".")[0] + (a and "." + a) for a in asked.attributes))
         return False
-    return all(_index(spec, reader, place, head, kind, index)
-               for kind, index in zip(asked.indices, indices, strict=False))
+    if not all([_index(spec, reader, place, head, kind, index)
+                for kind, index in zip(asked.indices, indices, strict=False)]):
+        return False
+    bodies = spec.get("bodies") or {}
+    lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].keys)]
+    if lumped and (head == "centre" or len(indices) == 2):
+        reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
+        return False
+    return True
 
 
 def _index(spec, reader, place, head, kind, index):

@@ -164,6 +164,9 @@ def _at_states(problem, nodes, states):
     count = STATES + 3 * len(problem.scene.coordinates)
     with np.errstate(all="ignore"):
         values = evaluate(nodes, Arrays, {**problem.floats, **states})
+    if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
+        raise PhysicsError("this has no finite value in some positions near the drawn one",
+                           "look for roots of what may be negative, and for powers out of range")
     return [np.broadcast_to(value, (count,)) for value in values]
 
 

@@ -239,6 +239,8 @@ def _unit_hint(spec, expression):
         return f"write the unit: {expression.text} {expression.unit}"
     name = expression.tree[3] if expression.tree[0] == "name" else None
     value = spec.parameters[name].get("value") if name in spec.parameters else None
+    if name in spec.parameters and value is None:
+        return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
     literal = value and whole_literal(value.tree)
     return f"give '{name}' its unit: {value.text} {expression.unit}" if literal and not literal[4] else None
 

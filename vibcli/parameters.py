@@ -2,7 +2,7 @@
 
 from vibcli.algebra.expression import Table, bits
 from vibcli.algebra.meaning import lower, names_in, whole_literal
-from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.parse import LARGEST, RANGE, SMALLEST, ExpressionError
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 
 WIDEST = 4096       # bits
@@ -72,10 +72,8 @@ class Parameters:
                 value, = evaluate([self.definitions[name]], arithmetic, found)
             except KeyError:
                 continue
-            if hasattr(arithmetic, "isfinite") and not arithmetic.isfinite(value):
-                expression = self.records[name]["value"]
-                wrong.append(Diagnostic(expression.where, f"the value of '{name}' is not a finite real number",
-                                        "look for a division by zero, a root of a negative number, or a value out of range"))
+            if hasattr(arithmetic, "isfinite") and (problem := unusable(value, arithmetic)):
+                wrong.append(Diagnostic(self.records[name]["value"].where, f"the value of '{name}' is {problem[0]}", problem[1]))
             else:
                 found[name] = value
         if wrong:
@@ -116,6 +114,15 @@ def _order(records):
             else:
                 stack.extend(waiting)
     return order
+
+
+def unusable(value, arithmetic):
+    """(what is wrong, hint) of a value that is no finite number of usual size, else None."""
+    if not arithmetic.isfinite(value):
+        return "not a finite real number", "look for a division by zero, or a root or logarithm of a negative number"
+    if value and not SMALLEST <= abs(value) <= LARGEST:
+        return "out of range", RANGE
+    return None
 
 
 def standalone(text_value):

@@ -54,13 +54,16 @@ class Problem:
 
     @_Stage
     def scene(self):
-        from vibcli.mechanics.preload import settle_static_preloads
         from vibcli.scene.build import build_scene
 
         scene = build_scene(self.spec)
         if self.given:
             scene.sample = scene.parameters.values(_floats(), {k: float(v) for k, v in self.given.items()})
-        self.preloads = settle_static_preloads(scene)
+        self.preloads = {}
+        if scene.static_preloads:
+            from vibcli.mechanics.preload import settle_static_preloads
+
+            self.preloads = settle_static_preloads(scene)
         return scene
 
     @property

@@ -15,11 +15,11 @@ class Asked:
 
 
 ASKED = {
-    "omega": Asked(("mode",), "rad/s", "natural angular frequency of mode i, without the dampers"),
+    "omega": Asked(("mode",), "rad/s", "natural angular frequency of mode i, the dampers left out"),
     "frequency": Asked(("mode",), "Hz", "natural frequency of mode i"),
     "period": Asked(("mode",), "s", "period of mode i"),
     "growth_rate": Asked(("mode",), "1/s", "growth rate of unstable mode i"),
-    "mode": Asked(("mode", "coordinate"), None, "amplitude of a coordinate in mode i, the first coordinate being 1"),
+    "mode": Asked(("mode", "coordinate"), None, "amplitude of a coordinate in mode i, the first coordinate that moves being 1"),
     "zeta": Asked(("mode",), "1", "damping ratio of damped mode i, by ascending |λ|"),
     "omega_d": Asked(("mode",), "rad/s", "damped angular frequency of damped mode i"),
     "decay": Asked(("mode",), "1/s", "decay −Re λ of damped mode i"),

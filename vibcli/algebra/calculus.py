@@ -112,11 +112,11 @@ _OUTER = {
 
 def substitute(nodes, values):
     """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
-    done = dict(values)
+    done = {}
     for node in reachable(nodes):
-        if node in done:
-            continue
-        if node.op == "sum":
+        if node in values:
+            done[node] = values[node]
+        elif node.op == "sum":
             done[node] = _rebuilt(node, done, node.table.sum, lambda table, c: (table.number(c), ONE))
         elif node.op == "product":
             done[node] = _rebuilt(node, done, node.table.product, lambda table, c: (table.number(c), ONE))

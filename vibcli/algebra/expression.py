@@ -369,7 +369,8 @@ def _square_part(value):
         while inside % prime**2 == 0:
             inside //= prime**2
             outside *= prime
-    return exact(outside), inside
+    root = isqrt(inside)
+    return (exact(outside * root), 1) if root * root == inside else (exact(outside), inside)
 
 
 def reachable(nodes):

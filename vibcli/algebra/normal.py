@@ -74,8 +74,9 @@ def _multiplied(left, right):
         for b, y in right.items():
             monomial, value = times(a, b), x * y
             if any(e.denominator == 1 and atom.op in ("number", "product") for atom, e in monomial):
-                table = monomial[0][0].table
-                for part, c in expanded(table.product(*monomial), ()).items():
+                product = monomial[0][0].table.product(*monomial)  # a number too long to fold stays an atom
+                parts = {monomial: product.coefficient} if product.args == monomial else expanded(product, ())
+                for part, c in parts.items():
                     _add(found, part, c * value)
             else:
                 _add(found, monomial, value)

@@ -18,6 +18,8 @@ from vibcli.diagnostics import quoted
 from vibcli.units import UNITS
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
+SMALLEST, LARGEST = 1e-60, 1e60
+RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
              "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2}
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
@@ -68,10 +70,13 @@ def _unit_meant(word):
     """The unit, or product of units, that a word most likely stands for; None where it is like none."""
     from difflib import get_close_matches
 
-    plain = word.lower().removesuffix("s")
-    same = [unit for unit in UNITS if unit.lower() == word.lower()] or [_SPELT[plain] for plain in (plain,) if plain in _SPELT]
+    one = word.removesuffix("s")
+    if len(word) > 2 and one in UNITS:
+        return one
     split = [f"{word[:i]}*{word[i:]}" for i in range(1, len(word)) if word[:i] in UNITS and word[i:] in UNITS]
-    found = same or split or get_close_matches(word, UNITS, 1)
+    same = [unit for unit in UNITS if unit.lower() == word.lower()]
+    spelt = [_SPELT[one.lower()]] if one.lower() in _SPELT else []
+    found = split or same or spelt or get_close_matches(word, UNITS, 1)
     return found[0] if found else None
 
 
@@ -212,9 +217,8 @@ class _Parser:
         start, self.at = match.start(), match.end()
         text = match.group()
         digits, _, exponent = text.lower().partition("e")
-        if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 300:
-            raise ExpressionError(start, len(text), "this number is out of range",
-                                  "numbers lie between 1e-300 and 1e300 in size")
+        if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
+            raise ExpressionError(start, len(text), "this number is out of range", RANGE)
         chain = self.units(start)
         return ("number", start, self.at, Fraction(text), chain)
 

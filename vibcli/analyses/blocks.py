@@ -127,11 +127,14 @@ class BlockForm:
             return [part]
         own = floats(block, size)
         turn, pieces = split(own)
-        if len(pieces) > 1:
-            self.v[:, part] = self.v[:, part].dot(fixed(turn, bits)) >> bits
-            new = fixed(np.linalg.inv(turn) @ own @ turn, size)
-            new[k, k] += middle
-            self.t[at] = new
+        own = np.linalg.inv(turn) @ own @ turn
+        rounding = np.full_like(own, 2.0 ** -48 * np.abs(own).max())
+        if len(pieces) == 1 or separation(own, pieces, rounding, 0)[1].any():
+            return [part]
+        self.v[:, part] = self.v[:, part].dot(fixed(turn, bits)) >> bits
+        new = fixed(own, size)
+        new[k, k] += middle
+        self.t[at] = new
         return [part[piece] for piece in pieces]
 
 
@@ -149,7 +152,7 @@ def split(matrix):
         edges = np.cumsum([basis.shape[1] for _, basis in units])
         blocks = np.split(np.arange(len(r)), edges[:-1])
         try:
-            steep = np.linalg.norm(np.linalg.inv(r), axis=1)
+            steep = np.abs(np.linalg.inv(r)).max(axis=1)
         except np.linalg.LinAlgError:
             steep = np.full(len(r), np.inf)
         pair = _closest(units, [i for i, part in enumerate(blocks) if not steep[part].max() < PARALLEL])

@@ -13,6 +13,7 @@ from vibcli.analyses.symmetric import spectrum
 
 GUARDS = (160, 640, 2560)
 STEEP = 24
+ZERO = 60
 
 
 class Enclosed:
@@ -26,7 +27,8 @@ class Enclosed:
 
     def __init__(self, found, reduced, zeros):
         self.values, self.bits, self.zeros = found.values, found.bits, zeros
-        self.off, self.shapes = np.log2(found.radius) - found.shift, reduced.full(found.vectors)
+        self.off = np.log2(np.maximum(found.radius, 1e-300)) - found.shift
+        self.shapes = reduced.full(found.vectors)
         self._find_zeros()
 
     def _find_zeros(self):
@@ -68,9 +70,10 @@ def enclosed(elements, scale, zeros, goal=60):
         bits = guard + goal + spread(elements, scale)
         a, reduced = standard(elements, scale, bits)
         start = from_factor(elements, scale, reduced) if zeros is not None and bits - guard - goal > STEEP else None
-        found = spectrum(a, bits, goal, zeros or 0, reduced.slack, start)
+        found = spectrum(a, bits, goal, zeros, reduced.slack, start)
         answer = Enclosed(found, reduced, zeros)
-        if (answer.errors() <= -goal).all():
+        decided = zeros is not None or (answer.off[answer.zero] <= -goal - ZERO).all()
+        if decided and (answer.errors() <= -goal).all():
             break
     return answer
 
@@ -106,7 +109,7 @@ class Reduced:
     def __init__(self, n, massive, massless, lower, follow, bits, growth):
         self.n, self.massive, self.massless, self.bits = n, massive, massless, bits
         self.lower, self.follow = lower, follow
-        self.slack = 4 + 2 * math.log2(n) + math.log2(growth)
+        self.slack = 4 + 2 * math.log2(n) + growth
 
     def full(self, vectors):
         """Shapes of all coordinates, M̂-normalised."""
@@ -129,30 +132,29 @@ def standard(elements, scale, bits):
     k = fx.assembled(n, elements.springs, elements.K, p, scale.stiffness, bits)
     massless = sorted(elements.massless)
     massive = [i for i in range(n) if i not in set(massless)]
-    growth, follow = 1.0, None
+    growth, follow = 0.0, None
     if massless:
         k, follow, growth = condensed(k, massive, massless, bits)
         m = m[np.ix_(massive, massive)]
     a, lower, more = reduced_by_mass(m, k, massive, bits)
-    return a, Reduced(n, massive, massless, lower, follow, bits, growth * more)
+    return a, Reduced(n, massive, massless, lower, follow, bits, growth + more)
 
 
 def reduced_by_mass(m, k, massive, bits):
-    """A = L⁻¹ k L⁻ᵀ; L, or its diagonal alone where m is diagonal; how much the rounding of m and k grew."""
+    """A = L⁻¹ k L⁻ᵀ; L, or its diagonal alone where m is diagonal; by how many bits rounding grew."""
     n = len(m)
     if fx.is_diagonal(m):
         lower = np.array([math.isqrt(x << bits) if x > 0 else 0 for x in m.diagonal().tolist()], object)
         if not all(lower):
             raise unmoved(massive[int(np.flatnonzero(lower == 0)[0])])
         a = (((k << bits) // lower[:, None]) << bits) // lower
-        return a, lower, (1.0 + 2.0 ** (bits - min(lower).bit_length())) ** 4
+        return a, lower, 4.0 * max(1, 1 + bits - min(lower).bit_length())
     lower, stopped = fx.cholesky(m, bits)
     if lower is None:
         raise unmoved(massive[stopped])
     half = fx.forward(lower, k, bits)
     a = fx.forward(lower, half.T.copy(), bits)
-    inverse = fx.floats(fx.forward(lower, fx.identity(n, bits), bits), bits)
-    return (a + a.T) >> 1, lower, (1.0 + np.linalg.norm(inverse) ** 2) ** 2
+    return (a + a.T) >> 1, lower, growth_bits(fx.forward(lower, fx.identity(n, bits), bits), bits)
 
 
 def condensed(k, massive, massless, bits, names=None):
@@ -164,7 +166,7 @@ def condensed(k, massive, massless, bits, names=None):
 
 
 def inverted(a, names, bits):
-    """The inverse of a fixed-point matrix by Gauss–Jordan elimination, and how much rounding may grow by it."""
+    """The inverse of a fixed-point matrix by Gauss–Jordan elimination, and by how many bits rounding may grow."""
     n = len(a)
     work = np.concatenate([a, fx.identity(n, bits)], axis=1)
     left, order = list(range(n)), []
@@ -180,7 +182,13 @@ def inverted(a, names, bits):
                 work[r] = work[r] - (work[r, j] * pivot >> bits)
         work[i] = pivot
     out = work[order, n:]
-    return out, (1.0 + np.abs(fx.floats(out, bits)).sum()) ** 4
+    return out, growth_bits(out, bits)
+
+
+def growth_bits(inverse, bits):
+    """log2 of (1 + n² max|inverse|)⁴, by which rounding may grow in a product with the inverse on both sides."""
+    largest = max(abs(x) for x in inverse.ravel().tolist())
+    return 4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse)))
 
 
 def sensitivity(elements, scale, shapes, sizes):

@@ -13,6 +13,8 @@ from vibcli.analyses.scaled import exponent
 CERTIFIABLE = 80
 GOAL = 160
 WANTED = 60
+TRIES = 4
+FARTHEST = 2000
 
 
 def damped(elements, precise=None, exact=None, digits=None):
@@ -56,7 +58,8 @@ def _damped(elements, precise, exact, digits):
 def damped_digits(elements, precise, exact, digits):
     """The damped modes to `digits` correct digits, in numbers of mpmath."""
     from vibcli.analyses.damped_modes import collected
-    from vibcli.analyses.precise import Digits, working_bits
+    from vibcli.analyses.digits import working_bits
+    from vibcli.analyses.precise import Digits
 
     wanted = working_bits(digits)
     goal = GOAL + 2 * wanted
@@ -101,16 +104,23 @@ class Answer:
         from vibcli.analyses.rigid import undamped_rigid
 
         self.conservative = not any(c for c, _ in elements.dampers) and not any(elements.C.values())
-        self.scale, zeros = prepared(elements, bool(massless.dragged(elements)))
+        dragged = bool(massless.dragged(elements))
+        self.scale, zeros = prepared(elements, dragged)
+        self.decided = zeros is not None
+        if dragged and zeros is not None:
+            zeros += undamped_rigid(elements, zeros, data)
         strong, weak = depth(elements, self.scale)
         goal, deep = goal + strong + weak, goal - 50 + weak
-        self.decided = zeros is not None
-        if massless.dragged(elements):
-            double = undamped_rigid(elements, zeros, data)
-            self.system = massless.Reduced(data, self.scale, (zeros or 0) + double, goal, deep)
-        else:
-            self.system = self._modal(elements, data, goal, deep, zeros, unit)
-        self.found = self.system.eigenvalues(wanted)
+        for _ in range(TRIES):
+            if dragged:
+                self.system = massless.Reduced(data, self.scale, zeros, goal, deep)
+            else:
+                self.system = self._modal(elements, data, goal, deep, zeros, unit)
+            self.found = self.system.eigenvalues(wanted)
+            missing = self.worst() + wanted
+            if missing <= 0:
+                break
+            goal += 2 * math.ceil(min(missing, FARTHEST)) + 20
         if unit > EXACT or data.K_size:
             from vibcli.analyses.rounding import add_data_error
 
@@ -128,13 +138,17 @@ class Answer:
         still = undamped_rigid(elements, zeros, data)
         return ModalDamping(answer, data, self.scale, still, goal, deep)
 
-    def settled(self, goal):
-        """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
+    def worst(self):
+        """log2 of the largest relative bound of an eigenvalue."""
         from vibcli.analyses.fixed import log2
 
         bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
         sizes = [log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
-        return self.decided and all(d.radius - size <= goal for d, size in zip(moving, sizes, strict=True))
+        return max((d.radius - size for d, size in zip(moving, sizes, strict=True)), default=-math.inf)
+
+    def settled(self, goal):
+        """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
+        return self.decided and self.worst() <= goal
 
     def shapes(self):
         """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""

@@ -87,13 +87,18 @@ class Reduced:
         bits, h = self.bits, self.massive
         a = self._matrix()
         matrix = fx.floats(a, bits)
+        if not matrix.any():
+            return [Eigenvalue(0, 0, -math.inf, x, x) for x in np.eye(len(self.c), dtype=complex)]
         top = math.log2(np.abs(matrix).max())
 
         def enough(root):
-            return known(root, bits, wanted, self.deep, top - self.coupled + 50)
+            return known(root, bits, wanted, self.deep, top - 2 * self.coupled + 60)
 
         found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
-        return [self._full(root, h, zero) for root, zero in vanishing(found, self.zeros)]
+        zeros = self.zeros
+        if zeros is None:
+            zeros = sum((2 if root.im else 1) for root in found if _vanishes(root, bits, top - self.coupled))
+        return [self._full(root, h, zero) for root, zero in vanishing(found, zeros)]
 
     def _matrix(self):
         """y' = A y for y = (a', a, z)."""
@@ -118,6 +123,12 @@ class Reduced:
         if zero:
             return Eigenvalue(0, 0, -math.inf, x / size, left)
         return Eigenvalue(root.re, root.im, root.radius if value else -math.inf, x / size, left)
+
+
+def _vanishes(root, bits, tiny):
+    """Whether nothing but the working precision keeps an eigenvalue from zero."""
+    size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
+    return size <= root.radius + 1 and root.radius <= tiny / 2
 
 
 def _loose(c, bits):

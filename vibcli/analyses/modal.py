@@ -97,7 +97,8 @@ def certain(elements, scale, zeros, precise):
 def undamped_digits(elements, scale, zeros, precise, digits):
     """The modes to `digits` correct digits, in numbers of mpmath."""
     from vibcli.analyses.certified import enclosed
-    from vibcli.analyses.precise import Digits, working_bits
+    from vibcli.analyses.digits import working_bits
+    from vibcli.analyses.precise import Digits
 
     goal = working_bits(digits)
     if precise is None:

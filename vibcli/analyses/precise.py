@@ -1,4 +1,4 @@
-"""Fixed-point results as numbers: floats, or mpmath's where digits were asked for; and what digits cost."""
+"""Fixed-point results as numbers: floats, or mpmath's where digits were asked for."""
 
 import math
 
@@ -7,7 +7,6 @@ import numpy as np
 from vibcli.analyses import fixed as fx
 from vibcli.errors import PhysicsError
 
-GUARD_DIGITS = 10
 SMALLEST = 2.0 ** -1022
 
 
@@ -92,24 +91,3 @@ def beyond():
     """The refusal of a result that floats cannot hold."""
     return PhysicsError("a frequency or a mode shape is beyond the range of floating-point numbers",
                         hint="check the units, or ask for it with --digits")
-
-
-def working_bits(digits):
-    """The bits of accuracy that give `digits` correct ones."""
-    return math.ceil((digits + GUARD_DIGITS) * math.log2(10))
-
-
-class Effort:
-    """Measured seconds of one product of n × n fixed-point matrices of b bits: n³ (flat + slope b^1.58)."""
-
-    flat, slope = 9e-8, 2.2e-11
-
-
-def estimate_seconds(n, digits, damped=False):
-    """About how long `digits` digits take for n coordinates: fitted to measurements, good to a factor 3."""
-    bits = 2 * working_bits(digits) + 160
-    product = (n + 2) ** 3 * (Effort.flat + Effort.slope * bits ** 1.58)
-    steps = 5 * (2 + math.log2(1 + digits / 15))
-    if not damped:
-        return 1e-3 + product * steps
-    return 2e-3 + product * (steps + 8 * (3 + digits / 14)) + n * (n + 4) ** 3 * 1e-5

@@ -29,11 +29,11 @@ class Spectrum:
         self.vectors, self.bits = vectors, bits
 
 
-def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
+def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
     """The eigenpairs of the symmetric fixed-point matrix a, known to 2^(slack − bits) in norm.
 
     Each radius is at most 2^-goal |value| where bits and slack allow it. `zeros`: how many eigenvalues are
-    known to vanish. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
+    known to vanish, None where that is not known. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
     """
     n = len(a)
     if start is None:
@@ -64,7 +64,7 @@ def spectrum(a, bits, goal, zeros=0, slack=0, start=None):
 class Offset:
     """diag(α) + 2^-shift E in floats: how far α is from the eigenvalues."""
 
-    __slots__ = ("alpha", "e", "gap", "scaled", "shift", "skew", "zero")
+    __slots__ = ("alpha", "e", "gap", "known", "scaled", "shift", "skew", "zero")
 
     def __init__(self, h, excess, alpha, gap, zeros, slack, bits):
         top = max(abs(x) for x in h.ravel().tolist()).bit_length()
@@ -74,16 +74,16 @@ class Offset:
         self.skew = max(abs(x) for x in excess.ravel().tolist()).bit_length() - bits
         self.e = size + 1.1 * spoiled @ size + max(2.0 ** (slack + self.shift - bits), LEAST)
         self.alpha, self.gap = floats(alpha, bits), np.abs(floats(gap, bits))
-        self.zero = np.zeros(len(alpha), bool)
-        self.zero[np.argsort(np.abs(self.alpha), kind="stable")[:zeros]] = True
-        size = np.abs(self.alpha)
-        judged = size[~self.zero & (size > 0)]
-        root = np.sqrt(np.where(self.zero | (size == 0), judged.min() if len(judged) else 1.0, size))
+        self.zero, self.known = np.zeros(len(alpha), bool), zeros is not None
+        self.zero[np.argsort(np.abs(self.alpha), kind="stable")[:zeros or 0]] = True
+        size = np.maximum(np.abs(self.alpha), max(math.ldexp(self.e.max(), -self.shift), LEAST))
+        judged = size[~self.zero]
+        root = np.sqrt(np.where(self.zero, judged.min() if len(judged) else 1.0, size))
         self.scaled = self.e * (root[:, None] / root[None, :])
 
     def clusters(self):
         """Lists of eigenvalues that first-order steps cannot tell apart."""
-        close = np.ldexp(self.scaled + self.scaled.T, -self.shift) > 0.05 * self.gap
+        close = (np.ldexp(self.scaled + self.scaled.T, -self.shift) > 0.05 * self.gap) | (self.gap == 0)
         np.fill_diagonal(close, False)
         return components(close)
 
@@ -109,13 +109,17 @@ class Offset:
     def worst(self, radius):
         """log2 of the largest radius relative to its value, those known or bound to be zero set aside."""
         size = np.abs(self.alpha)
+        if self.known and not self.zero.all():
+            with np.errstate(divide="ignore"):
+                relative = np.maximum(radius[~self.zero], LEAST) / size[~self.zero]
+            return float(np.log2(relative).max()) - self.shift
         judged = ~self.zero & (size > np.ldexp(1e3 * (self.e.min() + radius), -self.shift))
         undecided = ~self.zero & ~judged & (radius > 1e3 * self.e.min())
         if undecided.any():
             return math.inf
         if not judged.any():
             return -math.inf if self.e.max() < 1e6 * self.e.min() or len(size) == 1 else math.inf
-        return float(np.log2(radius[judged] / size[judged]).max()) - self.shift
+        return float(np.log2(np.maximum(radius[judged] / size[judged], LEAST)).max()) - self.shift
 
     def rough(self):
         """log2 of how far the vectors are from orthonormal eigenvectors."""

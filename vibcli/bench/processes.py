@@ -8,6 +8,7 @@ from time import perf_counter
 
 VIBCLI = os.path.join(os.path.dirname(sys.executable), "vibcli")
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}  # as installed
+ENVIRONMENT["OPENBLAS_NUM_THREADS"] = "1"  # threads that wait for a busy core spoil both sides by turns
 
 
 def vibcli(*args):

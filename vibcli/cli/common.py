@@ -8,6 +8,7 @@ from time import perf_counter
 import click
 
 from vibcli.document import read_file
+from vibcli.errors import SpecError
 
 _sources = {}
 
@@ -54,9 +55,6 @@ def _set_color(context, parameter, value):
 
 def load(file, settings=()):
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read."""
-    from vibcli.problem import Problem
-    from vibcli.spec import read_spec
-
     start = perf_counter()
     try:
         node, diagnostics, lines = read_file(file)
@@ -65,6 +63,11 @@ def load(file, settings=()):
     _sources.pop(os.fsdecode(file), None)
     _sources[os.fsdecode(file)] = lines
     middle = perf_counter()
+    if node is None:
+        raise SpecError(diagnostics)
+    from vibcli.problem import Problem
+    from vibcli.spec import read_spec
+
     spec = read_spec(node, os.fsdecode(file), diagnostics, _settings(settings, node))
     problem = Problem(spec)
     problem.costs.update(read=middle - start, spec=perf_counter() - middle)
@@ -84,6 +87,8 @@ def _near(file):
 
 def _settings(settings, node):
     """{name: (tree, scalar)} of the --set options."""
+    if not settings:
+        return {}
     from vibcli.algebra.parse import ExpressionError, parse, plain_name
     from vibcli.document import Mapping, Scalar
     from vibcli.errors import Where

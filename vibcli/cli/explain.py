@@ -16,6 +16,7 @@ def command(word):
 
     Without a WORD an overview of all there is; `spring.preload` is a key of one element.
     """
+    from vibcli.diagnostics import quoted
     from vibcli.manual import nearest_words, overview, page
 
     text = " ".join(word)
@@ -24,4 +25,4 @@ def command(word):
     except KeyError:
         near = nearest_words(text)
         hint = "did you mean " + " or ".join(near) + "?" if near else "`vibcli explain` lists what there is"
-        raise click.UsageError(f"the manual has no page '{text}'; {hint}") from None
+        raise click.UsageError(f"the manual has no page {quoted(text)}; {hint}") from None

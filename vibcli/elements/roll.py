@@ -70,7 +70,7 @@ def _on_circle(roll, body, scene, surface, radius, carrier):
     x0, y0 = body.drawn
     inside = surface.get("side") == "inside"
     distance = scene.distance(x0 - cx, y0 - cy)
-    encloses = not inside and scene.sign(distance - track) < 0
+    encloses = not inside and scene.sign(distance - radius) < 0
     arm = track - radius if inside else radius - track if encloses else track + radius
     scene.require_equal(distance, arm, roll.where, f"'{body.name}' does not touch its circle as drawn: the centres are "
                         f"{{}} m apart, where {{}} m is due {'inside' if inside else 'outside'}",

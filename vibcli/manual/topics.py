@@ -53,7 +53,7 @@ EXPRESSIONS = [
     "Wherever a value is wanted, an expression of the parameters may stand; in motions, stretches and energies "
     "also of the coordinates.",
     [
-        ("numbers", "`3`, `0.5`, `1e-3`; decimals with a point, between 1e-300 and 1e300."),
+        ("numbers", "`3`, `0.5`, `1e-3`; decimals with a point, between 1e-60 and 1e60."),
         ("units", "A number followed by a unit is one value: `0.5 m`, `9.81 m/s^2`, `2 kN*m/rad`. It takes the longest "
          "chain of units that `*`, `/` and `^` join after it; `0.5 m` is half a metre whatever is called m."),
         ("names", "Letters, digits and _, a letter first, at most 32. Greek letters and their names are the "

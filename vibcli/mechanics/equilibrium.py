@@ -12,12 +12,12 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.linearise import in_numbers
 
 EPSILON = 2.0**-52
-STEPS, POLISH, FAR = 300, 12, 1e6
+STEPS, POLISH, FAR, FARTHEST, HUGE = 300, 12, 1e6, 1e60, 1e140
 
 
 class Equilibrium:
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
-    relative to the magnitudes of its terms and of K q."""
+    relative to the magnitudes of its terms and of K q, the largest that the search met."""
 
     __slots__ = ("drawn", "residual", "steps", "values")
 
@@ -49,9 +49,9 @@ def find_equilibrium(problem, start):
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
-    if relative_residual(numbers) > 1e-9:
+    if search.relative(numbers) > 1e-9 or search.faded(numbers):
         raise search.unbounded(q)
-    return Equilibrium(search.named(q), False, relative_residual(numbers), steps)
+    return Equilibrium(search.named(q), False, search.relative(numbers), steps)
 
 
 class _Search:
@@ -66,6 +66,7 @@ class _Search:
         self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
         self.first_radius = 0.5 if size else math.inf
         self.potential = problem.potential
+        self.met = [0.0] * len(self.names)
 
     def vector(self, values):
         return self.np.array([values[name] for name in self.names], dtype=float)
@@ -80,16 +81,33 @@ class _Search:
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
         bend = self.np.abs(self.stiffness(numbers)) @ self.np.abs(q)  # a coordinate is only known to its own rounding
         numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
+        self.met = list(map(max, self.met, numbers.residual_size))
         return numbers
+
+    def relative(self, numbers):
+        """The residual relative to the largest terms met: at q = 0 the terms of a condition may all vanish."""
+        return max((abs(r) / size for r, size in zip(numbers.residual, self.met, strict=True) if size), default=0.0)
+
+    def faded(self, numbers):
+        """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
+        held = self.np.abs(self.stiffness(numbers)) @ self.scale
+        return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
+                   zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
+
+    def newton(self, numbers):
+        """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
+        slope = -self.np.array(numbers.residual) * self.scale
+        return self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
 
     def energy(self, q):
         return evaluate([self.potential], Floats, {**self.problem.floats, **self.named(q)})[0]
 
     def flat(self, numbers):
-        return relative_residual(numbers) <= 1e-13
+        return self.relative(numbers) <= 1e-13
 
     def far(self, q):
-        return bool(self.np.any(self.np.abs(q) > FAR * self.scale)) if math.isfinite(self.first_radius) else False
+        limit = FAR if math.isfinite(self.first_radius) else FARTHEST
+        return bool(self.np.any(self.np.abs(q) > limit * self.scale))
 
     def hessian(self, numbers):
         """K in scaled coordinates."""
@@ -112,6 +130,8 @@ class _Search:
         gradient = np.array(numbers.residual) * self.scale
         values, vectors = np.linalg.eigh(self.hessian(numbers))
         slope = vectors.T @ gradient
+        if math.isinf(radius) and values[0] <= _tiny(values):
+            radius = float(np.linalg.norm(slope) / max(np.max(np.abs(values)), 1e-300)) or 1.0
         before = self.energy(q)
         for _ in range(60):
             p = _trust_step(values, slope, radius)
@@ -119,7 +139,7 @@ class _Search:
             trial = q + self.scale * (vectors @ p)
             gained = before - self.energy(trial)
             noise = 64 * EPSILON * (abs(before) + abs(predicted))
-            if math.isfinite(gained) and (gained >= 0.1 * predicted or predicted <= noise):
+            if abs(gained) < HUGE and (gained >= 0.1 * predicted or predicted <= noise):
                 if predicted <= noise and not self._nearer(trial, numbers):
                     return q, numbers, radius, False
                 length = float(np.linalg.norm(p))
@@ -132,16 +152,14 @@ class _Search:
         return q, numbers, radius, False
 
     def _nearer(self, trial, numbers):
-        return relative_residual(self.at(trial)) < relative_residual(numbers)
+        return self.relative(self.at(trial)) < self.relative(numbers)
 
     def polished(self, q, numbers):
         """Newton steps as long as they lower the residual."""
-        np = self.np
         for _ in range(POLISH):
-            step = np.linalg.lstsq(self.hessian(numbers), -np.array(numbers.residual) * self.scale, rcond=1e-14)[0]
-            trial = q + self.scale * step
+            trial = q + self.scale * self.newton(numbers)
             after = self.at(trial)
-            if relative_residual(after) >= relative_residual(numbers):
+            if self.relative(after) >= self.relative(numbers):
                 break
             q, numbers = trial, after
         return q, numbers
@@ -156,12 +174,17 @@ class _Search:
                             self.problem.spec.coordinates[name].where)
 
 
+def _tiny(values):
+    """What counts as no curvature beside these."""
+    return 1e-14 * (max(map(abs, values)) or 1.0)
+
+
 def _trust_step(values, slope, radius):
     """argmin slope·p + ½ Σ values p² within |p| ≤ radius, in the axes of the Hessian."""
     import numpy as np
 
     least = values[0]
-    tiny = 1e-14 * float(np.max(np.abs(values)) or 1.0)
+    tiny = _tiny(values)
 
     def at(shift):
         bottom = values + shift
@@ -171,8 +194,6 @@ def _trust_step(values, slope, radius):
         p = at(0.0)
         if np.linalg.norm(p) <= radius:
             return p
-    if math.isinf(radius):
-        radius = float(np.linalg.norm(slope) / max(np.max(np.abs(values)), 1e-300)) or 1.0
     low = max(0.0, -least)
     high = low + float(np.linalg.norm(slope)) / radius + tiny
     for _ in range(80):

@@ -10,6 +10,7 @@ The second term of K is the geometric stiffness of preloads (Kovacić & Radomiro
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import evaluate, evaluate_rational
+from vibcli.algebra.expression import ONE
 from vibcli.mechanics.elements import OscillatorElements
 
 
@@ -67,30 +68,24 @@ def _written_out(scene, found, number):
     slope_T = {number[q]: s for q, s in gradient(T).items() if q in number}
     found.K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
     found.residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
-    for i in range(found.n):
-        for j in range(found.n):
-            _given(scene, found, i, j)
-    if "K" in scene.matrices:
-        rows = scene.matrices["K"]
-        found.residual.append({i: scene.table.sum(*((q * k, scene.table.one.coefficient)
-                                                    for q, k in zip(scene.q, row, strict=True)))
+    for key, rows in scene.matrices.items():
+        _outright(scene, found, key, rows)
+
+
+def _outright(scene, found, key, rows):
+    """Adds a matrix that the scene gives outright: M, K, or C = sym C + G."""
+    pairs = [(i, j) for i in range(found.n) for j in range(found.n)]
+    if key == "K":
+        found.K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
+        found.residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=True)))
                                for i, row in enumerate(rows)})
-
-
-def _given(scene, found, i, j):
-    """Entry (i, j) of the matrices that the scene gives outright; C = sym C + G."""
-    for key, place in (("M", found.M), ("C", found.C)):
-        if key in scene.matrices:
-            entries = scene.matrices[key]
-            half = (entries[i][j] + entries[j][i]) / 2
+        return
+    parts = [(found.M if key == "M" else found.C, 1)] + [(found.G, -1)] * (key == "C")
+    for matrix, sign in parts:
+        for i, j in pairs:
+            half = (rows[i][j] + sign * rows[j][i]) / 2
             if not half.is_zero:
-                place[i, j] = place.get((i, j), scene.table.zero) + half
-    if "C" in scene.matrices:
-        skew = (scene.matrices["C"][i][j] - scene.matrices["C"][j][i]) / 2
-        if not skew.is_zero:
-            found.G[i, j] = found.G.get((i, j), scene.table.zero) + skew
-    if "K" in scene.matrices and not scene.matrices["K"][i][j].is_zero:
-        found.K.append({(i, j): scene.matrices["K"][i][j]})
+                matrix[i, j] = matrix.get((i, j), scene.table.zero) + half
 
 
 def _blocks(slopes, number):

@@ -4,7 +4,6 @@
 """
 
 from fractions import Fraction
-from math import isfinite
 
 from vibcli import units
 from vibcli.algebra.calculus import substitute
@@ -16,7 +15,7 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.elements import gravity
 from vibcli.errors import Diagnostic, SpecError
 from vibcli.fields import load
-from vibcli.parameters import Parameters
+from vibcli.parameters import Parameters, unusable
 from vibcli.scene.ends import Ends
 from vibcli.scene.frame import Frame
 from vibcli.scene.order import carriers_first
@@ -58,6 +57,7 @@ class Scene(Terms, Ends):
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
                          for name, node in zip(self.coordinates, nodes, strict=True)}
         self.drawn = {node: self._drawn_value(name) for name, node in zip(self.coordinates, self.q, strict=True)}
+        self._drawn_at_rest = {**self.drawn, **dict.fromkeys(self.v, table.zero)}
         self.surfaces = spec.get("surfaces") or {}
         self.bodies, self.points = {}, {}
         self.ground = Frame((table.zero, table.zero), (table.zero, table.zero), table.zero)
@@ -94,11 +94,10 @@ class Scene(Terms, Ends):
         except ExpressionError as error:
             self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
-        if node.mask or node.op == "symbol" or isfinite(self._constant(node)):
-            return node
-        self.report(expression.scalar.place(0, len(expression.text)), "this is not a finite real number",
-                    "look for a root or logarithm of a negative number, or a value out of range")
-        return self.table.one
+        problem = None if node.mask or node.op == "symbol" else unusable(self._constant(node), Floats)
+        if problem:
+            self.report(expression.scalar.place(0, len(expression.text)), "this value is " + problem[0], problem[1])
+        return self.table.one if problem else node
 
     def _constant(self, node):
         return evaluate([node], Floats, self.sample)[0]
@@ -123,8 +122,7 @@ class Scene(Terms, Ends):
 
     def at_drawn(self, *nodes):
         """The nodes in the drawn position, at rest."""
-        values = {**self.drawn, **dict.fromkeys(self.v, self.table.zero)}
-        return substitute(nodes, values)
+        return substitute(nodes, self._drawn_at_rest) if any(node.mask for node in nodes) else list(nodes)
 
     def change(self, expression):
         """How much an expression has changed since the drawn position."""
@@ -182,7 +180,11 @@ class Scene(Terms, Ends):
         return self.table.sqrt(dx * dx + dy * dy)
 
     def frame(self, name):
-        return self.bodies[name.text].frame or self.ground
+        frame = self.bodies[name.text].frame
+        if frame is None:
+            self.report(name.where, f"'{name.text}' has no place, so it carries nothing",
+                        "say where it is drawn with `at: [x, y]`")
+        return frame or self.ground
 
     def carrier(self, record, key="carrier"):
         return self.frame(record[key]) if key in record else self.ground
