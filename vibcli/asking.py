@@ -42,7 +42,10 @@ def _answer(spec, reader, answer):
         if not _quantity(spec, reader, asked, quantity):
             return
     if not whole and not quantities_in(tree):
-        reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text.split("[")[0], ASKED))
+        if asked.text in ASKED:
+            reader.report(asked.where, f"{quoted(asked.text)} needs an index", f"write {_usage(asked.text)}")
+        else:
+            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED))
         return
     head = tree[4] if whole else None
     if head == "stable":
@@ -70,6 +73,11 @@ def _dimension_of(spec, expression):
         return None
 
 
+def _usage(head):
+    indices = ["1" if kind == "mode" else kind for kind in ASKED[head].indices]
+    return head + (f"[{', '.join(indices)}]" if indices else "")
+
+
 def _quantity(spec, reader, expression, tree):
     """Is this a quantity that can be asked of this scene? Reports what is wrong with it."""
     head, indices, attribute = tree[4], tree[5], tree[6]
@@ -78,10 +86,9 @@ def _quantity(spec, reader, expression, tree):
     if asked is None:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
         return False
-    usage = head + (f"[{', '.join(asked.indices)}]" if asked.indices else "")
     if len(indices) != len(asked.indices) and not (head == "J" and len(indices) == 1):
         takes = {0: "no index", 1: "one index", 2: "two indices"}[len(asked.indices)]
-        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {usage}")
+        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {_usage(head)}")
         return False
     if attribute not in asked.attributes:
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",

@@ -18,8 +18,8 @@ from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.measured import measure
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 
-EXACT, WIDEST = 1e-9, 0.005
-DRAWS, STATES = 3, 5
+EXACT, WIDEST, ROUNDING = 1e-9, 0.005, 1e-13
+DRAWS, STATES, NEAR, SEPARATE = 3, 5, 1e-4, 12
 
 
 class Verdict:
@@ -136,23 +136,53 @@ def _tolerance(problem, answer, expected, error):
 
 
 def _small(problem, answer):
-    """What counts as zero: rounding of the numbers of the scene."""
+    """What counts as zero: rounding beside the largest number of its kind."""
+    tree = answer.asked.tree
+    head = tree[4] if tree[0] == "quantity" else None
+    if head in ("M", "C", "K"):
+        from vibcli.mechanics.lagrange import matrices_in_numbers
+
+        matrices = dict(zip("MCGK", matrices_in_numbers(problem.elements), strict=True))
+        return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
+    if head == "equilibrium":
+        return 1e-12 * _reach(problem, coordinate_name(problem.spec, tree[5][0]))
+    if head in ("mode", "zeta"):
+        return 1e-11
+    if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
+        return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modes), default=0.0)
     return 1e-12 * max((abs(v) for v in problem.floats.values()), default=1.0)
 
 
 def _states(problem):
-    """Random states near the drawn position: {symbol name: array} of coordinates, velocities, accelerations."""
+    """Random states near the drawn position, in groups: {symbol name: array} and the slices of the groups.
+
+    All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
+    is seen beside those of its kind, however stiff or heavy the rest of the scene is.
+    """
     import numpy as np
 
     generator = random.Random("states")
     names = problem.scene.coordinates
-    count, found = STATES + 3 * len(names), {}
+    groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
+    if 1 < len(names) <= SEPARATE:
+        groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    each, found = STATES + 3 * len(names), {}
     for name in names:
         scale = _reach(problem, name)
-        for symbol, centre, spread in ((name, problem.drawn_floats[name], scale), (name + "'", 0.0, 3 * scale),
-                                       (name + "''", 0.0, 9 * scale)):
-            found[symbol] = np.array([centre + spread * generator.uniform(-1, 1) for _ in range(count)])
-    return found
+        for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
+            found[name + "'" * primes] = centre + spread * scale * np.array([
+                group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
+    return found, [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+
+
+def _worst(wanted, found, groups, rounding=0.0):
+    """(index, its difference, size of its group) where two functions differ most; None where they agree in each group."""
+    rounding = max(rounding, ROUNDING * max(abs(wanted).max(), abs(found).max()))
+    for group in groups:
+        off, size = abs(wanted - found)[group], max(abs(wanted[group]).max(), abs(found[group]).max())
+        if not off.max() <= EXACT * size + rounding:
+            return group.start + int(off.argmax()), float(off.max()), float(size)
+    return None
 
 
 def _at_states(problem, nodes, states):
@@ -161,7 +191,7 @@ def _at_states(problem, nodes, states):
 
     from vibcli.algebra.arrays import Arrays
 
-    count = STATES + 3 * len(problem.scene.coordinates)
+    count = max(map(len, states.values()))
     with np.errstate(all="ignore"):
         values = evaluate(nodes, Arrays, {**problem.floats, **states})
     if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
@@ -191,13 +221,17 @@ def _compare_energy(problem, answer, head):
     scene = problem.scene
     ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     expected = _expected_node(problem, answer.expected)
-    wanted, found = _at_states(problem, [expected, ours], _states(problem))
+    states, groups = _states(problem)
+    wanted, found = _at_states(problem, [expected, ours], states)
+    rounding = 0.0
     if head == "V":
-        wanted, found = wanted - wanted[0], found - found[0]
-    size, worst = max(abs(wanted).max(), abs(found).max()), abs(wanted - found).argmax()
-    agrees = bool(abs(wanted - found)[worst] <= EXACT * size)
-    return Verdict(answer, agrees, float(wanted[worst]), float(found[worst]), EXACT * size,
-                   None if agrees else "values at a random state of motion")
+        first = [group.start for group in groups for _ in range(group.start, group.stop)]
+        rounding = ROUNDING * max(abs(wanted).max(), abs(found).max())
+        wanted, found = wanted - wanted[first], found - found[first]
+    worst = _worst(wanted, found, groups, rounding)
+    i = worst[0] if worst else 0
+    return Verdict(answer, worst is None, float(wanted[i]), float(found[i]), None,
+                   "values at a random state of motion" if worst else None)
 
 
 def _compare_equation(problem, answer, head):
@@ -205,7 +239,7 @@ def _compare_equation(problem, answer, head):
     scene = problem.scene
     i = scene.coordinates.index(coordinate_name(problem.spec, answer.asked.tree[5][0]))
     expected = _expected_node(problem, answer.expected)
-    states = _states(problem)
+    states, groups = _states(problem)
     if head == "equation":
         states = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in states.items()}
         wanted, = _at_states(problem, [expected], states)
@@ -215,9 +249,9 @@ def _compare_equation(problem, answer, head):
 
         wanted, found = _at_states(problem, [expected, equation_of(scene, i)], states)
     factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
-    size, off = float(abs(wanted).max()), float(abs(wanted - factor * found).max())
-    agrees = factor != 0.0 and off <= EXACT * size
-    remark = None if agrees else f"not proportional: off by {off / size:.2g} of its size" if size else "it is empty"
+    worst = _worst(wanted, factor * found, groups)
+    agrees = factor != 0.0 and worst is None
+    remark = None if agrees else f"not proportional: off by {worst[1] / worst[2]:.2g} of its size" if worst else "it is empty"
     return Verdict(answer, agrees, None, None, None, remark)
 
 

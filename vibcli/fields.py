@@ -240,7 +240,7 @@ class Many(Kind):
             if isinstance(node, Sequence):
                 count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
                 return reader.report(node.where, f"expected {self.wants}, found {count}", self._bounds())
-            one = isinstance(node, Scalar) and node.text.strip() and self.least <= 1
+            one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
             return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items

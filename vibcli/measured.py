@@ -17,7 +17,8 @@ def _mode(problem, indices):
     modes = problem.modes
     number = int(indices[0])
     if number > len(modes):
-        raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}")
+        raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}",
+                           "ask for one that it has")
     return modes[number - 1]
 
 
@@ -57,12 +58,12 @@ def _growth_rate(problem, indices, attribute):
 
 
 def _shape(problem, indices, attribute):
-    from vibcli.analyses.shapes import normalised
-
     mode = _mode(problem, indices[:1])
-    names = problem.scene.coordinates
-    shape = normalised(mode.shape, "first")
-    return float(shape[names.index(coordinate_name(problem.spec, indices[1]))]), 1e-11
+    amplitude = problem.shape(mode)[problem.scene.coordinates.index(coordinate_name(problem.spec, indices[1]))]
+    if isinstance(amplitude, complex) and amplitude.imag:
+        raise PhysicsError(f"the amplitudes of mode {indices[0]} are not in phase: it has no real shape",
+                           "see `vibcli frequencies`")
+    return float(amplitude.real), 1e-11
 
 
 def damped_mode(problem, indices):
@@ -73,7 +74,8 @@ def damped_mode(problem, indices):
     number = int(indices[0])
     found = [mode for mode in modes if mode.index == number]
     if not found:
-        raise PhysicsError(f"there is no damped mode {number}: this scene has {_counted(modes[-1].index, 'damped mode')}")
+        raise PhysicsError(f"there is no damped mode {number}: this scene has "
+                           f"{_counted(modes[-1].index, 'damped mode')}", "ask for one that it has")
     return found[0]
 
 

@@ -184,11 +184,14 @@ def _bounded(spec, reader):
 def check(spec, reader, expression, names, expected):
     """Names and dimension of one expression; True where both fit."""
     before = len(reader.diagnostics)
-    for name, primes, start, end in names_in(expression.tree):
+    named = names_in(expression.tree)
+    if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
+        return True
+    for name, primes, start, end in named:
         if name in names:
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
-        elif name != "pi" and (reader.sound or name == "t"):
+        elif name != "pi":
             reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
     _ambiguous(spec, reader, expression)
     if not spec.asked_dimension:

@@ -225,20 +225,26 @@ class Problem:
 
     @_Stage
     def modes(self):
-        """The undamped modes."""
-        from vibcli.analyses.modal import undamped
+        """The modes of the system without its dampers."""
+        from vibcli.analyses.spectrum import natural_modes
 
-        return self._named(undamped, self.elements, self.precise_elements)
+        return self._named(natural_modes, self.elements, self.precise_elements, self.exact_elements)
 
     @_Stage
     def damped(self):
         """The damped modes; None where nothing damps."""
         elements = self.elements
-        if not (elements.dampers or elements.C or elements.G):
+        if not (elements.dampers or elements.C):
             return None
-        from vibcli.analyses.damped import damped
+        from vibcli.analyses.spectrum import damped_modes
 
-        return self._named(damped, elements, self.precise_elements, self.exact_elements)
+        return self._named(damped_modes, elements, lambda: self.modes, self.precise_elements, self.exact_elements)
+
+    def shape(self, mode, how="first"):
+        """The shape of a mode in the normalisation asked for, as a list of numbers."""
+        from vibcli.analyses.shapes import normalised, weights
+
+        return normalised(mode.shape, how, weights(self.elements))
 
     def _named(self, solve, *args, **options):
         """Solve, and give a physical refusal the name of its coordinate."""
@@ -256,14 +262,11 @@ class Problem:
 
     def to_digits(self, digits):
         """(modes, damped modes) recomputed to so many correct digits."""
-        from vibcli.analyses.damped import damped
-        from vibcli.analyses.modal import undamped
+        from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        elements = self.elements
-        modes = self._named(undamped, elements, self.precise_elements, digits=digits)
-        if not (elements.dampers or elements.C or elements.G):
-            return modes, None
-        return modes, self._named(damped, elements, self.precise_elements, self.exact_elements, digits=digits)
+        sources = self.precise_elements, self.exact_elements
+        modes = self._named(natural_modes, self.elements, *sources, digits=digits)
+        return modes, self._named(damped_modes, self.elements, lambda: modes, *sources, digits=digits)
 
     # letters
 

@@ -94,7 +94,7 @@ def read_spec(root, file, diagnostics=(), settings=None):
     if cases is not None and isinstance(cases[1], Mapping):
         for name, (_, part) in cases[1].entries.items():
             if isinstance(part, Mapping) and "cases" not in part.entries:
-                specs[name] = _read_one(_merged(root, part), file, found, settings or {})
+                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, f" (in the case {quoted(name)})")
     everything = [spec for spec in (base, *specs.values()) if spec is not None]
     for spec in everything[:1]:
         naming.report_unused(spec, set().union(*(s.used for s in everything)), found)
@@ -132,7 +132,7 @@ def _over(below, above):
     return merged
 
 
-def _read_one(root, file, found, settings):
+def _read_one(root, file, found, settings, remark=""):
     reader = Reader()
     try:
         spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
@@ -141,7 +141,11 @@ def _read_one(root, file, found, settings):
         _question(spec, root, reader)
     except TooMany:
         pass
-    found.extend(reader.diagnostics)
+    known = {(d.where, d.message) for d in found}
+    for diagnostic in reader.diagnostics:
+        if (diagnostic.where, diagnostic.message) not in known:
+            diagnostic.message += remark
+            found.append(diagnostic)
     return None if reader.diagnostics else spec
 
 

@@ -14,6 +14,7 @@ from vibcli.analyses.fixed import fixed, floats
 from vibcli.analyses.symmetric import components
 
 PARALLEL = 1e4
+STALLED = 3
 
 
 class Root:
@@ -39,15 +40,12 @@ def eigenvalues(apply, matrix, bits, enough, noise):
     for _ in range(20 + bits // 30):
         form.measure(apply)
         norms = form.unknown(noise)
-        found = [root for part, off in zip(form.blocks, norms, strict=True)
-                 for root in form.roots(part, off)]
-        total = max(norms)
-        stalled = stalled + 1 if total > best - 1 else 0
-        best = min(best, total)
-        if all(map(enough, found)) or stalled > 4:
+        stalled = stalled + 1 if max(norms) > best - 1 else 0
+        best = min(best, max(norms))
+        if stalled > STALLED or form.is_fine() and all(map(enough, form.all_roots(norms))):
             break
         form.improve()
-    return found
+    return form.all_roots(norms)
 
 
 class BlockForm:
@@ -91,6 +89,14 @@ class BlockForm:
         with np.errstate(divide="ignore"):
             rows = np.logaddexp2(np.log2(rows) - self.shift, np.log2(inverse.sum(axis=1)) + spread)
         return [float(rows[part].max()) + math.log2(len(part)) / 2 for part in self.blocks]
+
+    def is_fine(self):
+        """Whether every block has its roots at a glance."""
+        return all(len(part) <= 2 for part in self.blocks)
+
+    def all_roots(self, norms):
+        """The eigenvalues of all blocks, moved by no more than 2^norms."""
+        return [root for part, off in zip(self.blocks, norms, strict=True) for root in self.roots(part, off)]
 
     def roots(self, part, off):
         """The eigenvalues of one block of T; 2^off, the norm of E in its rows, bounds what can move them."""

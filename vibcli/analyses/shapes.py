@@ -4,18 +4,44 @@ first: the first coordinate is 1 (the next that moves where it rests); largest: 
 mass: φᵀMφ = 1, as the shapes come from the eigenvalue problem.
 """
 
-NEGLIGIBLE = 1e-9
+NEGLIGIBLE, ROUNDING = 1e-9, 4e-16
 WORDS = {"first": "the first coordinate that moves is 1", "largest": "the largest amplitude is 1", "mass": "φᵀMφ = 1"}
 
 
-def normalised(shape, how="first"):
-    """A mode shape in the normalisation asked for, as a list of numbers."""
+def normalised(shape, how="first", weights=None):
+    """A mode shape in the normalisation asked for, as a list of numbers.
+
+    `weights` √Mᵢᵢ make amplitudes of different units comparable, so that what rests is told from what moves little.
+    """
     values = list(shape)
-    size = max(map(abs, values), default=0)
+    sizes = [abs(value) * weight for value, weight in zip(values, weights or [1.0] * len(values), strict=True)]
+    size = max(sizes, default=0)
     if not size or how == "mass":
         return values
     if how == "largest":
         pivot = max(values, key=abs)
     else:
-        pivot = next(value for value in values if abs(value) > NEGLIGIBLE * size)
-    return [value / pivot for value in values]
+        pivot = next(value for value, part in zip(values, sizes, strict=True) if part > NEGLIGIBLE * size)
+    return [_clean(value / pivot) for value in values]
+
+
+def _clean(value):
+    """A complex amplitude without a part that is only its rounding."""
+    if isinstance(value, complex) and value:
+        real = value.real if abs(value.real) > ROUNDING * abs(value) else 0.0
+        imaginary = value.imag if abs(value.imag) > ROUNDING * abs(value) else 0.0
+        return complex(real, imaginary)
+    return value
+
+
+def weights(elements):
+    """√Mᵢᵢ of each coordinate, of those without inertia an equivalent by stiffness."""
+    M, K = [0.0] * elements.n, [0.0] * elements.n
+    for diagonal, rows, extra in ((M, elements.inertias, elements.M), (K, elements.springs, elements.K)):
+        for weight, row in rows:
+            for i, x in row.items():
+                diagonal[i] += abs(weight) * x * x
+        for (i, j), value in extra.items():
+            diagonal[i] += abs(value) * (i == j)
+    fastest = max((k / m for k, m in zip(K, M, strict=True) if m and k), default=1.0)
+    return [(m or k / fastest) ** 0.5 for k, m in zip(K, M, strict=True)]

@@ -17,7 +17,7 @@ from vibcli.bench.rows import HEAD, aligned
               help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
 def main(quick, as_json, only, slow):
-    """Run time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
+    """Processor time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
     runs = 3 if quick else 11
     with tempfile.TemporaryDirectory() as folder:
         parts = {"startup": lambda: startup.rows(runs, folder), "growth": lambda: growth.rows(runs),

@@ -1,14 +1,18 @@
-"""Whole processes: wall time and peak memory of commands, run by turns so that all see the same machine."""
+"""Whole processes: processor time and peak memory of commands, run by turns so that all see the same machine.
+
+Processor time (user and system) rather than the clock's, so that a busy machine does not decide; on an idle one the two
+agree, since every process has one thread.
+"""
 
 import os
 import subprocess
 import sys
 from statistics import median
-from time import perf_counter
 
 VIBCLI = os.path.join(os.path.dirname(sys.executable), "vibcli")
-ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}  # as installed
-ENVIRONMENT["OPENBLAS_NUM_THREADS"] = "1"  # threads that wait for a busy core spoil both sides by turns
+# As installed, with bytecode, and one BLAS thread: threads that wait for a busy core spoil either side by turns.
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"} | {
+    "OPENBLAS_NUM_THREADS": "1"}
 
 
 def vibcli(*args):
@@ -21,7 +25,7 @@ def python(code, *args):
 
 
 class Cost:
-    """Medians over the runs: milliseconds of wall time, and mebibytes of peak resident memory."""
+    """Medians over the runs: milliseconds of processor time, and mebibytes of peak resident memory."""
 
     __slots__ = ("memory", "time")
 
@@ -31,19 +35,17 @@ class Cost:
 
 
 def run(command, expected=(0,)):
-    """(wall seconds, peak KiB) of one run; RuntimeError where its exit code is none of those expected.
+    """(processor seconds, peak KiB) of one run; RuntimeError where its exit code is none of those expected.
 
     The peak counts that of the process which starts it, so this one must stay small.
     """
-    start = perf_counter()
     child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                              env=ENVIRONMENT)
     _, status, usage = os.wait4(child.pid, 0)
-    seconds = perf_counter() - start
     child.returncode = os.waitstatus_to_exitcode(status)
     if child.returncode not in expected:
         raise RuntimeError(f"{' '.join(command)} left with exit code {child.returncode}")
-    return seconds, usage.ru_maxrss
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss
 
 
 def costs(commands, runs):

@@ -27,7 +27,7 @@ class Row:
             f"≤ {_short(self.budget)} {self.unit}".rstrip() if self.absolute else f"≤ {self.budget:g} ×")
         verdict = "" if self.budget is None else "ok" if self.kept else "over"
         return (self.case, f"{_short(self.ours)} {self.unit}".rstrip(), against, self.baseline,
-                "" if self.ratio is None else f"{self.ratio:.2f} ×", allowed, verdict)
+                "" if self.ratio is None else f"{self.ratio:.3g} ×", allowed, verdict)
 
     def data(self):
         return {"case": self.case, "ours": self.ours, "unit": self.unit, "baseline": self.baseline or None,

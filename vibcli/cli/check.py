@@ -66,6 +66,9 @@ def _check_file(file):
         if not problem.spec.answers and not any(spec.answers for spec in problem.spec.cases.values()):
             return 0, []
         verdicts = check(problem)
+        refused = [v for v in verdicts if v.refusal]
+        for verdict in refused:
+            show_refusal(verdict.refusal, file)
     except SpecError as error:
         show_diagnostics(error.diagnostics)
         return 3, []
@@ -74,9 +77,6 @@ def _check_file(file):
         return 4, []
     finally:
         _sources.pop(file, None)
-    refused = [v for v in verdicts if v.refusal]
-    for verdict in refused:
-        show_refusal(verdict.refusal, file)
     return 4 if refused else int(any(not v.agrees for v in verdicts)), verdicts
 
 

@@ -22,9 +22,9 @@ def build(record, scene):
     for key, rows in record.values.items():
         wrong = next((i for i, row in enumerate(rows) if len(row) != n), None)
         if len(rows) != n or wrong is not None:
-            found = f"{len(rows)} rows" if len(rows) != n else f"{len(rows[wrong])} entries in row {wrong + 1}"
-            scene.report(record.place(key), f"{key} has {found}, the scene has {n} coordinates",
-                         f"write {n} rows of {n} entries each")
+            found = f"rows: {len(rows)}" if len(rows) != n else f"entries in row {wrong + 1}: {len(rows[wrong])}"
+            scene.report(record.place(key), f"{key} does not fit the coordinates of the scene: {n}; its {found}",
+                         f"write as many rows as coordinates, {n}, of {n} entries each")
             continue
         nodes = [[scene.lower(entry) for entry in row] for row in rows]
         for i in range(n):
@@ -32,4 +32,24 @@ def build(record, scene):
                 if key != "C" and not scene.agree(nodes[i][j], nodes[j][i]):
                     scene.report(rows[i][j].where, f"{key} is not symmetric: entries ({i + 1}, {j + 1}) and "
                                  f"({j + 1}, {i + 1}) differ", "write the same in both places")
+        if key == "M" and not scene.parameters.free and _is_negative([list(map(scene.number, row)) for row in nodes]):
+            scene.report(record.place(key), "M is not positive: some motion has negative kinetic energy",
+                         "mind the signs; x'*M*x'/2 is the kinetic energy")
         scene.add_matrix(key, nodes)
+
+
+def _is_negative(rows):
+    """Does a symmetric matrix have a negative eigenvalue beyond rounding? By elimination with the largest pivots."""
+    size = max(abs(row[i]) for i, row in enumerate(rows))
+    left = list(range(len(rows)))
+    while left:
+        pivot = max(left, key=lambda i: rows[i][i])
+        if rows[pivot][pivot] <= 1e-12 * size:
+            return any(rows[i][j] < -1e-12 * size if i == j else abs(rows[i][j]) > 1e-12 * size
+                       for i in left for j in left)
+        left.remove(pivot)
+        for i in left:
+            factor = rows[i][pivot] / rows[pivot][pivot]
+            for j in left:
+                rows[i][j] -= factor * rows[pivot][j]
+    return False

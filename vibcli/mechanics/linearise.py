@@ -166,7 +166,7 @@ def in_numbers(form, arithmetic, values, rational=None):
             _gather(residual, residual_size, i, known[node])
     elements = OscillatorElements(
         n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
-        C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form),
+        C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form, known),
         rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
@@ -194,10 +194,10 @@ class _Evaluated:
         return {pair: self.known[node] for pair, node in mapping.items()}
 
 
-def massless(form):
-    """Coordinates which no inertia moves: those in no row of T and in no entry of M."""
-    moving = {i for weight, row in form.inertias if not weight.is_zero for i in row}
-    moving |= {i for i, _ in form.M}
+def massless(form, known):
+    """Coordinates which no inertia moves: those in no row of T and in no entry of M but such as are exactly zero."""
+    moving = {i for weight, row in form.inertias if known[weight] for i in row}
+    moving |= {i for (i, _), node in form.M.items() if known[node]}
     return [i for i in range(form.n) if i not in moving]
 
 

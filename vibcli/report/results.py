@@ -1,6 +1,5 @@
 """Results as plain data with the documented keys of --json: SI units, null where there is nothing."""
 
-from vibcli.analyses.shapes import normalised
 from vibcli.report.language import language
 from vibcli.report.latex import latex
 
@@ -92,13 +91,13 @@ def modes_data(problem, modes, normalise="first", write=float):
     for mode in modes:
         omega = None if mode.omega is None else write(mode.omega)
         moving = mode.omega is not None and mode.omega != 0
-        shape = normalised(mode.shape, normalise)
+        shape = problem.shape(mode, normalise)
         found.append({
             "index": mode.index, "omega": omega,
             "frequency": None if mode.omega is None else write(mode.omega / turn(mode.omega)),
             "period": write(turn(mode.omega) / mode.omega) if moving else None,
             "growth_rate": None if mode.growth_rate is None else write(mode.growth_rate),
-            "shape": {name: write(value) for name, value in zip(names, shape, strict=True)},
+            "shape": {name: amplitude(value, write) for name, value in zip(names, shape, strict=True)},
             "error": float(mode.error)})
     return found
 
@@ -123,17 +122,17 @@ def damped_data(problem, modes, normalise="first", write=float):
 
     found = []
     for mode in modes:
-        shape = normalised(mode.shape, normalise)
+        shape = problem.shape(mode, normalise)
         found.append({
             "index": mode.index, "eigenvalue": [write(mode.eigenvalue.real), write(mode.eigenvalue.imag)],
             "omega": maybe(mode.omega), "zeta": maybe(mode.zeta), "omega_d": maybe(mode.omega_d),
             "decay": maybe(mode.decay), "growth_rate": maybe(mode.growth_rate),
-            "shape": {name: _amplitude(value, write) for name, value in zip(names, shape, strict=True)},
+            "shape": {name: amplitude(value, write) for name, value in zip(names, shape, strict=True)},
             "error": float(mode.error)})
     return found
 
 
-def _amplitude(value, write):
+def amplitude(value, write):
     if isinstance(value, complex) or hasattr(value, "_mpc_"):
         return [write(value.real), write(value.imag)] if value.imag else write(value.real)
     return write(value)

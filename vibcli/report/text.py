@@ -2,7 +2,7 @@
 frequencies, damping, modes. Each section is computed when it is printed, and only if it was asked for."""
 
 from vibcli import units
-from vibcli.analyses.shapes import WORDS, normalised
+from vibcli.analyses.shapes import WORDS
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
@@ -202,13 +202,17 @@ class Report:
         if len(problem.scene.coordinates) < 2:
             return
         names = problem.scene.coordinates
-        shapes = [normalised(mode.shape, self.normalise) for mode in problem.modes]
-        self.section(f"Mode shapes ({WORDS[self.normalise]})", shape_rows(names, shapes))
-        damped = problem.damped
-        if damped is not None and any(abs(complex(v).imag) > 1e-9 for mode in damped
-                                      for v in normalised(mode.shape, "first")):
-            shapes = [normalised(mode.shape, self.normalise) for mode in damped]
-            self.section("Shapes of the damped modes (amplitude ∠ phase)", shape_rows(names, shapes, polar))
+        self._shapes(names, problem.modes, f"Mode shapes ({WORDS[self.normalise]})")
+        if problem.damped is not None:
+            self._shapes(names, problem.damped, "Shapes of the damped modes", only_complex=True)
+
+    def _shapes(self, names, modes, title, only_complex=False):
+        shapes = [self.problem.shape(mode, self.normalise) for mode in modes]
+        out_of_phase = any(abs(complex(value).imag) > 1e-9 * abs(value) for shape in shapes for value in shape)
+        if out_of_phase:
+            self.section(f"{title}, amplitude ∠ phase", shape_rows(names, shapes, polar))
+        elif not only_complex:
+            self.section(title, shape_rows(names, shapes))
 
     def _modes_in_letters(self):
         forms = self.problem.closed_forms
