@@ -1,4 +1,4 @@
-"""Mechanisms twice: as scenes, and as T, V and Φ written out by hand for SymPy, from the velocities of textbook kinematics.
+"""Mechanisms twice: as scenes, and as T, V and Φ written out by hand for SymPy, from the velocities.
 
 Each function returns (text of the scene, names of coordinates, energies), where energies(p, q, v) gives (T, V, Phi) for
 lists of symbols q and v and exact parameter values p.
@@ -97,7 +97,8 @@ def disc_in_track_with_rod():
           track: {circle: [0, 0], radius: R, side: inside}
         bodies:
           disc: {shape: disc, mass: m, radius: r, at: [0, r - R], roll: {surface: track, swing: psi}}
-          rod: {shape: rod, mass: M, from: [0, r - R], to: [0, r - R - L], pin: {at: [0, r - R], carrier: disc, by: phi}}
+          rod: {shape: rod, mass: M, from: [0, r - R], to: [0, r - R - L],
+                pin: {at: [0, r - R], carrier: disc, by: phi}}
         """
 
     def energies(p, q, v):
@@ -114,7 +115,8 @@ def disc_in_track_with_rod():
 def rolling_on_cart():
     """A cart on an incline; on its deck, which is level, a ring rolls, tied to the cart."""
     text = """
-        parameters: {M: 6 kg, m: 2 kg, r: 0.2 m, h: 0.3 m, k: 150 N/m, K: 800 N/m, beta: 20 deg, g: 9.81 m/s^2, w: 0.9 m}
+        parameters: {M: 6 kg, m: 2 kg, r: 0.2 m, h: 0.3 m, k: 150 N/m, K: 800 N/m, beta: 20 deg,
+                     g: 9.81 m/s^2, w: 0.9 m}
         gravity: g
         points:
           post: {body: cart, at: [-w, h + r]}

@@ -1,4 +1,4 @@
-"""Equilibria (gate A13): flat and singular starts, several, unstable, at every scale; what has none is refused by name."""
+"""Equilibria (gate A13): flat and singular starts, several, unstable, at every scale; none: refused by name."""
 
 from math import asin, pi, sin, sqrt
 
@@ -132,7 +132,8 @@ REFERENCE = {}
 
 @pytest.mark.parametrize("unit, factor", [("m", 1.0), ("mm", 1e-3), ("µm", 1e-6)])
 def test_a_hanging_weight(unit, factor):
-    scene = problem(f"parameters: {{m: 2 kg, k: 80 N/{unit}, g: 9.81 m/s^2, h: 1 {unit}}}\ngravity: g\nbodies: {{b: {{mass: m, at: [0, 0],"
+    scene = problem(f"parameters: {{m: 2 kg, k: 80 N/{unit}, g: 9.81 m/s^2, h: 1 {unit}}}\ngravity: g\nbodies: {{b: "
+                    f"{{mass: m, at: [0, 0],"
                     " slide: {along: [0, -1], by: x}}}\nsprings: {s: {k: k, between: [[0, h], b]}}")
     assert balanced(scene)["x"] == pytest.approx(2 * 9.81 / 80 * factor, rel=1e-14)
 
@@ -148,7 +149,8 @@ def test_linear_scenes_take_one_step():
 def test_relative_equilibrium_of_a_governor():
     """A bead on a hoop that spins about its upright axis: cos θ = g/(R Ω²) above the critical speed, 0 below."""
     for speed in (6.0, 4.0):
-        scene = problem(f"coordinates: [q]\nequilibrium: {{q: 0.3}}\nenergies:\n  T: 1/2*2*0.5^2*(q'^2 + {speed}^2*sin(q)^2)\n"
+        scene = problem(f"coordinates: [q]\nequilibrium: {{q: 0.3}}\nenergies:\n  T: 1/2*2*0.5^2*(q'^2 + "
+                        f"{speed}^2*sin(q)^2)\n"
                         "  V: -2*9.81*0.5*cos(q)\n")
         cosine = min(9.81 / (0.5 * speed**2), 1.0)
         q = balanced(scene)["q"]
@@ -156,3 +158,12 @@ def test_relative_equilibrium_of_a_governor():
         assert value(scene, "stable")
         square = speed**2 * (1 - cosine**2) if cosine < 1 else 9.81 / 0.5 - speed**2
         assert value(scene, "omega[1]") == pytest.approx(sqrt(square), rel=1e-9)
+
+
+@pytest.mark.parametrize("start", [0.2, -0.9, 1e-6, 3.0])
+def test_an_equilibrium_where_every_force_vanishes(start):
+    """At f = 0 the moments of spring and weight are both zero: nothing is left to compare the residual with there."""
+    text = PENDULUM.replace("KT", "20").replace("AT", "[0, L]").replace("START", "angle")
+    scene = problem(text + f"equilibrium: {{f: {start}}}")
+    assert balanced(scene)["f"] == pytest.approx(0.0, abs=1e-15)
+    assert value(scene, "omega[1]") == pytest.approx(sqrt((20 - 9.81) / 0.5), rel=1e-13)

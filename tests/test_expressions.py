@@ -4,12 +4,15 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from scenes import number, problem
 from trees import new_table, trees, values
 
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, Rationals, evaluate, evaluate_rational
 from vibcli.algebra.expression import BITS, Table, bits, reachable
+from vibcli.algebra.meaning import lower
 from vibcli.algebra.normal import is_zero
+from vibcli.algebra.parse import parse
 
 
 @pytest.fixture
@@ -30,7 +33,7 @@ def test_equal_expressions_are_one_object(table):
     assert x - x is table.zero
     assert x / x is table.one
     assert 2 * x + 3 * x is 5 * x
-    assert -(-x) is x
+    assert -(x * -1) is x
     assert x * x is x**2
     assert m**Fraction(1, 2) * m**Fraction(1, 2) is m
     assert table.call("sin", x + y) is table.call("sin", y + x)
@@ -195,3 +198,33 @@ def test_deep_expressions_do_not_recurse():
     assert abs(evaluate([node], Floats, {"x": 0.3})[0]) <= 1
     assert substitute([node], {x: table.zero})[0] is not node
     assert not is_zero(x)
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("2^3^2", 512), ("-2^2", -4), ("2^-1", 0.5), ("6/2/3", 1), ("6/2*3", 9), ("1 - 2 - 3", -4), ("-(1 - 2)", 1),
+    ("2*(-3)", -6), ("sqrt(16)^(1/2)", 2), ("3·2", 6), ("+4", 4), ("1e3", 1000), ("-1^2*3", -3),
+    ("min(2, 3) + max(2, 3)", 5), ("2**3", 8), ("sign(-2)*abs(-3)", -3), ("atan2(0, -1)/pi", 1)])
+def test_precedence(text, expected):
+    assert float(number(parse(text), {})) == expected
+    table = Table()
+    assert evaluate([lower(parse(text), table, None)], Floats, {})[0] == pytest.approx(expected, rel=1e-15)
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("3 mm", "3/1000"), ("2.5 kN/m", "2500"), ("1 N*s/m", "1"), ("7 g/cm^3", "7000"), ("72 km/s", "72000"),
+    ("5 µm", "1/200000"),
+    ("10 %", "1/10"), ("0.1", "1/10")])
+def test_literals_are_exact(text, expected):
+    assert lower(parse(text), Table(), None).coefficient == Fraction(expected)
+
+
+def test_numbers_that_grow_without_end_cost_nothing():
+    """Huge powers, and parameters that double their digits at each step."""
+    lines = ["  p0: 1.000000001", "  q0: 1.000000003", "  h: 10^100/10^97"]
+    for i in range(30):
+        lines += [f"  p{i + 1}: p{i}*q{i}", f"  q{i + 1}: q{i}*p{i}*1.000000001"]
+    scene = problem("parameters:\n" + "\n".join(lines) + "\nbodies: {b: {mass: 2, slide: x}}\n"
+                    "springs: {s: {k: h*p30/q30, between: [ground, b]}}\n")
+    assert scene.floats["h"] * 1.0 == 1000.0
+    assert scene.modes[0].omega ** 2 == pytest.approx(500 * scene.floats["p30"] / scene.floats["q30"])
+    assert max(bits(number) for number in scene.rational.values()) < 10**4

@@ -168,7 +168,8 @@ def magnitudes(elements, n):
 def test_matrices_in_floats(mechanism):
     elements, n = mechanism.problem.elements, len(mechanism.names)
     sizes = magnitudes(elements, n)
-    for found, exact, size in zip(flat(matrices_in_numbers(elements), n), at_equilibrium(mechanism), sizes, strict=True):
+    ours = flat(matrices_in_numbers(elements), n)
+    for found, exact, size in zip(ours, at_equilibrium(mechanism), sizes, strict=True):
         assert all(abs(x - y) <= 1e-14 * s + 1e-300 for x, y, s in zip(found, exact, size, strict=True))
 
 
@@ -212,11 +213,11 @@ def test_kane_gives_the_same():
     theirs = both(mechanisms.cart_pendulum)
     x, f, u, w = me.dynamicsymbols("x f u w")
     p = {name: sympy.Rational(value.numerator, value.denominator) for name, value in theirs.problem.rational.items()}
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
+    N, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(N, 0)
     A = N.orientnew("A", "Axis", [f, N.z])
     A.set_ang_vel(N, w * N.z)
-    cart, bob = O.locatenew("cart", x * N.x), me.Point("bob")
+    cart = origin.locatenew("cart", x * N.x)
     cart.set_vel(N, u * N.x)
     bob = cart.locatenew("bob", -p["L"] * A.y)
     bob.v2pt_theory(cart, N, A)

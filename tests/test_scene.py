@@ -44,25 +44,30 @@ ONE = {
     "slide along x": ("bodies: {b: {mass: m, at: [1, 2], slide: x}}", lambda q, v: m * v**2 / 2, lambda q: 0),
     "slide on an incline": ("bodies: {b: {mass: m, at: [1, 2], slide: {along: [3, 4], by: x}}}",
                             lambda q, v: m * v**2 / 2, lambda q: m * g * q * 0.8),
-    "slide by an expression": ("coordinates: [x]\nbodies: {b: {mass: m, at: [0, 0], slide: {along: [0, 2], by: x^2/L}}}",
+    "slide by an expression": ("coordinates: [x]\nbodies: {b: {mass: m, at: [0, 0], slide: {along: [0, 2], by: "
+                               "x^2/L}}}",
                                lambda q, v: m * (2 * q * v / L) ** 2 / 2, lambda q: m * g * q**2 / L),
     "pinned rod": ("bodies: {b: {shape: rod, mass: m, from: [0, 0], to: [0, -L], pin: {at: [0, 0], by: f}}}",
                    lambda q, v: m * L**2 * v**2 / 6, lambda q: -m * g * L / 2 * cos(q)),
     "pinned at its centre": ("bodies: {b: {shape: disc, mass: m, radius: R, at: [1, 1], pin: f}}",
                              lambda q, v: m * R**2 * v**2 / 4, lambda q: 0),
-    "pinned at a point": ("points: {O: [R, 0]}\nbodies: {b: {mass: m, at: [0, 0], pin: {at: O, by: -2*f}}}\ncoordinates: [f]",
+    "pinned at a point": ("points: {O: [R, 0]}\nbodies: {b: {mass: m, at: [0, 0], pin: {at: O, by: "
+                          "-2*f}}}\ncoordinates: [f]",
                           lambda q, v: 2 * m * R**2 * v**2, lambda q: m * g * R * sin(2 * q)),
     "disc on a line, travel": ("surfaces: {l: {line: [[0, 0], [3, 4]]}}\n"
                                "bodies: {b: {shape: disc, mass: m, radius: r, at: [-0.8*r, 0.6*r], roll: {surface: l, "
                                "travel: x}}}", lambda q, v: 0.75 * m * v**2, lambda q: m * g * 0.8 * q),
     "disc below a line": ("surfaces: {l: {line: [[0, 0], [3, 4]]}}\n"
-                          "bodies: {b: {shape: disc, mass: m, radius: r, at: [0.8*r, -0.6*r], roll: {surface: l, turn: f}}}",
+                          "bodies: {b: {shape: disc, mass: m, radius: r, at: [0.8*r, -0.6*r], roll: {surface: l, "
+                          "turn: f}}}",
                           lambda q, v: disc_T * r**2 * v**2, lambda q: m * g * 0.8 * r * q),
     "disc above a line": ("surfaces: {l: {line: [[0, 0], [3, 4]]}}\n"
-                          "bodies: {b: {shape: disc, mass: m, radius: r, at: [-0.8*r, 0.6*r], roll: {surface: l, turn: f}}}",
+                          "bodies: {b: {shape: disc, mass: m, radius: r, at: [-0.8*r, 0.6*r], roll: {surface: l, "
+                          "turn: f}}}",
                           lambda q, v: disc_T * r**2 * v**2, lambda q: -m * g * 0.8 * r * q),
     "rolling on a hub": ("surfaces: {l: {line: [[0, 0], [0, 1]]}}\n"
-                         "bodies: {b: {shape: disc, mass: m, radius: R, at: [h, 3], roll: {surface: l, travel: x, radius: h}}}",
+                         "bodies: {b: {shape: disc, mass: m, radius: R, at: [h, 3], roll: {surface: l, travel: x, "
+                         "radius: h}}}",
                          lambda q, v: (m + m * R**2 / 2 / h**2) * v**2 / 2, lambda q: m * g * q),
     "inside, turn": ("surfaces: {c: {circle: [0, 0], radius: R, side: inside}}\n"
                      "bodies: {b: {shape: disc, mass: m, radius: r, at: [0, r - R], roll: {surface: c, turn: f}}}",
@@ -83,13 +88,16 @@ ONE = {
                             "[L/2*sin(f), L/2*cos(f), -f]}}",
                             lambda q, v: m * (L / 2) ** 2 * v**2 / 2 + m * L**2 / 24 * v**2,
                             lambda q: m * g * L / 2 * cos(q)),
-    "welded to a pinned rod": ("bodies:\n  a: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: f}}\n"
+    "welded to a pinned rod": ("bodies:\n  a: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: "
+                               "f}}\n"
                                "  b: {shape: disc, mass: M, radius: r, at: [L, h], weld: a}",
                                lambda q, v: (m * L**2 / 3 + M * (r**2 / 2 + L**2 + h**2)) * v**2 / 2,
                                lambda q: m * g * L / 2 * sin(q) + M * g * (L * sin(q) + h * cos(q))),
-    "without motion": ("bodies:\n  a: {mass: M, at: [0, 0]}\n  b: {mass: m, at: [0, 0], slide: {along: [0, -1], by: x}}",
+    "without motion": ("bodies:\n  a: {mass: M, at: [0, 0]}\n  b: {mass: m, at: [0, 0], slide: {along: [0, -1], by: "
+                       "x}}",
                        lambda q, v: m * v**2 / 2, lambda q: -m * g * q),
-    "lumped mass and inertia": ("coordinates: [x]\nbodies:\n  a: {mass: m, slide: x}\n  b: {inertia: m*R^2, turn: -x/r}\n"
+    "lumped mass and inertia": ("coordinates: [x]\nbodies:\n  a: {mass: m, slide: x}\n  b: {inertia: m*R^2, turn: "
+                                "-x/r}\n"
                                 "  c: {shape: disc, mass: M, radius: R, turn: 2*x/R}",
                                 lambda q, v: (m + m * R**2 / r**2 + M * R**2 / 2 * 4 / R**2) * v**2 / 2, lambda q: 0),
     "drawn at an angle": ("coordinates: {f: {drawn: pi/3}}\nbodies: {b: {mass: m, at: [L*sin(pi/3), -L*cos(pi/3)], "
@@ -100,7 +108,8 @@ ONE = {
                              lambda q: -m * g * L * cos(q)),
     "gyration": ("bodies: {b: {mass: m, gyration: h, at: [0, -L], pin: {at: [0, 0], by: f}}}",
                  lambda q, v: m * (h**2 + L**2) * v**2 / 2, lambda q: -m * g * L * cos(q)),
-    "inertia instead of the shape's": ("bodies: {b: {shape: disc, radius: R, mass: m, inertia: 3*m*R^2, at: [0, 0], pin: f}}",
+    "inertia instead of the shape's": ("bodies: {b: {shape: disc, radius: R, mass: m, inertia: 3*m*R^2, at: [0, 0], "
+                                       "pin: f}}",
                                        lambda q, v: 1.5 * m * R**2 * v**2, lambda q: 0),
     "energies written out": ("energies: {T: 1/2*M*(1 + (x/L)^2)*x'^2, V: k*x^4/L^2}",
                              lambda q, v: M * (1 + (q / L) ** 2) * v**2 / 2, lambda q: k * q**4 / L**2),
@@ -136,7 +145,8 @@ PLACES, SPEEDS = ((0.3, -0.4), (-1.1, 0.2), (0.05, 2.0)), ((1.0, -2.0), (0.4, 3.
 @pytest.mark.parametrize("pin", ["{at: [R, 0], carrier: arm, by: b RELATIVE}", "{at: P, by: b RELATIVE}"])
 def test_a_carried_pin(relative, pin):
     text = ("points: {P: {body: arm, at: [R, 0]}}\nbodies:\n  arm: {inertia: 0, at: [0, 0], pin: {at: [0, 0], by: a}}\n"
-            f"  bob: {{mass: m, at: [R + L, 0], pin: {pin}}}").replace("RELATIVE", ", relative: true" if relative else "")
+            f"  bob: {{mass: m, at: [R + L, 0], pin: {pin}}}").replace("RELATIVE", ", relative: "
+                                                            "true" if relative else "")
     if "at: P" not in pin:
         text = text.split("\n", 1)[1]
     if relative and "at: P" in pin:
@@ -156,7 +166,8 @@ def test_a_carried_slide_turns_with_its_carrier():
 
 def test_a_move_in_a_turning_carrier():
     text = ("bodies:\n  plate: {inertia: 0, at: [0, 0], pin: {at: [0, 0], by: a}}\n"
-            "  b: {shape: rod, mass: m, from: [0, h - L/2], to: [0, h + L/2], move: {by: [0, y, 2*y/L], carrier: plate}}")
+            "  b: {shape: rod, mass: m, from: [0, h - L/2], to: [0, h + L/2], move: {by: [0, y, 2*y/L], carrier: "
+            "plate}}")
 
     def T(a, y, u, w):
         return m * (w**2 + (h + y) ** 2 * u**2) / 2 + m * L**2 / 24 * (u + 2 * w / L) ** 2
@@ -214,14 +225,16 @@ def test_shapes(shape):
 
 
 def test_sector_and_arch_lie_along_their_angle():
-    found = scene("bodies: {b: {shape: sector, radius: R, half_angle: pi/6, angle: 2*pi/3, mass: m, at: [1, 2], move: [x, y, f]}}")
+    found = scene("bodies: {b: {shape: sector, radius: R, half_angle: pi/6, angle: 2*pi/3, mass: m, at: [1, 2], move: "
+                  "[x, y, f]}}")
     off = 2 * R * 0.5 / (3 * pi / 6)
     assert value(found, "centre[b].x") == pytest.approx(1 - off / 2, rel=1e-14)
     assert value(found, "centre[b].y") == pytest.approx(2 + off * sqrt(3) / 2, rel=1e-14)
 
 
 def test_parts_and_holes():
-    found = scene("points: {O: [0, 0]}\nbodies: {b: {parts: [{shape: rectangle, mass: M, width: L, height: h, at: [0, 0]}, "
+    found = scene("points: {O: [0, 0]}\nbodies: {b: {parts: [{shape: rectangle, mass: M, width: L, height: h, at: [0, "
+                  "0]}, "
                   "{shape: disc, mass: m, radius: r, at: [h, 0], cut: true}], pin: {at: O, by: f}}}")
     x = -m * h / (M - m)
     J0 = M * (L**2 + h**2) / 12 - m * (r**2 / 2 + h**2)
@@ -240,17 +253,20 @@ def test_gravity_as_a_vector(angle):
 
 
 @pytest.mark.parametrize("text, message", [
-    ("surfaces: {l: {line: [[0, 0], [1, 0]]}}\nbodies: {b: {shape: disc, mass: m, radius: r, at: [0, R], roll: {surface: l, "
+    ("surfaces: {l: {line: [[0, 0], [1, 0]]}}\nbodies: {b: {shape: disc, mass: m, radius: r, at: [0, R], roll: "
+     "{surface: l, "
      "travel: x}}}", "does not touch"),
-    ("surfaces: {c: {circle: [0, 0], radius: R, side: inside}}\nbodies: {b: {shape: disc, mass: m, radius: r, at: [0, 0], "
+    ("surfaces: {c: {circle: [0, 0], radius: R, side: inside}}\nbodies: {b: {shape: disc, mass: m, radius: r, at: [0, "
+     "0], "
      "roll: {surface: c, swing: x}}}", "does not touch"),
-    ("bodies:\n  a: {mass: m, at: [0, 0], slide: {by: x, carrier: b}}\n  b: {mass: m, at: [0, 0], slide: {by: y, carrier: a}}",
+    ("bodies:\n  a: {mass: m, at: [0, 0], slide: {by: x, carrier: b}}\n  b: {mass: m, at: [0, 0], slide: {by: y, "
+     "carrier: a}}",
      "carry one another"),
     ("bodies: {b: {mass: m, at: [0, 0], slide: {by: x, along: [0, 0]}}}", "no length"),
 ])
 def test_scenes_that_contradict_themselves(text, message):
     with pytest.raises(SpecError, match=message):
-        scene(text).scene
+        scene(text).scene  # noqa: B018
 
 
 def test_hypotenuse():

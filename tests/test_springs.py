@@ -7,7 +7,8 @@ from scenes import problem, value
 
 from vibcli.errors import PhysicsError, SpecError
 
-P = {"m": 2.0, "L": 0.6, "g": 9.81, "k": 300.0, "K": 700.0, "N": 25.0, "c": 4.0, "h": 0.2, "J": 0.3, "kt": 45.0, "W": 3.0}
+P = {"m": 2.0, "L": 0.6, "g": 9.81, "k": 300.0, "K": 700.0, "N": 25.0, "c": 4.0, "h": 0.2,
+     "J": 0.3, "kt": 45.0, "W": 3.0}
 HEAD = "".join(["parameters:\n", *(f"  {name}: {{value: {number}, unused: allowed}}\n" for name, number in P.items())])
 m, L, g, k, K, N, c, h, J, kt, W = P.values()
 
@@ -30,7 +31,8 @@ def table(*rows):
     ("along the slide", BEAD + "springs: {s: {k: k, between: [[0, -L], b]}}", {"K[y,y]": k, "omega[1]": sqrt(k / m)}),
     ("across, undeformed", BEAD + "springs: {s: {k: k, between: [[L, 0], b]}}", {"K[y,y]": 0.0}),
     ("across, preloaded", BEAD + "springs: {s: {k: k, between: [[L, 0], b], preload: N}}", {"K[y,y]": N / L}),
-    ("across, pressed", BEAD + "springs: {s: {k: k, between: [[L, 0], b], preload: -N}, t: {k: K, between: [[0, h], b]}}",
+    ("across, pressed", BEAD + "springs: {s: {k: k, between: [[L, 0], b], preload: -N}, t: {k: K, between: [[0, h], "
+                               "b]}}",
      {"K[y,y]": K - N / L, "stable": True}),
     ("free length, across", BEAD + "springs: {s: {k: k, between: [[L, 0], b], free_length: h}}",
      {"K[y,y]": k * (L - h) / L}),
@@ -42,13 +44,15 @@ def table(*rows):
      {"K[x,x]": k * L**2 / STRUT**2, "K[x,y]": k * L * h / STRUT**2, "K[y,y]": k * h**2 / STRUT**2 + K}),
     ("static, one", "gravity: g\n" + BEAD + "springs: {s: {k: k, between: [[0, L], b], preload: static}}",
      {"equilibrium[y]": 0.0, "K[y,y]": k}),
-    ("static, inclined on an upright slide", "gravity: g\n" + BEAD + "springs: {s: {k: k, between: [[L, h], b], preload: static}}",
+    ("static, inclined on an upright slide", "gravity: g\n" + BEAD + "springs: {s: {k: k, between: [[L, h], b], "
+                                                            "preload: static}}",
      {"equilibrium[y]": 0.0, "K[y,y]": k * h**2 / STRUT**2 + m * g * STRUT / h * (L**2 / STRUT**3)}),
     ("static, many", "gravity: g\n" + FREE + "springs: {s: {k: k, between: [[-L, h], b], preload: static}, "
      "t: {k: K, between: [[L, h], b], preload: static}}",
      {"equilibrium[x]": 0.0, "K[x,y]": (K - k) * L * h / STRUT**2,
       "K[x,x]": (k + K) * L**2 / STRUT**2 + 2 * m * g * STRUT / (2 * h) * h**2 / STRUT**3}),
-    ("static, undetermined but without effect", "gravity: g\n" + BEAD + "springs: {s: {k: k, between: [[0, L], b], preload: static}, "
+    ("static, undetermined but without effect", "gravity: g\n" + BEAD + "springs: {s: {k: k, between: [[0, L], b], "
+                                                            "preload: static}, "
      "t: {k: K, between: [[0, -L], b], preload: static}}", {"K[y,y]": k + K, "equilibrium[y]": 0.0}),
     ("static torsion", "gravity: g\nbodies: {b: {mass: m, at: [L, 0], pin: {at: [0, 0], by: f}}}\n"
      "springs: {s: {torsion: kt, between: [ground, b], preload: static}}", {"equilibrium[f]": 0.0, "K[f,f]": kt}),
@@ -59,13 +63,16 @@ def table(*rows):
      {"K[x,x]": 4 * k + K, "K[x,y]": -2 * k, "K[y,y]": k}),
     ("stretch of a torsion spring", "bodies: {a: {inertia: J, turn: u}, b: {inertia: J, turn: w}}\n"
      "springs: {s: {torsion: kt, stretch: w - 3*u}}", {"K[u,u]": 9 * kt, "K[u,w]": -3 * kt, "omega[1]": 0.0}),
-    ("damper along and torsion damper", "bodies: {a: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: f}}}\n"
+    ("damper along and torsion damper", "bodies: {a: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, "
+                                        "0], by: f}}}\n"
      "points: {A: {body: a, at: [L, 0]}}\nsprings: {s: {torsion: kt, between: [a, ground]}}\n"
      "dampers: {d: {c: c, between: [[L, -h], A]}, e: {torsion: c*L^2, between: [a, ground]}}",
      {"C[f,f]": 2 * c * L**2, "zeta[1]": 2 * c * L**2 / (2 * sqrt(kt * m * L**2 / 3))}),
-    ("damper across does nothing", BEAD + "springs: {s: {k: k, between: [[0, -L], b]}}\ndampers: {d: {c: c, between: [[L, 0], b]}}",
+    ("damper across does nothing", BEAD + "springs: {s: {k: k, between: [[0, -L], b]}}\ndampers: {d: {c: c, between: "
+                                          "[[L, 0], b]}}",
      {"C[y,y]": 0.0, "K[y,y]": k}),
-    ("damper by its deflection", BEAD + "springs: {s: {k: k, between: [[0, -L], b]}}\ndampers: {d: {c: c, stretch: 3*y}}",
+    ("damper by its deflection", BEAD + "springs: {s: {k: k, between: [[0, -L], b]}}\ndampers: {d: {c: c, stretch: "
+                                        "3*y}}",
      {"C[y,y]": 9 * c}),
     ("energies written out", "coordinates: [x]\nenergies: {T: m*x'^2, V: k/6*x^2 - N*x, Phi: 3*c/4*x'^2}",
      {"equilibrium[x]": 3 * N / k, "M[x,x]": 2 * m, "C[x,x]": 1.5 * c, "K[x,x]": k / 3}),
@@ -74,7 +81,8 @@ def table(*rows):
      {"equilibrium[x]": 18 * h / 32, "K[x,x]": 32.0, "omega[1]": 4.0}),
     ("matrices", "matrices: {M: [[2, 0], [0, 1]], K: [[30, -10], [-10, 10]], C: [[1, 3], [-1, 2]]}",
      {"K[1,2]": -10.0, "C[1,2]": 1.0, "C[1,1]": 1.0, "M[1,1]": 2.0}),
-    ("matrices add to elements", "coordinates: [x]\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, b]}}\n"
+    ("matrices add to elements", "coordinates: [x]\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: "
+                                 "[ground, b]}}\n"
      "matrices: {M: [[3]], K: [[100]]}", {"M[x,x]": m + 3, "K[x,x]": k + 100}),
 )
 def test_stiffness_and_damping(text, answers):
@@ -110,7 +118,8 @@ def test_a_static_preload_in_letters():
 @pytest.mark.parametrize("text, message", [
     ("gravity: g\n" + BEAD + "springs: {s: {k: k, between: [[L, 0], b], preload: static}}", "no preload of 's'"),
     ("gravity: g\n" + FREE + "springs: {s: {k: k, between: [[L, h], b], preload: static}}", "no preload of 's'"),
-    (FREE + "springs: {s: {k: k, between: [[L, 0], b], preload: static}, t: {k: k, between: [[-L, 0], b], preload: static}}",
+    (FREE + "springs: {s: {k: k, between: [[L, 0], b], preload: static}, t: {k: k, between: [[-L, 0], b], preload: "
+            "static}}",
      "do not fix"),
 ])
 def test_static_preloads_that_cannot_be(text, message):
@@ -121,7 +130,8 @@ def test_static_preloads_that_cannot_be(text, message):
 @pytest.mark.parametrize("text, message", [
     (BEAD + "springs: {s: {k: k, between: [[0, 0], b]}}", "coincide"),
     (BEAD + "springs: {s: {k: k, between: [ground, b]}}", "bare ground"),
-    ("bodies: {a: {mass: m, slide: x}, b: {mass: m, at: [0, 0], slide: y}}\nsprings: {s: {k: k, between: [a, b]}}", "lumped"),
+    ("bodies: {a: {mass: m, slide: x}, b: {mass: m, at: [0, 0], slide: y}}\nsprings: {s: {k: k, between: [a, "
+     "b]}}", "lumped"),
     ("bodies: {a: {inertia: J, turn: x}}\nsprings: {s: {k: k, between: [ground, a]}}", "torsion"),
     ("bodies: {a: {mass: m, slide: x}}\nsprings: {s: {torsion: kt, between: [ground, a]}}", "no rotation"),
     (BEAD + "springs: {s: {k: k, between: [[0, 1], [0, 2]]}}", "never moves"),
@@ -156,7 +166,8 @@ def test_cases(case, expected):
 
 
 def test_values_for_symbols():
-    found = problem("parameters: {m: , k: }\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, b]}}")
+    found = problem("parameters: {m: , k: }\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, "
+                    "b]}}")
     assert found.symbolic
     assert value(found.with_values({"m": 2, "k": 8}), "omega[1]") == 2.0
     with pytest.raises(PhysicsError, match="needs numbers"):

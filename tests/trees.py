@@ -9,7 +9,8 @@ import sympy
 from vibcli.algebra.expression import Table
 
 NAMES = ("x", "y", "x'", "m", "k")
-SYMBOLS = {name: sympy.Symbol(name.replace("'", "1"), positive=True if name in ("m", "k") else None, real=True) for name in NAMES}
+SYMBOLS = {name: sympy.Symbol(name.replace("'", "1"), positive=True if name in ("m", "k") else None, real=True)
+           for name in NAMES}
 UNARY = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "abs")
 BINARY = ("atan2", "min", "max")
 CONSTANTS = tuple(map(Fraction, ("0", "1", "-1", "2", "-3", "1/2", "5/3", "-7/4", "1e-3", "12")))

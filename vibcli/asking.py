@@ -52,9 +52,15 @@ def _answer(spec, reader, answer):
         if expected.text not in ("true", "false"):
             reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}", "write stable: true")
         return
-    for quantity in quantities_in(expected.tree):
-        if not _quantity(spec, reader, expected, quantity):
-            return
+    for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
+        for quantity in quantities_in(part.tree):
+            if not _quantity(spec, reader, part, quantity):
+                return
+    if head in STATE_FUNCTIONS and quantities_in(expected.tree):
+        quantity = quantities_in(expected.tree)[0]
+        reader.report(expected.scalar.place(quantity[1], quantity[2] - quantity[1]),
+                      f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
+        return
     _cycles(spec, reader, head, expected)
     names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates)
     check(spec, reader, asked, spec.parameters, None)

@@ -88,7 +88,8 @@ def _compare(problem, answer):
     expected, _ = value_of(problem, answer.expected)
     tolerance = _tolerance(problem, answer, expected, error)
     agrees = abs(found - expected) <= tolerance
-    return Verdict(answer, agrees, expected, found, tolerance, None if agrees else likely_mistake(head, expected, found))
+    remark = None if agrees else likely_mistake(head, expected, found)
+    return Verdict(answer, agrees, expected, found, tolerance, remark)
 
 
 def value_of(problem, expression):
@@ -176,7 +177,7 @@ def _states(problem):
 
 
 def _worst(wanted, found, groups, rounding=0.0):
-    """(index, its difference, size of its group) where two functions differ most; None where they agree in each group."""
+    """(index, difference, size of the group) where two functions differ; None where they agree in each group."""
     rounding = max(rounding, ROUNDING * max(abs(wanted).max(), abs(found).max()))
     for group in groups:
         off, size = abs(wanted - found)[group], max(abs(wanted[group]).max(), abs(found[group]).max())
@@ -251,8 +252,8 @@ def _compare_equation(problem, answer, head):
     factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
     worst = _worst(wanted, factor * found, groups)
     agrees = factor != 0.0 and worst is None
-    remark = None if agrees else f"not proportional: off by {worst[1] / worst[2]:.2g} of its size" if worst else "it is empty"
-    return Verdict(answer, agrees, None, None, None, remark)
+    remark = f"not proportional: off by {worst[1] / worst[2]:.2g} of its size" if worst else "it is empty"
+    return Verdict(answer, agrees, None, None, None, None if agrees else remark)
 
 
 def _small_oscillation(problem, i, states):

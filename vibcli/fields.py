@@ -14,12 +14,15 @@ from vibcli.document import Mapping, Scalar, Sequence
 from vibcli.errors import Diagnostic
 
 
+MOST_COMPARED = 500    # words: comparing takes some microseconds each
+
+
 def near(word, words):
     """The one of `words` that is most like `word`, None where none is."""
     from difflib import get_close_matches
 
     same = [w for w in words if w and w.lower() == word.lower()]
-    found = same or get_close_matches(word, [w for w in words if w], 1, 0.6)
+    found = same or (get_close_matches(word, [w for w in words if w], 1, 0.6) if len(words) <= MOST_COMPARED else ())
     return found[0] if found else None
 
 

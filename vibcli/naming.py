@@ -14,7 +14,7 @@ from vibcli.algebra.meaning import (
 from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.diagnostics import quoted
 from vibcli.errors import Diagnostic
-from vibcli.fields import Record, nearest
+from vibcli.fields import MOST_PROBLEMS, Record, nearest
 from vibcli.questions import dimension
 
 MOST_COORDINATES = 2000
@@ -298,6 +298,6 @@ def _ambiguous(spec, reader, expression):
 def report_unused(spec, used, diagnostics):
     """An unused parameter is an error, unless it says `unused: allowed`."""
     for name, record in spec.parameters.items():
-        if name not in used and record.get("unused") != "allowed":
+        if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":
             diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used",
                                           f"take it out, or write {name}: {{value: …, unused: allowed}}"))

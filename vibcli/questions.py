@@ -37,7 +37,8 @@ ASKED = {
     "centre": Asked(("body",), "m", "mass centre of a body as drawn", ("x", "y")),
 }
 STATE_FUNCTIONS = ("T", "V", "Phi", "equation", "motion")
-OF_SPEED = {"M": 2, "C": 1, "K": 0}
+OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)  # of the matrix times two coordinates
+            for key, power in (("M", 2), ("C", 1), ("K", 0))}
 
 
 def dimension(head, indices, coordinate):
@@ -48,6 +49,5 @@ def dimension(head, indices, coordinate):
     if head == "equilibrium":
         return coordinate(indices[0])
     if head in OF_SPEED:
-        energy = units.times(units.parse_unit("J").dimension, units.TIME, OF_SPEED[head])
-        return units.times(units.times(energy, coordinate(indices[0]), -1), coordinate(indices[1]), -1)
+        return units.times(units.times(OF_SPEED[head], coordinate(indices[0]), -1), coordinate(indices[1]), -1)
     return None

@@ -15,6 +15,9 @@ from vibcli.fields import Choice, Kind, Lazy, Many, Named, Reader, Text, TooMany
 from vibcli.questions import FIND
 
 
+MOST_CASES = 100
+
+
 class _Cases(Kind):
     """Each case is a part of a scene: kept as a node, merged over the scene and read like a file of its own."""
 
@@ -23,6 +26,8 @@ class _Cases(Kind):
     def read(self, node, reader):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
+        if len(node.entries) > MOST_CASES:
+            return reader.report(node.where, f"{len(node.entries)} cases; the limit is {MOST_CASES}", "divide the file")
         for key, (key_node, value) in node.entries.items():
             if not isinstance(value, Mapping):
                 reader.expected(value, "the part of the scene that this case changes")
@@ -92,7 +97,7 @@ def read_spec(root, file, diagnostics=(), settings=None):
     cases = root.entries.get("cases")
     specs = {}
     if cases is not None and isinstance(cases[1], Mapping):
-        for name, (_, part) in cases[1].entries.items():
+        for name, (_, part) in list(cases[1].entries.items())[:MOST_CASES]:
             if isinstance(part, Mapping) and "cases" not in part.entries:
                 specs[name] = _read_one(_merged(root, part), file, found, settings or {}, f" (in the case {quoted(name)})")
     everything = [spec for spec in (base, *specs.values()) if spec is not None]

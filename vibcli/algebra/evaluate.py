@@ -106,7 +106,7 @@ class Rationals:
         if bits(base) * abs(exponent.numerator) > 10**5:
             raise cls.Irrational
         if exponent.denominator == 1:
-            return base**exponent.numerator
+            return Fraction(base) ** exponent.numerator
         up, down = math.isqrt(abs(base.numerator)), math.isqrt(base.denominator)
         if exponent.denominator == 2 and base >= 0 and up * up == base.numerator and down * down == base.denominator:
             return Fraction(up, down) ** exponent.numerator

@@ -180,7 +180,10 @@ class Table:
         for node, exponent in factors:
             if exponent.__class__ is not int:
                 exponent = exact(exponent)
-            coefficient = self._gather(node, exponent, coefficient, collected)
+            if node.op in ("symbol", "call"):
+                collected[node] = collected.get(node, ZERO) + exponent
+            else:
+                coefficient = self._gather(node, exponent, coefficient, collected)
         args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
         if not coefficient:
             return self.zero

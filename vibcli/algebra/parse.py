@@ -27,6 +27,7 @@ GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣ
     "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_WHOLE = re.compile(r"[0-9]{1,15}")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
 _UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(-?\d)(?!\d)|([²³⁴]))?(?![\w.(\[])")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
@@ -53,6 +54,8 @@ def parse(text, equation=False):
     if len(text) > LONGEST:
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
                               "give parts of it names under parameters")
+    if _WHOLE.fullmatch(text) and not equation:
+        return ("number", 0, len(text), Fraction(int(text)), [])
     parser = _Parser(text)
     tree = parser.expression(0)
     if equation:
@@ -258,6 +261,8 @@ class _Parser:
             primes, self.at = primes + 1, self.at + 1
         if primes > 2:
             raise ExpressionError(start, self.at - start, "derivatives go up to the second", "write x' or x''")
+        if primes and plain_name(name) == "pi":
+            raise ExpressionError(start, self.at - start, "pi has no derivative", "only coordinates move")
         return ("name", start, self.at, plain_name(name), primes)
 
     def call(self, start, name, depth):

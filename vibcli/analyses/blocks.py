@@ -15,6 +15,7 @@ from vibcli.analyses.symmetric import components
 
 PARALLEL = 1e4
 STALLED = 3
+LARGE = 2.0 ** -16
 
 
 class Root:
@@ -42,7 +43,7 @@ def eigenvalues(apply, matrix, bits, enough, noise):
         norms = form.unknown(noise)
         stalled = stalled + 1 if max(norms) > best - 1 else 0
         best = min(best, max(norms))
-        if stalled > STALLED or form.is_fine() and all(map(enough, form.all_roots(norms))):
+        if stalled > STALLED or (form.is_fine() and all(map(enough, form.all_roots(norms)))):
             break
         form.improve()
     return form.all_roots(norms)
@@ -107,7 +108,7 @@ class BlockForm:
     def improve(self):
         """A step of first order: V(I + X), T + diag E; blocks it cannot separate are joined and split anew."""
         blocks, bits = self.blocks, self.bits
-        x, close = separation(floats(self.t, bits), blocks, self.e, self.shift)
+        x, close = separation(floats(self.t, bits), blocks, self.e, self.shift, LARGE)
         joined = components(close)
         for group in joined:
             part = np.concatenate([blocks[i] for i in group])
@@ -135,7 +136,7 @@ class BlockForm:
         turn, pieces = split(own)
         own = np.linalg.inv(turn) @ own @ turn
         rounding = np.full_like(own, 2.0 ** -48 * np.abs(own).max())
-        if len(pieces) == 1 or separation(own, pieces, rounding, 0)[1].any():
+        if len(pieces) == 1 or separation(own, pieces, rounding, 0, 0.05)[1].any():
             return [part]
         self.v[:, part] = self.v[:, part].dot(fixed(turn, bits)) >> bits
         new = fixed(own, size)
@@ -181,8 +182,8 @@ def _closest(units, steep):
     return pair
 
 
-def separation(t, blocks, e, shift):
-    """X with T X − X T = −E between blocks, and which pairs of blocks E couples too much for that."""
+def separation(t, blocks, e, shift, limit):
+    """X with T X − X T = −E between blocks, and for which pairs of blocks that is larger than `limit`."""
     x, close = np.zeros_like(e), np.zeros((len(blocks), len(blocks)), bool)
     sizes = {}
     for i, part in enumerate(blocks):
@@ -193,7 +194,7 @@ def separation(t, blocks, e, shift):
             rows, columns = a[:, None, :, None], b[None, :, None, :]
             own, other = t[a[:, :, None], a[:, None, :]], t[b[:, :, None], b[:, None, :]]
             part = _sylvester(own, other, e[rows, columns])
-            far = np.ldexp(np.abs(part).max(axis=(2, 3)), -shift) > 0.05
+            far = np.ldexp(np.abs(part).max(axis=(2, 3)), -shift) > limit
             far |= ~np.isfinite(part).all(axis=(2, 3))
             far &= np.array(first)[:, None] != np.array(second)[None, :]
             close[np.ix_(first, second)] |= far

@@ -107,8 +107,9 @@ class Answer:
         dragged = bool(massless.dragged(elements))
         self.scale, zeros = prepared(elements, dragged)
         self.decided = zeros is not None
-        if dragged and zeros is not None:
-            zeros += undamped_rigid(elements, zeros, data)
+        if dragged:
+            double = undamped_rigid(elements, zeros, data)
+            zeros = None if double is None else zeros + double
         strong, weak = depth(elements, self.scale)
         goal, deep = goal + strong + weak, goal - 50 + weak
         for _ in range(TRIES):

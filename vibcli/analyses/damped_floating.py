@@ -57,8 +57,9 @@ class FirstOrder:
 
     def still(self, elements, zeros):
         """How many eigenvalues vanish besides one for each rigid mode."""
-        if not any(elements.G.values()) and not any(elements.C.values()):
-            return undamped_rigid(elements, zeros, elements)
+        known = undamped_rigid(elements, zeros, elements)
+        if known is not None or not len(self.rigid):
+            return known or 0
         sigma = np.linalg.svd(self.matrix[np.ix_(self.rigid, self.rigid)], compute_uv=False)
         return int((sigma <= 1e-13 * np.abs(self.matrix[:self.k, :self.k]).max()).sum())
 

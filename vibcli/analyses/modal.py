@@ -154,7 +154,7 @@ def modes(answer, scale, numbers):
     out = []
     for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):
         rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
-        error = numbers.error(errors[i]) if values[i] else 0.0
+        error = numbers.error(min(errors[i], 0.0)) if values[i] else 0.0
         out.append(Mode(place, rate, values[i] < 0, full[:, i], direction[:, i], error))
     return out
 

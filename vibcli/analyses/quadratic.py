@@ -30,11 +30,11 @@ class Eigenvalue:
 class ModalDamping:
     """Modes (columns of basis), values ω̂² (0 if rigid) and damping c in their coordinates, in fixed point.
 
-    same, coupled: bits to which frequencies have to agree to count as repeated, couplings to vanish; deep: bits
-    beyond which a real part is zero.
+    decided: whether the structure tells which rigid motions are damped. same, coupled: bits to which frequencies
+    have to agree to count as repeated, couplings to vanish; deep: bits beyond which a real part is zero.
     """
 
-    __slots__ = ("basis", "bits", "c", "coupled", "deep", "same", "values")
+    __slots__ = ("basis", "bits", "c", "coupled", "decided", "deep", "same", "values")
 
     def __init__(self, answer, elements, scale, untouched, goal, deep):
         self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
@@ -44,7 +44,8 @@ class ModalDamping:
         c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, self.bits)
         self.c = fx.product(self.basis.T, fx.product(c, self.basis, self.bits), self.bits)
         self._align()
-        self._clear(untouched)
+        self.decided = untouched is not None
+        self._clear(untouched or 0)
 
     def _align(self):
         """Turns the basis of each repeated frequency to the axes of the damping in it."""
@@ -122,21 +123,24 @@ class ModalDamping:
             return known(root, bits, wanted, self.deep, top - self.coupled + 50)
 
         found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
+        still = 0 if self.decided else system.still()
         zero = [self._unit(i) for i in part if not self.values[i]]
         rigid = [Eigenvalue(0, 0, -math.inf, x, x) for x in zero]
-        return rigid + [self._full(part, root, zero) for root, zero in vanishing(found, system.still())]
+        return rigid + [self._full(part, system, root, zero) for root, zero in vanishing(found, still)]
 
-    def _full(self, part, root, zero):
+    def _full(self, part, system, root, zero):
         """An Eigenvalue of all modes from one of the first-order form; `zero`: it vanishes by structure."""
         k = len(part)
         value = complex(fx.to_float(root.re, self.bits), fx.to_float(root.im, self.bits))
         x, left = np.zeros(len(self.values), complex), np.zeros(len(self.values), complex)
-        x[part] = root.right[:k]
-        left[part] = root.left[:k]
-        size = np.linalg.norm(x)
+        rate, top = root.right[:k], np.abs(root.right[:k]).max()
         if zero or not value:
-            return Eigenvalue(0, 0, -math.inf, x / size, left)
-        return Eigenvalue(root.re, root.im, root.radius, x / size * abs(value) / value, left * size)
+            x[part] = rate / top
+            return Eigenvalue(0, 0, -math.inf, x / np.linalg.norm(x), left)
+        x[part] = rate / top * (abs(value) / value) if top else system.place(root.right[k:])
+        left[part] = root.left[:k] * (top or abs(value))
+        size = np.linalg.norm(x)
+        return Eigenvalue(root.re, root.im, root.radius, x / size, left * size)
 
 
 class Coupled:
@@ -167,6 +171,12 @@ class Coupled:
         out[self.elastic] -= self.pull[:, None] * u >> bits
         return out
 
+    def place(self, u):
+        """q from u = Ω q, for a motion too slow for its velocities to count."""
+        q = np.zeros(len(self.c), complex)
+        q[self.elastic] = u / fx.floats(self.omega, self.bits)
+        return q
+
     def still(self):
         """How many eigenvalues vanish: the rank that the damping of the rigid modes lacks."""
         k, rigid = len(self.c), self.rigid
@@ -188,9 +198,9 @@ def vanishing(found, zeros):
     out = []
     for root in sorted(found, key=lambda root: root.re * root.re + root.im * root.im):
         if zeros:
-            times = min(zeros, 2 if root.im else 1)
+            times = 2 if root.im else 1
             out += [(root, True)] * times
-            zeros -= times
+            zeros = max(0, zeros - times)
         else:
             out.append((root, False))
     return out

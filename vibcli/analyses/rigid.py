@@ -20,11 +20,13 @@ def rigid_count(n, rows, exact_rows=None):
 
 
 def undamped_rigid(elements, zeros, data):
-    """How many of the `zeros` rigid motions no damper resists; 0 where damping is not all Σ c ∇s ∇sᵀ.
+    """How many of the `zeros` rigid motions no damper resists; None where the structure does not tell.
 
     data: the elements in the arithmetic that decides about rows which are not rational.
     """
-    if not zeros or any(elements.C.values()) or any(elements.G.values()):
+    if zeros is None or any(elements.C.values()) or any(elements.G.values()):
+        return None
+    if not zeros:
         return 0
     rows = [row for k, row in data.springs if k] + [row for c, row in data.dampers if c]
     rational = all(isinstance(x, (int, Fraction)) for row in rows for x in row.values())

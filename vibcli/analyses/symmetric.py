@@ -14,6 +14,7 @@ from vibcli.analyses.fixed import fixed, floats, identity
 
 STEPS = 24
 LEAST = 1e-300
+SMALL = 2.0 ** -16
 
 
 class Spectrum:
@@ -33,7 +34,7 @@ def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
     """The eigenpairs of the symmetric fixed-point matrix a, known to 2^(slack − bits) in norm.
 
     Each radius is at most 2^-goal |value| where bits and slack allow it. `zeros`: how many eigenvalues are
-    known to vanish, None where that is not known. `start`: approximate eigenvectors as floats; those of the rounded matrix if absent.
+    known to vanish, None where that is not known. `start`: approximate eigenvectors as floats.
     """
     n = len(a)
     if start is None:
@@ -82,8 +83,13 @@ class Offset:
         self.scaled = self.e * (root[:, None] / root[None, :])
 
     def clusters(self):
-        """Lists of eigenvalues that first-order steps cannot tell apart."""
-        close = (np.ldexp(self.scaled + self.scaled.T, -self.shift) > 0.05 * self.gap) | (self.gap == 0)
+        """Lists of eigenvalues that first-order steps cannot tell apart, or not without large steps.
+
+        A large step would carry what an eigenvector still holds of much stiffer ones into its neighbours.
+        """
+        close = np.ldexp(self.scaled + self.scaled.T, -self.shift) > 0.05 * self.gap
+        close |= np.ldexp(self.e + self.e.T, -self.shift) > SMALL * self.gap
+        close |= self.gap == 0
         np.fill_diagonal(close, False)
         return components(close)
 
@@ -126,7 +132,7 @@ class Offset:
         with np.errstate(divide="ignore", invalid="ignore"):
             tilt = self.e / self.gap
         apart = np.ldexp(self.scaled + self.scaled.T, -self.shift) <= 0.05 * self.gap
-        np.fill_diagonal(apart, False)
+        apart &= ~(self.zero[:, None] & self.zero[None, :]) & (self.gap > 0)
         return max(float(self.skew), math.log2(tilt[apart].max(initial=LEAST)) - self.shift)
 
     def _union(self, disc):

@@ -18,7 +18,7 @@ bodies:
 springs:
   s: {k: k, between: [[-0.5 m, 0], cart]}
 answers:
-  omega[1]: 3.12 rad/s
+  omega[1]: 3.36931 rad/s
 """
 
 TWO_SYMBOLIC = """\

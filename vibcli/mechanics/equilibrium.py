@@ -1,8 +1,8 @@
 """Equilibrium by virtual work, r(q) = 0, reached from the drawn position by descending the potential energy.
 
 Steps are those of a trust region on V(q) with its exact Hessian (Conn, Gould & Toint 2000, alg. 7.3.1): where the
-Hessian is singular or indefinite the step goes downhill. Coordinates are scaled by the size of the figure (angles by 1), so that
-units change nothing. The end is polished by plain Newton steps until the residual is that of rounding.
+Hessian is singular or indefinite the step goes downhill. Coordinates are scaled by the size of the figure (angles
+by 1), so that units change nothing. The end is polished by plain Newton steps until the residual is that of rounding.
 """
 
 import math

@@ -19,7 +19,7 @@ def carriers_first(spec, report):
                 state[name] = "done"
                 order.append(name)
                 stack.pop()
-            elif stack.count(waiting[0]):
+            elif state.get(waiting[0]) == "open":
                 circle = [n for n in stack[stack.index(waiting[0]):] if state[n] == "open"]
                 message = (f"'{name}' carries itself" if waiting[0] == name else
                            "these bodies carry one another: " + " → ".join([*circle, circle[0]]))

@@ -1,0 +1,183 @@
+"""--json and --set: the documented keys and no others, SI numbers or strings, null for nothing, never NaN."""
+
+import json
+import math
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+
+from vibcli.cli import run
+
+PROBLEMS = sorted((Path(__file__).parents[1] / "problems").rglob("*.yaml"))
+EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex"]
+EQUILIBRIUM = ["coordinates", "stable", "residual"]
+MATRICES = ["M", "C", "G", "K"]
+MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
+DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "decay", "growth_rate", "shape", "error"]
+FREQUENCIES = {"title", "coordinates", "equilibrium", "matrices", "modes", "damped"}
+KEYS = {"solve": FREQUENCIES | {"equations"}, "frequencies": FREQUENCIES,
+        "equations": {"title", "coordinates", "equations", "matrices"}}
+
+SCENE = """
+title: Two cars
+parameters: {m: 2 kg, k: 800 N/m, c: 3 N*s/m}
+bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+springs: {s: {k: k, between: [a, b]}}
+dampers: {d: {c: c, between: [a, b]}}
+"""
+SYMBOLS = SCENE.replace("m: 2 kg, k: 800 N/m, c: 3 N*s/m", "m: , k: , c: ")
+UPRIGHT = """
+parameters: {m: 2 kg, L: 0.5 m, g: 9.81 m/s^2}
+gravity: g
+bodies: {b: {mass: m, at: [0, L], pin: {at: [0, 0], by: phi}}}
+"""
+
+
+def refuse(constant):
+    raise AssertionError(f"{constant} in JSON")
+
+
+@pytest.fixture
+def ask(tmp_path, capsys):
+    """ask(text or path, command, options…) -> the object printed with --json."""
+    def asked(scene, command="solve", *options, code=0):
+        path = scene
+        if not isinstance(scene, Path):
+            path = tmp_path / "scene.yaml"
+            path.write_text(scene)
+        capsys.readouterr()
+        assert run([command, str(path), "--json", *options]) == code
+        out = capsys.readouterr().out
+        return json.loads(out, parse_constant=refuse) if out else None
+    return asked
+
+
+def numbers(data):
+    """Every number within a JSON value."""
+    if isinstance(data, dict):
+        return [x for value in data.values() for x in numbers(value)]
+    if isinstance(data, list):
+        return [x for value in data for x in numbers(value)]
+    return [data] if isinstance(data, float) else []
+
+
+def well_formed(data, command):
+    assert set(data) - {"cases", "characteristic_polynomial", "closed_forms"} == KEYS[command]
+    n = len(data["coordinates"])
+    assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
+    assert all(math.isfinite(x) for x in numbers(data))
+    if "equilibrium" in data:
+        assert list(data["equilibrium"]) == EQUILIBRIUM
+        assert list(data["equilibrium"]["coordinates"]) == data["coordinates"]
+        for keys, modes in ((MODE, data["modes"]), (DAMPED, data["damped"])):
+            assert all(set(mode) == set(keys) for mode in modes or ())
+            assert all(set(mode["shape"]) == set(data["coordinates"]) for mode in modes or () if mode["shape"])
+    assert list(data["matrices"]) == MATRICES
+    assert all(len(rows) == n and all(len(row) == n for row in rows) for rows in data["matrices"].values() if rows)
+
+
+@pytest.mark.parametrize("command", KEYS)
+@pytest.mark.parametrize("text", [SCENE, SYMBOLS, UPRIGHT], ids=["numbers", "symbols", "unstable"])
+def test_keys(ask, command, text):
+    well_formed(ask(text, command), command)
+
+
+@pytest.mark.parametrize("path", PROBLEMS[::3], ids=lambda path: path.stem)
+def test_every_problem_is_well_formed(ask, path):
+    data = ask(path)
+    well_formed(data, "solve")
+    for case in data.get("cases", {}).values():
+        well_formed(case, "solve")
+
+
+def test_numbers(ask):
+    data = ask(SCENE)
+    assert data["title"] == "Two cars"
+    assert data["coordinates"] == ["x", "y"]
+    assert data["equilibrium"] == {"coordinates": {"x": 0.0, "y": 0.0}, "stable": True, "residual": 0.0}
+    assert data["matrices"] == {"M": [[2.0, 0.0], [0.0, 2.0]], "C": [[3.0, -3.0], [-3.0, 3.0]], "G": None,
+                                "K": [[800.0, -800.0], [-800.0, 800.0]]}
+    rigid, elastic = data["modes"]
+    assert (rigid["omega"], rigid["frequency"], rigid["period"], rigid["growth_rate"]) == (0.0, 0.0, None, None)
+    assert rigid["shape"] == {"x": 1.0, "y": 1.0}
+    assert elastic["omega"] == pytest.approx(math.sqrt(800), rel=1e-14)
+    assert elastic["frequency"] * elastic["period"] == pytest.approx(1.0, rel=1e-14)
+    assert elastic["shape"] == {"x": 1.0, "y": pytest.approx(-1.0)}
+    assert 0 <= elastic["error"] < 1e-13
+    last = data["damped"][-1]
+    assert last["eigenvalue"] == pytest.approx([-1.5, math.sqrt(800 - 2.25)], rel=1e-13)
+    assert last["zeta"] == pytest.approx(1.5 / math.sqrt(800), rel=1e-13)
+    assert last["omega_d"] == pytest.approx(math.sqrt(800 - 2.25), rel=1e-13)
+
+
+def test_symbols_are_strings(ask):
+    data = ask(SYMBOLS)
+    assert data["equilibrium"]["coordinates"] == {"x": "0", "y": "0"}
+    assert data["matrices"]["K"] == [["k", "-k"], ["-k", "k"]]
+    assert data["modes"][1]["omega"].replace(" ", "") in ("sqrt(2)*sqrt(k)/sqrt(m)", "sqrt(2*k/m)", "sqrt(2*k)/sqrt(m)")
+    assert not numbers({key: data[key] for key in ("equilibrium", "matrices", "equations")})
+
+
+def test_undamped_and_unstable(ask):
+    data = ask(UPRIGHT)
+    assert data["damped"] is None
+    assert data["equilibrium"]["stable"] is False
+    mode, = data["modes"]
+    assert (mode["omega"], mode["frequency"], mode["period"]) == (None, None, None)
+    assert mode["growth_rate"] == pytest.approx(math.sqrt(9.81 / 0.5), rel=1e-14)
+
+
+@pytest.mark.parametrize("digits", [5, 30, 60])
+def test_digits_are_strings(ask, digits):
+    data = ask(SCENE, "frequencies", "--digits", str(digits))
+    omega = data["modes"][1]["omega"]
+    assert isinstance(omega, str)
+    assert len(omega.replace(".", "").lstrip("0")) >= digits
+    exact = Decimal(800).sqrt() if digits < 28 else root(800, digits + 10)
+    assert abs(Decimal(omega) / exact - 1) < Decimal(10) ** (1 - digits)
+    assert isinstance(data["damped"][-1]["eigenvalue"][1], str)
+
+
+def root(value, digits):
+    import mpmath
+
+    with mpmath.workdps(digits):
+        return Decimal(mpmath.nstr(mpmath.sqrt(value), digits))
+
+
+@pytest.mark.parametrize("setting, stiffness", [
+    ("k=200", 200.0), ("k=0.2 N/mm", 200.0), ("k=2e2", 200.0), ("k=200 N/m", 200.0)])
+def test_set(ask, setting, stiffness):
+    assert ask(SCENE, "frequencies", "--set", setting)["matrices"]["K"][0][0] == stiffness
+
+
+def test_a_bare_number_takes_the_unit_of_the_file(ask):
+    text = SCENE.replace("800 N/m", "0.8 kN/m")
+    assert ask(text, "frequencies", "--set", "k=2")["matrices"]["K"][0][0] == 2000.0
+    assert ask(text, "frequencies", "--set", "k=2 N/m")["matrices"]["K"][0][0] == 2.0
+    assert ask(SYMBOLS, "frequencies", "--set", "k=2", "--set", "m=1", "--set", "c=0")["matrices"]["K"][0][0] == 2.0
+
+
+def test_negative_settings(ask):
+    assert ask(SCENE, "frequencies", "--set", "c=-3")["matrices"]["C"][0][0] == -3.0
+
+
+@pytest.mark.parametrize("setting, code", [
+    ("q=3", 2), ("k", 2), ("k=", 2), ("=3", 2), ("k=3 kg", 3), ("k=3 N/mmm", 3), ("k=(", 2)])
+def test_wrong_settings(ask, setting, code):
+    ask(SCENE, "frequencies", "--set", setting, code=code)
+
+
+def test_cases(ask):
+    data = ask(SCENE + "cases:\n  soft: {parameters: {k: 200 N/m}}\n")
+    assert data["cases"]["soft"]["matrices"]["K"][0][0] == 200.0
+    assert data["matrices"]["K"][0][0] == 800.0
+    alone = ask(SCENE + "cases:\n  soft: {parameters: {k: 200 N/m}}\n", "solve", "--case", "soft")
+    assert alone["matrices"]["K"][0][0] == 200.0
+
+
+@pytest.mark.parametrize("command", KEYS)
+def test_nothing_is_printed_where_there_is_no_answer(ask, command):
+    assert ask("bodies: {b: {mass: 1 kg, at: [0, 0]}}", command, code=4) is None
+    assert ask("bodies: {b: {mass: 1 kg, wrong: 3}}", command, code=3) is None
