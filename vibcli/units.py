@@ -4,10 +4,11 @@ A dimension is a dict of exponents of kg, m, s and of the still unknown dimensio
 """
 
 from fractions import Fraction
+from functools import lru_cache
 
 from vibcli.errors import Diagnostic
 
-LENGTH, MASS, TIME = {"m": Fraction(1)}, {"kg": Fraction(1)}, {"s": Fraction(1)}
+LENGTH, MASS, TIME = {"m": 1}, {"kg": 1}, {"s": 1}
 NONE = {}
 
 
@@ -28,7 +29,7 @@ def raised(a, power):
 
 
 def _dimension(kg=0, m=0, s=0):
-    return {base: Fraction(e) for base, e in (("kg", kg), ("m", m), ("s", s)) if e}
+    return {base: e for base, e in (("kg", kg), ("m", m), ("s", s)) if e}
 
 
 class Unit:
@@ -64,8 +65,9 @@ UNITS = {
 }
 
 
+@lru_cache(maxsize=256)
 def combine(chain):
-    """The unit of [(name, power)], e.g. [("N", 1), ("m", -1)]."""
+    """The unit of ((name, power), …), e.g. (("N", 1), ("m", -1))."""
     value, dimension, pi = Fraction(1), {}, 0
     for name, power in chain:
         unit = UNITS[name]
@@ -135,14 +137,14 @@ class Dimensions:
         self._solved = {}
 
     def unknown(self, name):
-        return {"?" + name: Fraction(1)}
+        return {"?" + name: 1}
 
     def resolve(self, dimension):
         """`dimension` with every unknown that has been solved replaced."""
         while any(base in self._solved for base in dimension):
             found = {}
             for base, exponent in dimension.items():
-                found = times(found, self._solved.get(base, {base: Fraction(1)}), exponent)
+                found = times(found, self._solved.get(base, {base: 1}), exponent)
             dimension = found
         return dimension
 
@@ -159,7 +161,8 @@ class Dimensions:
             return False
         first = unknowns[0]
         exponent = ratio[first]
-        self._solved[first] = {base: -e / exponent for base, e in ratio.items() if base != first}
+        factor = -exponent if abs(exponent) == 1 else Fraction(-1) / exponent
+        self._solved[first] = {base: e * factor for base, e in ratio.items() if base != first}
         return True
 
 
@@ -174,4 +177,4 @@ def parse_unit(text, where=None):
             if word not in UNITS:
                 raise ValueError(Diagnostic(where, f"unknown unit '{word}'"))
             chain.append((word, sign * int(power or 1)))
-    return combine(chain)
+    return combine(tuple(chain))

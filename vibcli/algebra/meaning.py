@@ -55,7 +55,7 @@ def _children(tree):
 
 
 def literal_unit(chain):
-    return units.combine([(name, power) for name, power, _, _ in chain])
+    return units.combine(tuple((name, power) for name, power, _, _ in chain))
 
 
 def whole_literal(tree):
@@ -201,12 +201,12 @@ def lower(tree, table, symbol):
         return symbol(tree[3], 0, tree)
     try:
         if kind == "sum":
-            return table.sum(*((lower(part, table, symbol), Fraction(sign)) for sign, part in tree[3]))
+            return table.sum(*((lower(part, table, symbol), sign) for sign, part in tree[3]))
         if kind == "product":
             factors = [(lower(part, table, symbol), power) for power, part in tree[3]]
             if any(power < 0 and node.is_zero for node, power in factors):
                 raise ZeroDivisionError
-            return table.product(*((node, Fraction(power)) for node, power in factors))
+            return table.product(*factors)
         if kind == "power":
             return table.power(lower(tree[3], table, symbol), lower(tree[4], table, symbol))
         if kind == "equation":
@@ -224,4 +224,4 @@ def _literal(tree, table):
         return value
     unit = literal_unit(tree[4])
     node = table.number(tree[3] * unit.value)
-    return node if not unit.pi else table.product((node, ONE), (table.pi, Fraction(unit.pi)))
+    return node if not unit.pi else table.product((node, ONE), (table.pi, unit.pi))

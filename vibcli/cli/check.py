@@ -59,12 +59,12 @@ def _files(path):
 
 def _check_file(file):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
-    from vibcli.check import check
-
     try:
         problem = load(file)
         if not problem.spec.answers and not any(spec.answers for spec in problem.spec.cases.values()):
             return 0, []
+        from vibcli.check import check
+
         verdicts = check(problem)
         refused = [v for v in verdicts if v.refusal]
         for verdict in refused:
