@@ -113,10 +113,10 @@ def test_a_folder_is_no_scene(tmp_path, capsys):
     assert "expected a scene file, found a directory" in capsys.readouterr().err
 
 
-LINE = [("solve", "no_such_file.yaml"), ("check", "no_such_file.yaml"), ("sovle", "x.yaml"), ("solve",), ("solve", "-z", "x"),
-        ("solve", "FILE", "--set", "k"), ("solve", "FILE", "--set", "kk=3"), ("solve", "FILE", "--set", "k=3 ++"),
-        ("solve", "FILE", "--case", "none"), ("frequencies", "FILE", "--digits", "0"),
-        ("frequencies", "FILE", "--normalise", "x")]
+LINE = [("solve", "no_such_file.yaml"), ("check", "no_such_file.yaml"), ("sovle", "x.yaml"), ("solve",),
+        ("solve", "-z", "x"), ("solve", "FILE", "--set", "k"), ("solve", "FILE", "--set", "kk=3"),
+        ("solve", "FILE", "--set", "k=3 ++"), ("solve", "FILE", "--case", "none"),
+        ("frequencies", "FILE", "--digits", "0"), ("frequencies", "FILE", "--normalise", "x")]
 
 
 @pytest.fixture

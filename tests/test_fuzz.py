@@ -20,19 +20,23 @@ from vibcli.spec import read_spec
 ROOT = Path(__file__).parent.parent
 SCENES = [path.read_bytes() for path in sorted(
     [*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])]
-PIECES = ("0", "1", "2", "-1", "0.5", "1e300", "1e-300", "9**9**9**9", "1e400", "3 m", "2 kg", "5 N/m", "8 N*s/m", "30 deg",
-          "4 %", "7 Hz", "3 rad/s", "m", "k", "x", "x'", "x''", "phi", "L", "g", "pi", "t", "omega[1]", "J[a, O]",
-          "centre[a].x", "sin(", "sqrt(", "atan2(", "exp(", "log(", "tan(", "abs(", "min(", "max(", "(", ")", ",", "+", "-",
-          "*", "/", "^", "**", "=", "'", "[", "]", ".", "µm", "°", "²", "φ", "·", "__class__", "\u202e", "?", "e9", " ")
-EXTREMES = ("0", "-1", "1e300", "-1e50 m", "1e-50 kg", "1e59 N/m", "1e-59 N/m", "0 kg", "0 N/m", "-3 kg", "-800 N/m",
-            "nan", "inf", "", "x", "x^2", "sin(x)", "1/x", "1/(x - x)", "sqrt(-1)", "sqrt(x)", "log(0)", "exp(1000)", "[]",
-            "9**9**9**9", "static", "ground", "1 m", "3 Hz", "5 rad", "true", "inside", "t", "pi", "1e30", "x'", "[0, 0]")
-SAME = ("-(_)", "0*(_)", "1e55*(_)", "1e-55*(_)", "1e12*(_)", "1e-12*(_)", "_ - (_)", "(_)*(1 + 1e-15)", "abs(_)", "-2*(_)",
-        "sqrt((_)^2)", "max(_, 0)", "min(0, _)", "(_)*sin(1)", "3*(_)", "(_)^2/(_)", "1e-9*(_)", "(_)*cos(pi/2)", "1e6*(_)")
-WORDS = ("mass", "inertia", "at", "slide", "pin", "roll", "move", "turn", "weld", "carrier", "k", "c", "between", "stretch",
-         "torsion", "preload", "free_length", "shape", "radius", "from", "to", "parts", "value", "drawn", "by", "along",
-         "surface", "travel", "swing", "circle", "line", "side", "body", "T", "V", "Phi", "M", "C", "K", "relative",
-         "omega[1]", "zeta[1]", "stable", "equation[x]", "gravity", "cases", "matrices", "energies", "forces")
+PIECES = ("0", "1", "2", "-1", "0.5", "1e300", "1e-300", "9**9**9**9", "1e400", "3 m", "2 kg", "5 N/m",
+          "8 N*s/m", "30 deg", "4 %", "7 Hz", "3 rad/s", "m", "k", "x", "x'", "x''", "phi", "L", "g", "pi",
+          "t", "omega[1]", "J[a, O]", "centre[a].x", "sin(", "sqrt(", "atan2(", "exp(", "log(", "tan(",
+          "abs(", "min(", "max(", "(", ")", ",", "+", "-", "*", "/", "^", "**", "=", "'", "[", "]", ".", "µm",
+          "°", "²", "φ", "·", "__class__", "\u202e", "?", "e9", " ")
+EXTREMES = ("0", "-1", "1e300", "-1e50 m", "1e-50 kg", "1e59 N/m", "1e-59 N/m", "0 kg", "0 N/m", "-3 kg",
+            "-800 N/m", "nan", "inf", "", "x", "x^2", "sin(x)", "1/x", "1/(x - x)", "sqrt(-1)", "sqrt(x)",
+            "log(0)", "exp(1000)", "[]", "9**9**9**9", "static", "ground", "1 m", "3 Hz", "5 rad", "true",
+            "inside", "t", "pi", "1e30", "x'", "[0, 0]")
+SAME = ("-(_)", "0*(_)", "1e55*(_)", "1e-55*(_)", "1e12*(_)", "1e-12*(_)", "_ - (_)", "(_)*(1 + 1e-15)",
+        "abs(_)", "-2*(_)", "sqrt((_)^2)", "max(_, 0)", "min(0, _)", "(_)*sin(1)", "3*(_)", "(_)^2/(_)",
+        "1e-9*(_)", "(_)*cos(pi/2)", "1e6*(_)")
+WORDS = ("mass", "inertia", "at", "slide", "pin", "roll", "move", "turn", "weld", "carrier", "k", "c",
+         "between", "stretch", "torsion", "preload", "free_length", "shape", "radius", "from", "to", "parts",
+         "value", "drawn", "by", "along", "surface", "travel", "swing", "circle", "line", "side", "body", "T",
+         "V", "Phi", "M", "C", "K", "relative", "omega[1]", "zeta[1]", "stable", "equation[x]", "gravity",
+         "cases", "matrices", "energies", "forces")
 
 
 def a_text(dice):
@@ -154,9 +158,9 @@ def replaced(text, dice):
     """A value with another sign, factor, unit or operand."""
     if dice.random() < 0.7:
         return dice.choice(SAME).replace("_", text or "0")
-    return dice.choice((f"({text})^2", f"1/({text})", f"({text})/0", f"({text})*x", text + " m", text[:-1], f"sin({text})",
-                        text.split()[0] if text.split() else "", f"({text})*sqrt(-1)", f"({text})*exp(800)",
-                        text.replace("m", "kg"), text + "'", "0"))
+    return dice.choice((f"({text})^2", f"1/({text})", f"({text})/0", f"({text})*x", text + " m", text[:-1],
+                        f"sin({text})", text.split()[0] if text.split() else "", f"({text})*sqrt(-1)",
+                        f"({text})*exp(800)", text.replace("m", "kg"), text + "'", "0"))
 
 
 def tree_of(dice):
@@ -184,11 +188,11 @@ def test_expressions():
 
 def test_scenes_with_changes_in_their_text():
     dice = random.Random(5)
-    outcomes = [try_scene(*read(mutated_text(dice), "s.yaml")) for _ in range(700)]
-    assert min(outcomes.count(kind) for kind in ("solved", "invalid")) > 30
+    outcomes = [try_scene(*read(mutated_text(dice), "s.yaml")) for _ in range(1500)]
+    assert min(outcomes.count(kind) for kind in ("solved", "invalid")) > 100
 
 
 def test_scenes_with_changes_in_their_nodes():
     dice = random.Random(7)
-    outcomes = [try_scene(*tree_of(dice)) for _ in range(700)]
-    assert min(outcomes.count(kind) for kind in ("solved", "invalid", "refused")) > 10
+    outcomes = [try_scene(*tree_of(dice)) for _ in range(1500)]
+    assert min(outcomes.count(kind) for kind in ("solved", "invalid", "refused")) >= 5

@@ -22,7 +22,7 @@ ROOMS = (
     ("questions", ("questions",)),
     ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document")),
     ("algebra", ("algebra",)),
-    ("fields", ("fields",)),
+    ("fields", ("reading", "fields")),
     ("elements", ("elements",)),
     ("spec", ("naming", "asking", "parameters", "spec")),
     ("scene", ("scene",)),

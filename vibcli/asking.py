@@ -50,7 +50,8 @@ def _answer(spec, reader, answer):
     head = tree[4] if whole else None
     if head == "stable":
         if expected.text not in ("true", "false"):
-            reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}", "write stable: true")
+            reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}",
+                          "write stable: true")
         return
     for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
         for quantity in quantities_in(part.tree):
@@ -100,8 +101,8 @@ def _quantity(spec, reader, expression, tree):
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
                       "write " + " or ".join(tree[3].partition(".")[0] + (a and "." + a) for a in asked.attributes))
         return False
-    if not all([_index(spec, reader, place, head, kind, index)
-                for kind, index in zip(asked.indices, indices, strict=False)]):
+    pairs = zip(asked.indices, indices, strict=False)
+    if not all(_index(spec, reader, place, head, kind, index) for kind, index in pairs):
         return False
     bodies = spec.get("bodies") or {}
     lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].keys)]
@@ -135,7 +136,8 @@ def _cyclic(spec, tree):
 
 def _cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
-    if head in ("omega", "omega_d", "decay", "growth_rate") and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
+    angular = head in ("omega", "omega_d", "decay", "growth_rate")
+    if angular and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
     literal = whole_literal(expected.tree)

@@ -122,7 +122,11 @@ def _tolerance(problem, answer, expected, error):
     """The absolute tolerance: that given, that of the digits written, or rounding."""
     rounding = (EXACT + 4 * error) * abs(expected) + 1e-300
     if answer.rtol is not None:
-        return value_of(problem, answer.rtol)[0] * abs(expected) + 1e-300
+        rtol = value_of(problem, answer.rtol)[0]
+        if not 0 <= rtol < 1:
+            raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
+                                        "write for example rtol: 0.5 %")])
+        return rtol * abs(expected) + 1e-300
     literal = whole_literal(answer.expected.tree)
     if literal is None:
         return rounding if expected else _small(problem, answer)

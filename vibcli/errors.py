@@ -43,3 +43,12 @@ class PhysicsError(Exception):
     def __init__(self, message, hint=None, where=None):
         super().__init__(message)
         self.message, self.hint, self.where = message, hint, where
+
+
+def defined_as_drawn(function, *args):
+    """What the function gives; a refusal where an expression divides by zero in the drawn position."""
+    try:
+        return function(*args)
+    except ZeroDivisionError:
+        raise PhysicsError("the energies are not defined in the drawn position, at rest: something divides by zero "
+                           "there", "draw the scene elsewhere, or say what its coordinates are as drawn") from None

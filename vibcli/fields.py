@@ -11,113 +11,7 @@ from vibcli import units
 from vibcli.algebra.parse import ExpressionError, parse, plain_name
 from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar, Sequence
-from vibcli.errors import Diagnostic
-
-
-MOST_COMPARED = 500    # words: comparing takes some microseconds each
-
-
-def near(word, words):
-    """The one of `words` that is most like `word`, None where none is."""
-    from difflib import get_close_matches
-
-    same = [w for w in words if w and w.lower() == word.lower()]
-    found = same or (get_close_matches(word, [w for w in words if w], 1, 0.6) if len(words) <= MOST_COMPARED else ())
-    return found[0] if found else None
-
-
-def nearest(word, words):
-    """A hint naming the nearest valid word, or all of them where none is near."""
-    found = near(word, words)
-    if found:
-        return f"did you mean '{found}'?"
-    words = sorted(w for w in words if w)
-    return "valid here: " + ", ".join(words) if words and len(words) <= 40 else None
-
-
-def article(noun):
-    return ("an " if noun[0] in "aeiou" else "a ") + noun
-
-
-MOST_PROBLEMS = 100
-
-
-class TooMany(Exception):
-    """More is wrong with a file than anybody reads."""
-
-
-class Reader:
-    """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
-    move something (a bare name there is a coordinate), and every reference as (Name, namespaces, what is wanted).
-    `sound` tells whether the scene was read whole, apart from what is asked of it."""
-
-    def __init__(self):
-        self.diagnostics, self.expressions, self.motions, self.references = [], [], [], []
-        self.sound = True
-
-    def report(self, where, message, hint=None):
-        self.diagnostics.append(Diagnostic(where, message, hint))
-        if len(self.diagnostics) == MOST_PROBLEMS:
-            self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
-            raise TooMany
-
-    def expected(self, node, what, hint=None):
-        self.report(node.where, f"expected {what}, found {_found(node)}", hint)
-
-
-def _found(node):
-    if isinstance(node, Mapping):
-        return "a mapping"
-    if isinstance(node, Sequence):
-        return "a list"
-    return quoted(node.text) if node.text.strip() else "nothing"
-
-
-class Expression:
-    """A parsed expression with its place, and the dimension that its field wants (None: settled elsewhere)."""
-
-    __slots__ = ("dimension", "scalar", "tree", "unit")
-
-    def __init__(self, scalar, tree, unit, dimension):
-        self.scalar, self.tree, self.unit, self.dimension = scalar, tree, unit, dimension
-
-    @property
-    def text(self):
-        return self.scalar.text
-
-    @property
-    def where(self):
-        return self.scalar.where
-
-
-class Name:
-    """A reference to something named elsewhere, with its place."""
-
-    __slots__ = ("text", "where")
-
-    def __init__(self, text, where):
-        self.text, self.where = text, where
-
-
-class Record:
-    """One element as written: its declared kind, its name, its values and the place of each key."""
-
-    __slots__ = ("element", "keys", "name", "values", "where")
-
-    def __init__(self, element, name, where, values, keys):
-        self.element, self.name, self.where, self.values, self.keys = element, name, where, values, keys
-
-    def __getitem__(self, key):
-        return self.values[key]
-
-    def get(self, key, default=None):
-        return self.values.get(key, default)
-
-    def __contains__(self, key):
-        return key in self.values
-
-    def place(self, key):
-        return self.keys.get(key, self.where)
+from vibcli.reading import Expression, Name, Record, article, check_name, near, nearest
 
 
 class Kind:
@@ -242,14 +136,11 @@ class Many(Kind):
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
             if isinstance(node, Sequence):
                 count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
-                return reader.report(node.where, f"expected {self.wants}, found {count}", self._bounds())
+                return reader.report(node.where, f"expected {self.wants}, found {count}")
             one = isinstance(node, Scalar) and node.text.strip() and isinstance(self.kind, Choice)
             return reader.expected(node, self.wants, f"write [{node.text.strip()[:40]}]" if one else None)
         items = [self.kind.read(item, reader) for item in node.items]
         return None if any(item is None for item in items) else items
-
-    def _bounds(self):
-        return None if self.least == self.most else f"write {self.least} to {self.most} items"
 
     def schema(self):
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
@@ -407,16 +298,3 @@ class Named(Kind):
 
     def schema(self):
         return {"type": "object", "additionalProperties": self.kind.schema()}
-
-
-def check_name(node, reader, forbidden=()):
-    """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
-    name = plain_name(node.text)
-    if not name.isidentifier() or not name.isascii() or len(name) > 32:
-        return reader.report(node.where, f"{quoted(node.text)} is not a name",
-                             "a name starts with a letter, a to z or Greek, and goes on with letters, digits and _, at "
-                             "most 32")
-    if name in forbidden:
-        return reader.report(node.where, f"'{node.text}' is a word of the language and cannot be a name here",
-                             "choose another name")
-    return name

@@ -29,7 +29,8 @@ def _counted(count, noun):
 def _oscillating(problem, indices, what):
     mode = _mode(problem, indices)
     if mode.omega is None:
-        raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}", "ask for growth_rate[i] or stable")
+        raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}",
+                           "ask for growth_rate[i] or stable")
     return mode
 
 

@@ -13,9 +13,8 @@ from vibcli.algebra.meaning import (
 )
 from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.diagnostics import quoted
-from vibcli.errors import Diagnostic
-from vibcli.fields import MOST_PROBLEMS, Record, nearest
 from vibcli.questions import dimension
+from vibcli.reading import Record, nearest
 
 MOST_COORDINATES = 2000
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
@@ -293,11 +292,3 @@ def _ambiguous(spec, reader, expression):
                 reader.report(expression.scalar.place(start, end - start),
                               f"'{unit}' is a unit and a name of this scene",
                               f"write ({joined}) for the unit or ({head})*{unit} for the name")
-
-
-def report_unused(spec, used, diagnostics):
-    """An unused parameter is an error, unless it says `unused: allowed`."""
-    for name, record in spec.parameters.items():
-        if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":
-            diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used",
-                                          f"take it out, or write {name}: {{value: …, unused: allowed}}"))

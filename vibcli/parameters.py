@@ -34,7 +34,8 @@ class Parameters:
     def __init__(self, spec, table):
         self.table = table
         self.records = spec.parameters
-        self.nodes = {name: table.parameter(name, record.get("sign") != "any") for name, record in spec.parameters.items()}
+        self.nodes = {name: table.parameter(name, record.get("sign") != "any")
+                      for name, record in spec.parameters.items()}
         self.order = _order(spec.parameters)
         self.definitions = self._lowered()
         self.free = [name for name in spec.parameters if name not in self.definitions]
@@ -73,7 +74,8 @@ class Parameters:
             except KeyError:
                 continue
             if hasattr(arithmetic, "isfinite") and (problem := unusable(value, arithmetic)):
-                wrong.append(Diagnostic(self.records[name]["value"].where, f"the value of '{name}' is {problem[0]}", problem[1]))
+                where = self.records[name]["value"].where
+                wrong.append(Diagnostic(where, f"the value of '{name}' is {problem[0]}", problem[1]))
             else:
                 found[name] = value
         if wrong:

@@ -10,6 +10,8 @@ from fractions import Fraction
 from functools import cached_property
 from time import perf_counter
 
+from vibcli.errors import defined_as_drawn
+
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
 
 
@@ -80,25 +82,21 @@ class Problem:
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
-        return linearise(self.scene)
+        return defined_as_drawn(linearise, self.scene)
 
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
-        from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import at_position
 
-        try:
-            return at_position(self.form, self.scene.drawn)
-        except ZeroDivisionError:
-            raise PhysicsError("the forces are not defined in the drawn position: something divides by zero there",
-                               "draw the scene elsewhere, or say what its coordinates are as drawn") from None
+        return defined_as_drawn(at_position, self.form, self.scene.drawn)
 
     @cached_property
     def is_linear(self):
         """Do the equations not depend on where the scene is linearised?"""
         form = self.form
-        rows = [node for rows in (form.inertias, form.springs, form.dampers) for _, row in rows for node in row.values()]
+        terms = (*form.inertias, *form.springs, *form.dampers)
+        rows = [node for _, row in terms for node in row.values()]
         parts = [node for part in (form.M, form.C, form.G, *form.K) for node in part.values()]
         return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
 
@@ -163,7 +161,7 @@ class Problem:
         """V of the whole scene less the kinetic energy at rest, as an expression."""
         from vibcli.mechanics.energies import effective_potential
 
-        return effective_potential(self.scene)
+        return defined_as_drawn(effective_potential, self.scene)
 
     @_Stage
     def equilibrium(self):
@@ -210,7 +208,7 @@ class Problem:
         return elements_to(self, digits)
 
     def exact_elements(self):
-        """The element data as Fractions, None where they are irrational or the equilibrium is not the drawn position."""
+        """The element data as Fractions, None where they are irrational or the equilibrium had to be searched for."""
         from vibcli.algebra.evaluate import Rationals
         from vibcli.mechanics.linearise import in_numbers
 

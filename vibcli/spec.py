@@ -10,10 +10,10 @@ from vibcli.algebra.parse import plain_name
 from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar
 from vibcli.elements import answer, coordinates, equilibrium, gravity
-from vibcli.errors import SpecError
-from vibcli.fields import Choice, Kind, Lazy, Many, Named, Reader, Text, TooMany, nearest
+from vibcli.errors import Diagnostic, SpecError
+from vibcli.fields import Choice, Kind, Lazy, Many, Named, Text
 from vibcli.questions import FIND
-
+from vibcli.reading import MOST_PROBLEMS, Reader, TooMany, nearest
 
 MOST_CASES = 100
 
@@ -99,10 +99,11 @@ def read_spec(root, file, diagnostics=(), settings=None):
     if cases is not None and isinstance(cases[1], Mapping):
         for name, (_, part) in list(cases[1].entries.items())[:MOST_CASES]:
             if isinstance(part, Mapping) and "cases" not in part.entries:
-                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, f" (in the case {quoted(name)})")
+                remark = f" (in the case {quoted(name)})"
+                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, remark)
     everything = [spec for spec in (base, *specs.values()) if spec is not None]
     for spec in everything[:1]:
-        naming.report_unused(spec, set().union(*(s.used for s in everything)), found)
+        _report_unused(spec, set().union(*(s.used for s in everything)), found)
     if found:
         raise SpecError(_once(found))
     base.cases = specs
@@ -202,3 +203,11 @@ def _question(spec, root, reader):
             place = root.entries["question"][1].place(quote.start(), len(quote.group()))
             reader.report(place, f"the question quotes {quoted(quote.group())}, which is no parameter",
                           nearest(name, spec.parameters))
+
+
+def _report_unused(spec, used, diagnostics):
+    """An unused parameter is an error, unless it says `unused: allowed`."""
+    for name, record in spec.parameters.items():
+        if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":
+            diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used",
+                                          f"take it out, or write {name}: {{value: …, unused: allowed}}"))

@@ -55,12 +55,14 @@ UNITS = {
     "MN": Unit(10**6, _FORCE),
     "J": Unit(1, _ENERGY), "mJ": Unit("1e-3", _ENERGY), "kJ": Unit(1000, _ENERGY),
     "W": Unit(1, _dimension(1, 2, -3)), "kW": Unit(1000, _dimension(1, 2, -3)),
-    "Pa": Unit(1, _PRESSURE), "kPa": Unit(1000, _PRESSURE), "MPa": Unit(10**6, _PRESSURE), "GPa": Unit(10**9, _PRESSURE),
+    "Pa": Unit(1, _PRESSURE), "kPa": Unit(1000, _PRESSURE), "MPa": Unit(10**6, _PRESSURE),
+    "GPa": Unit(10**9, _PRESSURE),
     "rad": Unit(1, NONE), "mrad": Unit("1e-3", NONE), "deg": Unit(Fraction(1, 180), NONE, pi=1),
     "°": Unit(Fraction(1, 180), NONE, pi=1), "%": Unit("0.01", NONE),
     "Hz": Unit(1, _dimension(s=-1), cycles=True), "kHz": Unit(1000, _dimension(s=-1), cycles=True),
     "MHz": Unit(10**6, _dimension(s=-1), cycles=True), "rpm": Unit(Fraction(1, 30), _dimension(s=-1), pi=1),
-    "in": Unit(_INCH, LENGTH), "ft": Unit(12 * _INCH, LENGTH), "lb": Unit(_POUND, MASS), "lbf": Unit(_POUND_FORCE, _FORCE),
+    "in": Unit(_INCH, LENGTH), "ft": Unit(12 * _INCH, LENGTH), "lb": Unit(_POUND, MASS),
+    "lbf": Unit(_POUND_FORCE, _FORCE),
     "slug": Unit(_POUND_FORCE / (12 * _INCH), MASS), "psi": Unit(_POUND_FORCE / _INCH**2, _PRESSURE),
 }
 

@@ -9,6 +9,8 @@ from fractions import Fraction
 
 from vibcli.algebra.expression import HALF, ONE, bits, reachable
 
+ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
+
 
 def evaluate(nodes, arithmetic, values):
     """The values of `nodes`, given {symbol name: number}."""
@@ -82,8 +84,7 @@ def _guarded(function):
     return call
 
 
-Floats.functions = {name: _guarded(getattr(math, name)) for name in
-                    ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")}
+Floats.functions = {name: _guarded(getattr(math, name)) for name in ELEMENTARY}
 Floats.functions.update(abs=abs, sign=_sign, min=min, max=max, power=_guarded(lambda b, e: b**e))
 
 
@@ -141,8 +142,7 @@ def multiprecision():
                 return mpmath.sqrt(base)
             return mpmath.power(base, mpmath.mpf(exponent.numerator) / exponent.denominator)
 
-        functions = {name: getattr(mpmath, name) for name in
-                     ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "sign")}
+        functions = {name: getattr(mpmath, name) for name in (*ELEMENTARY, "sign")}
     Multiprecision.functions.update(abs=abs, min=min, max=max, power=mpmath.power)
     return Multiprecision()
 
@@ -162,8 +162,7 @@ def sympy_arithmetic():
         def power(base, exponent):
             return sympy.Pow(base, sympy.Rational(exponent.numerator, exponent.denominator))
 
-        functions = {name: getattr(sympy, name) for name in
-                     ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "sign")}
+        functions = {name: getattr(sympy, name) for name in (*ELEMENTARY, "sign")}
     Symbolic.functions.update(abs=sympy.Abs, min=sympy.Min, max=sympy.Max, power=sympy.Pow)
     return Symbolic()
 

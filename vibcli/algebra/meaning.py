@@ -214,8 +214,8 @@ def lower(tree, table, symbol):
         args = [lower(arg, table, symbol) for arg in tree[4]]
         return table.sqrt(args[0]) if tree[3] == "sqrt" else table.call(tree[3], *args)
     except ZeroDivisionError:
-        raise ExpressionError(tree[1], tree[2] - tree[1], "this divides by zero", "look for a difference that vanishes") \
-            from None
+        raise ExpressionError(tree[1], tree[2] - tree[1], "this divides by zero",
+                              "look for a difference that vanishes") from None
 
 
 def _literal(tree, table):

@@ -83,7 +83,7 @@ def _unit_meant(word):
     return found[0] if found else None
 
 
-_SPELT = {"meter": "m", "metre": "m", "centimeter": "cm", "millimeter": "mm", "kilogram": "kg", "kilo": "kg", "gram": "g",
+_SPELT = {"meter": "m", "metre": "m", "centimeter": "cm", "millimeter": "mm", "kilogram": "kg", "gram": "g",
           "second": "s", "sec": "s", "minute": "min", "newton": "N", "kilonewton": "kN", "joule": "J", "pascal": "Pa",
           "hertz": "Hz", "degree": "deg", "radian": "rad", "percent": "%", "inch": "in", "foot": "ft", "feet": "ft",
           "pound": "lb"}
@@ -244,8 +244,9 @@ class _Parser:
     def unknown_unit(self, match, start):
         word = match.group(2)
         meant = _unit_meant(word)
-        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit", f"did you mean '{meant}'?" if meant else
-                              f"a product is written with *: {self.text[start:self.at]}*{word}")
+        product = f"a product is written with *: {self.text[start:self.at]}*{word}"
+        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
+                              f"did you mean '{meant}'?" if meant else product)
 
     def word(self, match, depth):
         start, self.at = match.start(), match.end()

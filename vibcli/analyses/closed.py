@@ -113,15 +113,18 @@ def _several(scene, M, K, n):
         if degree > 2:
             left.append(factor)
         elif degree:
-            coefficients = [textbook(from_sympy(scene.table, c, back)) for c in sympy.Poly(factor, unknown).all_coeffs()]
+            whole = sympy.Poly(factor, unknown).all_coeffs()
+            coefficients = [textbook(from_sympy(scene.table, c, back)) for c in whole]
             roots += _roots(coefficients, scene.sample) * power
     if left:
         return ClosedForms([], polynomial=_polynomial(scene, left, unknown, back))
     found = sorted(((evaluate([node], Floats, scene.sample)[0], node) for node in roots), key=lambda pair: pair[0])
     if not _agrees(scene, M, K, n, [value for value, _ in found]):
         return None
-    modes = [ClosedMode(node, root_of(node, scene.sample), None if roots.count(node) > 1 else _shape(scene, M, K, n, node))
-             for _, node in found]
+    modes = []
+    for _, node in found:
+        shape = None if roots.count(node) > 1 else _shape(scene, M, K, n, node)
+        modes.append(ClosedMode(node, root_of(node, scene.sample), shape))
     return ClosedForms(modes, ratio=_ratio(scene, M, K, scene.table.variable("ω") ** 2) if n == 2 else None)
 
 

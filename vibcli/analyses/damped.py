@@ -27,8 +27,11 @@ def damped(elements, precise=None, exact=None, digits=None):
     damps = any(c for c, _ in elements.dampers) or any(elements.C.values())
     if not damps and not any(elements.G.values()):
         return None
+    import numpy as np
+
     try:
-        return _damped(elements, precise, exact, digits)
+        with np.errstate(all="ignore"):
+            return _damped(elements, precise, exact, digits)
     except OverflowError:
         from vibcli.analyses.precise import beyond
 

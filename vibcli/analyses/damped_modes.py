@@ -50,7 +50,7 @@ def collected(answer, numbers, shapes):
         note = _note(system, d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
-        error = numbers.error(min(d.radius - size, 0.0)) if square else 0.0
+        error = numbers.error(d.radius - size) if square else 0.0
         omega = numbers.number(square, bits - scale.time)
         out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
     return out

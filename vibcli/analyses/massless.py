@@ -95,10 +95,20 @@ class Reduced:
             return known(root, bits, wanted, self.deep, top - 2 * self.coupled + 60)
 
         found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
-        zeros = self.zeros
-        if zeros is None:
-            zeros = sum((2 if root.im else 1) for root in found if _vanishes(root, bits, top - self.coupled))
-        return [self._full(root, h, zero) for root, zero in vanishing(found, zeros)]
+        if self.zeros is not None:
+            marked = vanishing(found, self.zeros)
+        else:
+            marked = [(root, _vanishes(root, bits, top)) for root in found]
+            marked = [pair for pair in marked for _ in range(2 if pair[1] and pair[0].im else 1)]
+        moving = [self._full(root, h) for root, zero in marked if not zero]
+        return self._still(len(marked) - len(moving)) + moving
+
+    def _still(self, zeros):
+        """Zero eigenvalues, with the motions that no spring resists."""
+        _, sigma, v = np.linalg.svd(fx.floats(self.k, self.bits))
+        free = max(1, int((sigma <= 1e-12 * max(sigma[0], 1e-300)).sum()))
+        motions = [v[-1 - j % free].astype(complex) for j in range(zeros)]
+        return [Eigenvalue(0, 0, -math.inf, x, x) for x in motions]
 
     def _matrix(self):
         """y' = A y for y = (a', a, z)."""
@@ -111,24 +121,21 @@ class Reduced:
         out[range(h, 2 * h), range(h)] = 1 << bits
         return out
 
-    def _full(self, root, h, zero):
-        """An Eigenvalue in the columns of the basis; `zero`: it vanishes by structure."""
+    def _full(self, root, h):
+        """An Eigenvalue in the columns of the basis."""
         bits = self.bits
-        value = complex(fx.to_float(root.re, bits), fx.to_float(root.im, bits))
         x = root.right[h:]
         size = np.linalg.norm(x[:h]) or np.linalg.norm(x)
         release, drag = fx.floats(self.release, bits), fx.floats(self.c[:h, h:], bits)
         pushed = (root.left[2 * h:] - root.left[:h] @ drag) @ release
         left = np.concatenate([root.left[:h], pushed]) * size
-        if zero:
-            return Eigenvalue(0, 0, -math.inf, x / size, left)
-        return Eigenvalue(root.re, root.im, root.radius if value else -math.inf, x / size, left)
+        return Eigenvalue(root.re, root.im, root.radius, x / size, left)
 
 
-def _vanishes(root, bits, tiny):
+def _vanishes(root, bits, top):
     """Whether nothing but the working precision keeps an eigenvalue from zero."""
     size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
-    return size <= root.radius + 1 and root.radius <= tiny / 2
+    return size <= max(root.radius + 1, top - 0.4 * bits) and root.radius <= top - max(60, bits / 12)
 
 
 def _loose(c, bits):

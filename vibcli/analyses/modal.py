@@ -41,8 +41,11 @@ def undamped(elements, precise=None, digits=None):
     `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
     without it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
     """
+    import numpy as np
+
     try:
-        return _undamped(elements, precise, digits)
+        with np.errstate(all="ignore"):
+            return _undamped(elements, precise, digits)
     except OverflowError:
         from vibcli.analyses.precise import beyond
 
@@ -154,7 +157,7 @@ def modes(answer, scale, numbers):
     out = []
     for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):
         rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
-        error = numbers.error(min(errors[i], 0.0)) if values[i] else 0.0
+        error = numbers.error(errors[i]) if values[i] else 0.0
         out.append(Mode(place, rate, values[i] < 0, full[:, i], direction[:, i], error))
     return out
 

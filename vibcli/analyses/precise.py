@@ -15,8 +15,8 @@ class Floats:
 
     @staticmethod
     def error(bits):
-        """2^bits and the rounding to a float."""
-        return float(2.0 ** bits + 2.0 ** -53)
+        """2^bits and the rounding to a float; 1 where no digit is known."""
+        return float(2.0 ** bits + 2.0 ** -53) if bits < 0 else 1.0
 
     @classmethod
     def complex(cls, re, im, bits):
@@ -58,10 +58,10 @@ class Digits:
 
     @staticmethod
     def error(bits):
-        """2^bits, rounded up."""
+        """2^bits, rounded up; 1 where no digit is known."""
         from mpmath import mp
 
-        return mp.ldexp(mp.mpf(1), math.ceil(bits))
+        return mp.ldexp(mp.mpf(1), math.ceil(bits) if bits < 0 else 0)
 
     @classmethod
     def complex(cls, re, im, bits):

@@ -35,8 +35,9 @@ def damped_modes(elements, natural, precise=None, exact=None, digits=None):
 
 
 def _conservative(elements):
-    return OscillatorElements(elements.n, elements.inertias, elements.springs, (), M=elements.M, G=elements.G, K=elements.K,
-                              K_size=elements.K_size, rational_rows=elements.rational_rows, massless=elements.massless)
+    return OscillatorElements(elements.n, elements.inertias, elements.springs, (), M=elements.M, G=elements.G,
+                              K=elements.K, K_size=elements.K_size, rational_rows=elements.rational_rows,
+                              massless=elements.massless)
 
 
 def _following(evaluate):

@@ -94,7 +94,8 @@ def run(args=None):
         return 0
     except Exception as error:  # the last resort: no traceback reaches a user
         click.echo(f"vibcli: an error of its own: {type(error).__name__}: {str(error)[:200]}\n"
-                   "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.", err=True)
+                   "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.",
+                   err=True)
         if os.environ.get("VIBCLI_TRACEBACK"):
             raise
         return 101

@@ -19,8 +19,8 @@ GRAVEST = (3, 4, 1, 0)
 def command(paths, as_json, quiet):
     """Compare the answers in problem files (and in folders of them) with the results.
 
-    Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the gravest of
-    3, 4, 1), 5 no answer was found to check.
+    Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the
+    gravest of 3, 4, 1), 5 no answer was found to check.
     """
     files = [file for path in paths for file in _files(path)]
     counts = {"agree": 0, "differ": 0, "files": 0, "failed": 0}
@@ -35,7 +35,7 @@ def command(paths, as_json, quiet):
         if as_json:
             data.append({"file": file, "exit_code": code, "answers": [_data(v) for v in verdicts]})
         else:
-            _print(file, verdicts, quiet)
+            _print(file, verdicts, quiet, code in (3, 4))
     if as_json:
         click.echo(json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1))
     else:
@@ -84,11 +84,11 @@ def _name(verdict):
     return (f"{verdict.case}: " if verdict.case else "") + verdict.answer.asked.text
 
 
-def _print(file, verdicts, quiet):
+def _print(file, verdicts, quiet, failed):
     shown = [v for v in verdicts if not (quiet and v.agrees)]
     if not shown and quiet:
         return
-    click.echo(file + ("" if verdicts else "  (no answers)"))
+    click.echo(file + ("" if verdicts else "  (not checked)" if failed else "  (no answers)"))
     for verdict in shown:
         if verdict.agrees:
             click.echo("  " + click.style("✓", fg="green") + f" {_name(verdict)}")

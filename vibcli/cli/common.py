@@ -28,8 +28,10 @@ def scene_options(function):
 
 
 def color_option(function):
-    return click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto", callback=_set_color,
-                        expose_value=False, help="Colour in the output (NO_COLOR and FORCE_COLOR are honoured).")(function)
+    option = click.option("--color", type=click.Choice(["auto", "always", "never"]), default="auto",
+                          callback=_set_color, expose_value=False,
+                          help="Colour in the output (NO_COLOR and FORCE_COLOR are honoured).")
+    return option(function)
 
 
 def number_options(function):
@@ -108,7 +110,8 @@ def _settings(settings, node):
             scalar = Scalar(text.strip(), Where(f"--set {name}", 1, 1, len(text.strip())), False, 0)
             found[name] = (parse(text.strip()), scalar)
         except ExpressionError as error:
-            raise click.UsageError(f"--set {setting}: {error.message}" + (f" ({error.hint})" if error.hint else "")) from None
+            hint = f" ({error.hint})" if error.hint else ""
+            raise click.UsageError(f"--set {setting}: {error.message}{hint}") from None
     return found
 
 

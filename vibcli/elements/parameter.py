@@ -36,7 +36,8 @@ class _Parameter(Element):
             return Record(self, name, where, {}, {})
         record = super().read(node, reader, name, where)
         if record is not None and "unit" in record and "value" in record and isinstance(node, Mapping):
-            reader.report(record.place("unit"), "'unit' is for a symbol without value", "write the unit after the value")
+            reader.report(record.place("unit"), "'unit' is for a symbol without value",
+                          "write the unit after the value")
         return record
 
 

@@ -11,8 +11,8 @@ from vibcli.fields import Element, Field, Motion, NameOf, Quantity
 ELEMENT = Element(
     "roll",
     "The body rolls without slip on a surface. One of `travel` (displacement of its centre along the surface, positive "
-    "from a line's first place to its second, counter-clockwise about a circle's centre), `turn` (rotation in the fixed "
-    "frame) and, on circles, `swing` (turn of the line of centres) says how far.",
+    "from a line's first place to its second, counter-clockwise about a circle's centre), `turn` (rotation in the "
+    "fixed frame) and, on circles, `swing` (turn of the line of centres) says how far.",
     {
         "surface": Field(NameOf("the name of a surface", "surfaces"), "what it rolls on", required=True),
         "travel": Field(Motion("m"), "displacement of the centre relative to the surface"),

@@ -42,7 +42,8 @@ ELEMENT = Element(
         "between": Field(ENDS, "its two ends [A, B]; the stretch grows as B leaves A"),
         "stretch": Field(Quantity(), "the deflection as an expression of the coordinates, instead of two ends"),
         "free_length": Field(Quantity("m"), "its length when undeformed"),
-        "preload": Field(_Preload(), "its tension as drawn; `static`: just what makes the drawn position the equilibrium"),
+        "preload": Field(_Preload(), "its tension as drawn; `static`: just what makes the drawn position the "
+                         "equilibrium"),
     },
     exclusive=(("k", "torsion"), ("between", "stretch"), ("free_length", "preload"),
                ("free_length", "stretch"), ("free_length", "torsion")),

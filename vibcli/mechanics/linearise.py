@@ -1,6 +1,6 @@
 """Small oscillations about a position: rows ∇s and weights of every element, in any arithmetic.
 
-With s(q) the scalar functions of the scene (engine of the terms T = ½ Σ w ṡ², V = Σ (N s + ½ k s²) + Σ f s, Φ = ½ Σ c ṡ²):
+With s(q) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s + ½ k s²) + Σ f s, Φ = ½ Σ c ṡ²:
 
     M = Σ w ∇s ∇sᵀ + ∂²T/∂q̇²      C = Σ c ∇s ∇sᵀ + ∂²Φ/∂q̇²
     K = Σ k ∇s ∇sᵀ + Σ (N + k s) ∇²s + Σ f ∇²s + ∂²V/∂q² − ∂²T/∂q²      r = Σ (N + k s) ∇s + Σ f ∇s + ∂V/∂q − ∂T/∂q

@@ -28,8 +28,8 @@ def equilibrium_in_letters(problem):
     if problem.balanced_as_drawn:
         return dict(zip(scene.coordinates, scene.drawn.values(), strict=True))
     if not problem.is_linear:
-        raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is not "
-                           "found in letters", "draw it in equilibrium (`preload: static` helps), or give numbers with "
+        raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
+                           "not found in letters", "draw it in equilibrium (`preload: static` helps), or give numbers with "
                            "--set")
     _, _, _, K = matrices_in_letters(problem.form)
     n, zero = len(scene.q), scene.table.zero
@@ -44,6 +44,7 @@ def equilibrium_in_letters(problem):
     try:
         shift = dict(zip(held, solve_linear(rows, zero), strict=True))
     except ZeroDivisionError:
-        raise PhysicsError("the equilibrium of this scene is not unique in letters", "give numbers with --set") from None
+        raise PhysicsError("the equilibrium of this scene is not unique in letters",
+                           "give numbers with --set") from None
     drawn = list(scene.drawn.values())
     return {name: textbook(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}

@@ -34,7 +34,8 @@ def _rooted(node):
 def _replaced(table, node, roots):
     """The node with each Σ^(e) of a long root written as ℓ^(2e)."""
     if node.op == "sum":
-        return table.sum((table.number(node.coefficient), ONE), *((_replaced(table, part, roots), c) for part, c in node.args))
+        terms = [(_replaced(table, part, roots), c) for part, c in node.args]
+        return table.sum((table.number(node.coefficient), ONE), *terms)
     if node.op == "product":
         factors = []
         for base, e in node.args:

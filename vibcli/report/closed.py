@@ -17,7 +17,8 @@ def closed_data(problem):
         modes.append({
             "index": i, "omega": language(mode.omega), "frequency": language(mode.omega / (2 * table.pi)),
             "period": None if resting else language(2 * table.pi / mode.omega), "growth_rate": None,
-            "shape": {name: None if value is None else language(value) for name, value in zip(names, shape, strict=True)},
+            "shape": {name: None if value is None else language(value)
+                      for name, value in zip(names, shape, strict=True)},
             "error": 0.0})
     found = {"modes": modes, "damped": None}
     if forms.polynomial:

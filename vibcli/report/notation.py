@@ -164,7 +164,7 @@ class Plain(Notation):
     def root(self, above, below):
         inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
         simple = re.fullmatch(r"[\w₀-₉]+", inner)
-        return "√" + (inner if simple else f"({inner.removeprefix('(').removesuffix(')') if enclosed(inner) else inner})")
+        return "√" + (inner if simple or enclosed(inner) else f"({inner})")
 
 
 def enclosed(text):
@@ -221,9 +221,14 @@ def _most_primes(node):
 def _factor_rank(pair):
     """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
     base = pair[0]
-    kind = 0 if base.op == "number" else 1 if base.op in ("symbol", "pi") and not base.mask else 2 if base.op == "sum" else 3
-    if kind == 3:
-        kind = 3 if base.op == "call" else 4 + _most_primes(base)
+    if base.op == "number":
+        kind = 0
+    elif base.op in ("symbol", "pi") and not base.mask:
+        kind = 1
+    elif base.op in ("sum", "call"):
+        kind = 2 if base.op == "sum" else 3
+    else:
+        kind = 4 + _most_primes(base)
     return kind, base.index
 
 

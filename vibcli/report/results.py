@@ -32,7 +32,8 @@ def numeric_row(problem, equations, i):
     """[(coefficient, symbol node)] of a linear equation in numbers."""
     scene = problem.scene
     row = []
-    for matrices, symbols in (((equations.M,), scene.a), ((equations.C, equations.G), scene.v), ((equations.K,), scene.q)):
+    kinds = ((equations.M,), scene.a), ((equations.C, equations.G), scene.v), ((equations.K,), scene.q)
+    for matrices, symbols in kinds:
         for j, symbol in enumerate(symbols):
             value = float(sum(matrix.get((i, j), 0.0) for matrix in matrices))
             if value:
@@ -77,7 +78,8 @@ def equilibrium_data(problem):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
         values = equilibrium_in_letters(problem)
-        return {"coordinates": {name: language(node) for name, node in values.items()}, "stable": None, "residual": None}
+        coordinates = {name: language(node) for name, node in values.items()}
+        return {"coordinates": coordinates, "stable": None, "residual": None}
     from vibcli.measured import is_stable
 
     found = problem.equilibrium

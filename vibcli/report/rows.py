@@ -15,7 +15,7 @@ def mode_row(mode):
     omega = float(mode.omega)
     if not omega:
         return number, "0", "0", "∞", "exact", "rigid-body mode"
-    return (number, figure(omega, mode.error), figure(omega / TURN, mode.error), figure(TURN / omega, mode.error), error, "")
+    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, ""
 
 
 def damped_row(mode):

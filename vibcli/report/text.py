@@ -78,7 +78,8 @@ class Report:
         rigid = sum(1 for mode in problem.modes if mode.rigid)
         stable = "unstable" if not is_stable(problem) else "neutral: it can move freely" if rigid else "stable"
         where = "the drawn position" if found.drawn else "shifted from the drawn position"
-        lines = [f"{', '.join(values)}   ({where})", f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
+        lines = [f"{', '.join(values)}   ({where})",
+                 f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
@@ -183,7 +184,8 @@ class Report:
                 lines.append("f = ω/(2π), T = 2π/ω")
         self.section("Natural frequencies [rad/s]", lines)
         if forms is not None and forms.zeta is not None:
-            self.section("Damping", [f"ζ = {plain(forms.zeta)}", f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
+            self.section("Damping", [f"ζ = {plain(forms.zeta)}",
+                                     f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
                                      "decay δ = ζ·ω"])
 
     def _damping(self):

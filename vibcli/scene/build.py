@@ -108,7 +108,8 @@ class Scene(Terms, Ends):
         value = self._constant(node)
         if not (value > 0 or (zero and value == 0)):
             found = f"{value:.6g} {units.text(expression.dimension or {})}".rstrip()
-            self.report(expression.where, f"{what} is {found}, expected {'zero or more' if zero else 'a positive value'}",
+            wanted = "zero or more" if zero else "a positive value"
+            self.report(expression.where, f"{what} is {found}, expected {wanted}",
                         "mind the signs" if value < 0 else None)
         return node
 

@@ -1,5 +1,7 @@
 """What springs and dampers join: places, bodies and the ground, and how far their ends are apart."""
 
+TURNING = "torsion acts between two bodies, or a body and `ground`"
+
 
 class Ends:
     """The part of a Scene that turns two ends into a stretch."""
@@ -82,14 +84,13 @@ class Ends:
     def _angle(self, end):
         """The rotation of an end; None where it has none."""
         if isinstance(end, list):
-            self.report(end[0].where, "a place does not turn", "torsion acts between two bodies, or a body and `ground`")
+            self.report(end[0].where, "a place does not turn", TURNING)
             return None
         if end.text == "ground":
             return self.table.zero
         body = self.bodies.get(end.text)
         if body is None:
-            self.report(end.where, f"the point '{end.text}' does not turn", "torsion acts between two bodies, or a body "
-                        "and `ground`")
+            self.report(end.where, f"the point '{end.text}' does not turn", TURNING)
             return None
         if body.frame is not None:
             return body.frame.angle
