@@ -9,10 +9,11 @@ from trees import new_table, trees, values
 
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, Rationals, evaluate, evaluate_rational
-from vibcli.algebra.expression import BITS, Table, bits, reachable
+from vibcli.algebra.expression import Table, reachable
 from vibcli.algebra.meaning import lower
 from vibcli.algebra.normal import is_zero
 from vibcli.algebra.parse import parse
+from vibcli.algebra.rationals import BITS, bits
 
 
 @pytest.fixture

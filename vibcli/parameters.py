@@ -1,8 +1,9 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
-from vibcli.algebra.expression import Table, bits
+from vibcli.algebra.expression import Table
 from vibcli.algebra.meaning import lower, names_in, whole_literal
 from vibcli.algebra.parse import LARGEST, RANGE, SMALLEST, ExpressionError
+from vibcli.algebra.rationals import bits
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 
 WIDEST = 4096       # bits

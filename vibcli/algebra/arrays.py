@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from vibcli.algebra.expression import HALF
+from vibcli.algebra.rationals import HALF
 
 
 class Arrays:

@@ -2,7 +2,8 @@
 
 from fractions import Fraction
 
-from vibcli.algebra.expression import HALF, ONE, Node, reachable
+from vibcli.algebra.expression import Node, reachable
+from vibcli.algebra.rationals import HALF, ONE
 
 
 def gradient(node):

@@ -7,7 +7,8 @@ sums and products use the operators of the numbers themselves.
 import math
 from fractions import Fraction
 
-from vibcli.algebra.expression import HALF, ONE, bits, reachable
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.rationals import HALF, ONE, bits
 
 ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
 

@@ -12,11 +12,10 @@ within BITS; parameters are leaves. Every walk is iterative, because a node is a
 """
 
 from fractions import Fraction
-from math import isqrt
 from operator import attrgetter
 
-BITS = 256
-ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
+from vibcli.algebra.folding import folded
+from vibcli.algebra.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
 
 
 class Node:
@@ -58,17 +57,6 @@ class Node:
         if self.op in ("sum", "product"):
             return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
         return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
-
-
-def exact(value):
-    """A rational as an int where it is whole (an order of magnitude faster than a Fraction), else as a Fraction."""
-    if value.__class__ is not Fraction:
-        value = Fraction(value)
-    return value.numerator if value.denominator == 1 else value
-
-
-def bits(value):
-    return value.numerator.bit_length() + value.denominator.bit_length()
 
 
 class Table:
@@ -213,7 +201,7 @@ class Table:
                 coefficient = self._gather_number(base.coefficient, e, coefficient, collected)
                 continue
             if base.op == "product" and (e.denominator == 1 or self._splits(base)):
-                value = _rational_power(base.coefficient, e)
+                value = rational_power(base.coefficient, e)
                 if value is None:
                     pending.append((self.number(base.coefficient), e))
                 else:
@@ -233,16 +221,16 @@ class Table:
     def _gather_number(self, value, e, coefficient, collected):
         """value^e into the coefficient as far as that is rational and short; of √8 = 2√2 the root stays."""
         if not value:
-            return coefficient * _rational_power(value, exact(e) if e <= 0 else ONE)
+            return coefficient * rational_power(value, exact(e) if e <= 0 else ONE)
         if e.denominator == 2:
-            outside, value = _square_part(value)
+            outside, value = square_part(value)
             coefficient = exact(coefficient * Fraction(outside) ** e.numerator)
         if value == 1:
             return coefficient
         base = self.number(value)
         e = exact(e + collected.pop(base, ZERO))
         whole = e.numerator // e.denominator
-        factor = _rational_power(value, whole)
+        factor = rational_power(value, whole)
         if factor is not None and bits(factor) + bits(coefficient) <= BITS:
             coefficient, e = exact(coefficient * factor), exact(e - whole)
         if e:
@@ -295,40 +283,13 @@ class Table:
 
     def call(self, name, *args):
         """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
-        exact = _EXACT.get(name)
-        if exact is not None and args[0].op == "number" and args[0].coefficient == exact[0]:
-            return self.number(exact[1])
-        if name in _ODD and _is_negative(args[0]):
-            return -self.call(name, -args[0])
-        if name in _EVEN and _is_negative(args[0]):
-            return self.call(name, -args[0])
-        if name in ("sin", "cos") and (value := self._at_multiple_of_pi(name, args[0])) is not None:
+        value = folded(self, name, args)
+        if value is not None:
             return value
-        if name == "abs" and self.is_positive(args[0]):
-            return args[0]
         mask = 0
         for arg in args:
             mask |= arg.mask
         return self._make("call", tuple(args), ONE, mask, name)
-
-    def _at_multiple_of_pi(self, name, angle):
-        """sin or cos of a multiple of π/6 or π/4; None of other angles."""
-        if angle is not self.pi and not (angle.op == "product" and angle.args == ((self.pi, ONE),)):
-            return None
-        turns = angle.coefficient * HALF + (Fraction(1, 4) if name == "cos" else ZERO)
-        turns %= 1
-        sign = -ONE if turns > HALF else ONE
-        turns = min(turns % HALF, HALF - turns % HALF)
-        square = _SQUARED_SINES.get(turns)
-        return None if square is None else self.scaled(self.sqrt(self.number(square)), sign)
-
-
-_SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): HALF, Fraction(1, 6): Fraction(3, 4),
-                  Fraction(1, 4): ONE}
-_EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
-          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0)}
-_ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
-_EVEN = {"cos", "cosh", "abs"}
 
 
 _index = attrgetter("index")
@@ -336,44 +297,6 @@ _index = attrgetter("index")
 
 def _index_of_first(pair):
     return pair[0].index
-
-
-def _is_negative(node):
-    """Is -node the shorter way to write it? Only a matter of form."""
-    if node.op == "sum":
-        return all(c < 0 for _, c in node.args) and node.coefficient <= 0
-    return node.coefficient < 0
-
-
-def _rational_power(base, exponent):
-    """base^exponent where it is rational and within BITS, else None."""
-    if exponent == 1:
-        return base
-    if base == 1:
-        return ONE
-    if exponent.denominator == 1:
-        power = exponent.numerator
-        if not base and power <= 0:
-            raise ZeroDivisionError("division by zero")
-        return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
-    if exponent.denominator == 2 and base >= 0:
-        up, down = isqrt(base.numerator), isqrt(base.denominator)
-        if up * up == base.numerator and down * down == base.denominator:
-            return _rational_power(exact(Fraction(up, down)), exact(exponent * 2))
-    return None
-
-
-def _square_part(value):
-    """(r, n) with value = r²·n and n an integer without small square factors: √8 = 2√2, √(1/2) = √2/2."""
-    inside, outside = value.numerator * value.denominator, Fraction(1, value.denominator)
-    if value <= 0 or inside.bit_length() > BITS // 2:
-        return ONE, value
-    for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31):
-        while inside % prime**2 == 0:
-            inside //= prime**2
-            outside *= prime
-    root = isqrt(inside)
-    return (exact(outside * root), 1) if root * root == inside else (exact(outside), inside)
 
 
 def reachable(nodes):

@@ -3,8 +3,8 @@
 from fractions import Fraction
 
 from vibcli import units
-from vibcli.algebra.expression import HALF, ONE
 from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.rationals import HALF, ONE
 from vibcli.diagnostics import quoted
 
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units

@@ -9,7 +9,8 @@ from functools import reduce
 from math import gcd, isqrt
 
 from vibcli.algebra.calculus import substitute
-from vibcli.algebra.expression import HALF, ONE, ZERO, reachable
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.rationals import HALF, ONE, ZERO
 
 MOST = 300
 

@@ -7,8 +7,9 @@ polynomial. Every root is checked in numbers at sample values before it is shown
 from math import gcd
 
 from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, sympy_arithmetic
-from vibcli.algebra.expression import HALF, ONE, reachable
+from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
+from vibcli.algebra.rationals import HALF, ONE
 from vibcli.mechanics.lagrange import matrices_in_letters
 
 LARGEST, LONGEST, READABLE = 6, 400, 24

@@ -1,8 +1,8 @@
 """T, V and Φ of a scene as expressions, from the scalar functions of its elements."""
 
 from vibcli.algebra.calculus import gradient
-from vibcli.algebra.expression import HALF, ONE
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.rationals import HALF, ONE
 
 
 def rate(scene, s):

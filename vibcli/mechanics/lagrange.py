@@ -5,8 +5,8 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 """
 
 from vibcli.algebra.calculus import gradient
-from vibcli.algebra.expression import ONE
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 
 LETTERS = 16        # most coordinates for which equations are written in letters

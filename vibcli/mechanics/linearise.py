@@ -10,7 +10,7 @@ The second term of K is the geometric stiffness of preloads (Kovacić & Radomiro
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import evaluate, evaluate_rational
-from vibcli.algebra.expression import ONE
+from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.elements import OscillatorElements
 
 

@@ -1,8 +1,8 @@
 """Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
 
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import ONE
 from vibcli.algebra.normal import is_zero, textbook
+from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.lagrange import matrices_in_letters
 from vibcli.mechanics.preload import solve_linear
@@ -29,7 +29,8 @@ def equilibrium_in_letters(problem):
         return dict(zip(scene.coordinates, scene.drawn.values(), strict=True))
     if not problem.is_linear:
         raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
-                           "not found in letters", "draw it in equilibrium (`preload: static` helps), or give numbers with "
+                           "not found in letters",
+                           "draw it in equilibrium (`preload: static` helps), or give numbers with "
                            "--set")
     _, _, _, K = matrices_in_letters(problem.form)
     n, zero = len(scene.q), scene.table.zero

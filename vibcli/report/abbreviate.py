@@ -1,6 +1,6 @@
 """Long lengths under a root get a symbol of their own, ℓ₁ = √(…), so that equations stay readable."""
 
-from vibcli.algebra.expression import HALF, ONE
+from vibcli.algebra.rationals import HALF, ONE
 
 SHORT = 2           # roots of fewer terms are left in place
 

@@ -2,7 +2,7 @@
 
 import re
 
-from vibcli.algebra.expression import ONE
+from vibcli.algebra.rationals import ONE
 from vibcli.report.notation import Plain, enclosed
 
 

@@ -1,6 +1,6 @@
 """Expressions as LaTeX, for math mode."""
 
-from vibcli.algebra.expression import ONE
+from vibcli.algebra.rationals import ONE
 from vibcli.report.notation import GREEK, Notation, decimal, shown_as_decimal, split_name
 
 

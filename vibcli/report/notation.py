@@ -3,7 +3,7 @@
 import re
 from fractions import Fraction
 
-from vibcli.algebra.expression import HALF, ONE
+from vibcli.algebra.rationals import HALF, ONE
 
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
           "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",

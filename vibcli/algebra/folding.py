@@ -1,0 +1,45 @@
+"""Values of functions that are exact: sin 0, cos(π/6), |a| of a positive a; and f(−u) by parity."""
+
+from fractions import Fraction
+
+from vibcli.algebra.rationals import HALF, ONE, ZERO
+
+_EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
+          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0)}
+_ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
+_EVEN = {"cos", "cosh", "abs"}
+_SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): HALF, Fraction(1, 6): Fraction(3, 4),
+                  Fraction(1, 4): ONE}
+
+
+def folded(table, name, args):
+    """The simpler node that name(args) equals exactly, or None."""
+    value = _EXACT.get(name)
+    if value is not None and args[0].op == "number" and args[0].coefficient == value[0]:
+        return table.number(value[1])
+    if name in _ODD and _is_negative(args[0]):
+        return -table.call(name, -args[0])
+    if name in _EVEN and _is_negative(args[0]):
+        return table.call(name, -args[0])
+    if name in ("sin", "cos"):
+        return _at_multiple_of_pi(table, name, args[0])
+    return args[0] if name == "abs" and table.is_positive(args[0]) else None
+
+
+def _at_multiple_of_pi(table, name, angle):
+    """sin or cos of a multiple of π/6 or π/4; None of other angles."""
+    if angle is not table.pi and not (angle.op == "product" and angle.args == ((table.pi, ONE),)):
+        return None
+    turns = angle.coefficient * HALF + (Fraction(1, 4) if name == "cos" else ZERO)
+    turns %= 1
+    sign = -ONE if turns > HALF else ONE
+    turns = min(turns % HALF, HALF - turns % HALF)
+    square = _SQUARED_SINES.get(turns)
+    return None if square is None else table.scaled(table.sqrt(table.number(square)), sign)
+
+
+def _is_negative(node):
+    """Is -node the shorter way to write it? Only a matter of form."""
+    if node.op == "sum":
+        return all(c < 0 for _, c in node.args) and node.coefficient <= 0
+    return node.coefficient < 0

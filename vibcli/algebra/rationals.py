@@ -1,0 +1,49 @@
+"""Exact rational coefficients, kept short: ints where they are whole, else Fractions, folded only within BITS."""
+
+from fractions import Fraction
+from math import isqrt
+
+BITS = 256
+ZERO, ONE, HALF = 0, 1, Fraction(1, 2)
+
+
+def exact(value):
+    """A rational as an int where it is whole (an order of magnitude faster than a Fraction), else as a Fraction."""
+    if value.__class__ is not Fraction:
+        value = Fraction(value)
+    return value.numerator if value.denominator == 1 else value
+
+
+def bits(value):
+    return value.numerator.bit_length() + value.denominator.bit_length()
+
+
+def rational_power(base, exponent):
+    """base^exponent where it is rational and within BITS, else None."""
+    if exponent == 1:
+        return base
+    if base == 1:
+        return ONE
+    if exponent.denominator == 1:
+        power = exponent.numerator
+        if not base and power <= 0:
+            raise ZeroDivisionError("division by zero")
+        return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
+    if exponent.denominator == 2 and base >= 0:
+        up, down = isqrt(base.numerator), isqrt(base.denominator)
+        if up * up == base.numerator and down * down == base.denominator:
+            return rational_power(exact(Fraction(up, down)), exact(exponent * 2))
+    return None
+
+
+def square_part(value):
+    """(r, n) with value = r²·n and n an integer without small square factors: √8 = 2√2, √(1/2) = √2/2."""
+    inside, outside = value.numerator * value.denominator, Fraction(1, value.denominator)
+    if value <= 0 or inside.bit_length() > BITS // 2:
+        return ONE, value
+    for prime in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31):
+        while inside % prime**2 == 0:
+            inside //= prime**2
+            outside *= prime
+    root = isqrt(inside)
+    return (exact(outside * root), 1) if root * root == inside else (exact(outside), inside)
