@@ -95,11 +95,7 @@ class Reduced:
             return known(root, bits, wanted, self.deep, top - 2 * self.coupled + 60)
 
         found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
-        if self.zeros is not None:
-            marked = vanishing(found, self.zeros)
-        else:
-            marked = [(root, _vanishes(root, bits, top)) for root in found]
-            marked = [pair for pair in marked for _ in range(2 if pair[1] and pair[0].im else 1)]
+        marked = vanishing(found, self.zeros, bits, top)
         moving = [self._full(root, h) for root, zero in marked if not zero]
         return self._still(len(marked) - len(moving)) + moving
 
@@ -130,12 +126,6 @@ class Reduced:
         pushed = (root.left[2 * h:] - root.left[:h] @ drag) @ release
         left = np.concatenate([root.left[:h], pushed]) * size
         return Eigenvalue(root.re, root.im, root.radius, x / size, left)
-
-
-def _vanishes(root, bits, top):
-    """Whether nothing but the working precision keeps an eigenvalue from zero."""
-    size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
-    return size <= max(root.radius + 1, top - 0.4 * bits) and root.radius <= top - max(60, bits / 12)
 
 
 def _loose(c, bits):

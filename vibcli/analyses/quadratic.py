@@ -123,10 +123,10 @@ class ModalDamping:
             return known(root, bits, wanted, self.deep, top - self.coupled + 50)
 
         found = eigenvalues(system.apply, system.matrix, bits, enough, top + 4 - self.coupled)
-        still = 0 if self.decided else system.still()
+        marked = vanishing(found, 0 if self.decided else None, bits, top)
         zero = [self._unit(i) for i in part if not self.values[i]]
         rigid = [Eigenvalue(0, 0, -math.inf, x, x) for x in zero]
-        return rigid + [self._full(part, system, root, zero) for root, zero in vanishing(found, still)]
+        return rigid + [self._full(part, system, root, zero) for root, zero in marked]
 
     def _full(self, part, system, root, zero):
         """An Eigenvalue of all modes from one of the first-order form; `zero`: it vanishes by structure."""
@@ -177,14 +177,6 @@ class Coupled:
         q[self.elastic] = u / fx.floats(self.omega, self.bits)
         return q
 
-    def still(self):
-        """How many eigenvalues vanish: the rank that the damping of the rigid modes lacks."""
-        k, rigid = len(self.c), self.rigid
-        if not len(rigid):
-            return 0
-        sigma = np.linalg.svd(self.matrix[np.ix_(rigid, rigid)], compute_uv=False)
-        return int((sigma <= 1e-13 * np.abs(self.matrix[:k, :k]).max()).sum())
-
 
 def known(root, bits, wanted, deep, floor):
     """Whether Re λ is known to `wanted` bits, or λ to `deep` bits, or both are below 2^floor."""
@@ -193,16 +185,21 @@ def known(root, bits, wanted, deep, floor):
     return radius <= max(fx.log2(root.re, bits) - wanted, size - deep) or max(size, radius) <= floor
 
 
-def vanishing(found, zeros):
-    """(root, whether it vanishes by structure), `zeros` of them; of such a conjugate pair each."""
+def vanishing(found, zeros, bits, top):
+    """(root, whether it is zero), twice for a zero found as a conjugate pair.
+
+    zeros: how many vanish by structure; where that is None, those which nothing but the working precision keeps
+    from zero, 2^top being the size of the matrix.
+    """
     out = []
     for root in sorted(found, key=lambda root: root.re * root.re + root.im * root.im):
-        if zeros:
-            times = 2 if root.im else 1
-            out += [(root, True)] * times
-            zeros = max(0, zeros - times)
+        if zeros is None:
+            size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
+            zero = size <= max(root.radius + 1, top - 0.4 * bits) and root.radius <= top - max(60, bits / 12)
         else:
-            out.append((root, False))
+            zero = zeros > 0
+            zeros -= 2 if root.im else 1
+        out += [(root, zero)] * (2 if zero and root.im else 1)
     return out
 
 

@@ -62,7 +62,7 @@ def _check_file(file):
     try:
         problem = load(file)
         if not problem.spec.answers and not any(spec.answers for spec in problem.spec.cases.values()):
-            return 0, []
+            return 0 if problem.scene else 3, []
         from vibcli.check import check
 
         verdicts = check(problem)
