@@ -47,6 +47,10 @@ class Problem:
     def case(self, name):
         return Problem(self.spec.cases[name], self.given)
 
+    def draw(self):
+        """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
+        return [self.scene, *(self.case(name).scene for name in self.spec.cases)]
+
     def dimension(self, coordinate):
         """The dimension of a coordinate; a length where nothing settles it."""
         from vibcli.units import LENGTH

@@ -56,16 +56,20 @@ def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
         if (worst <= -goal and rough <= -goal / 2) or stalled:
             break
         previous = worst
-        q = q.dot(step(h, gram, alpha, gaps, off.clusters(), bits)) >> bits
+        q = q.dot(step(h, gram, alpha, gaps, off, bits)) >> bits
     if rough > -2 * goal:
-        q = q.dot(_first_order(h, gram, gaps, off.clusters(), bits)) >> bits
+        q = q.dot(_first_order(h, gram, gaps, off, off.clusters(), bits)) >> bits
     return Spectrum(alpha, radius, off.shift, q, bits)
 
 
 class Offset:
-    """diag(α) + 2^-shift E in floats: how far α is from the eigenvalues."""
+    """diag(α) + 2^-shift E in floats: how far α is from the eigenvalues.
 
-    __slots__ = ("alpha", "e", "gap", "known", "scaled", "shift", "skew", "zero")
+    zero: flags of those known to vanish; still: of those that may as far as E tells, whose vectors are only kept
+    orthonormal.
+    """
+
+    __slots__ = ("alpha", "e", "gap", "known", "scaled", "shift", "skew", "still", "zero")
 
     def __init__(self, h, excess, alpha, gap, zeros, slack, bits):
         top = max(abs(x) for x in h.ravel().tolist()).bit_length()
@@ -77,6 +81,7 @@ class Offset:
         self.alpha, self.gap = floats(alpha, bits), np.abs(floats(gap, bits))
         self.zero, self.known = np.zeros(len(alpha), bool), zeros is not None
         self.zero[np.argsort(np.abs(self.alpha), kind="stable")[:zeros or 0]] = True
+        self.still = self.zero | (np.abs(self.alpha) <= math.ldexp(8 * self.e.max(), -self.shift))
         size = np.maximum(np.abs(self.alpha), max(math.ldexp(self.e.max(), -self.shift), LEAST))
         judged = size[~self.zero]
         root = np.sqrt(np.where(self.zero, judged.min() if len(judged) else 1.0, size))
@@ -90,6 +95,7 @@ class Offset:
         close = np.ldexp(self.scaled + self.scaled.T, -self.shift) > 0.05 * self.gap
         close |= np.ldexp(self.e + self.e.T, -self.shift) > SMALL * self.gap
         close |= self.gap == 0
+        close &= ~(self.still[:, None] & self.still[None, :])
         np.fill_diagonal(close, False)
         return components(close)
 
@@ -132,7 +138,7 @@ class Offset:
         with np.errstate(divide="ignore", invalid="ignore"):
             tilt = self.e / self.gap
         apart = np.ldexp(self.scaled + self.scaled.T, -self.shift) <= 0.05 * self.gap
-        apart &= ~(self.zero[:, None] & self.zero[None, :]) & (self.gap > 0)
+        apart &= ~(self.still[:, None] & self.still[None, :]) & (self.gap > 0)
         return max(float(self.skew), math.log2(tilt[apart].max(initial=LEAST)) - self.shift)
 
     def _union(self, disc):
@@ -167,10 +173,10 @@ def components(close):
     return out
 
 
-def _first_order(h, gram, gaps, clusters, bits):
+def _first_order(h, gram, gaps, off, clusters, bits):
     """I + X, X = E/(αⱼ − αᵢ) between separated eigenvalues, orthonormalising within clusters."""
     n, one = len(gram), 1 << bits
-    together = np.eye(n, dtype=bool)
+    together = np.eye(n, dtype=bool) | (off.still[:, None] & off.still[None, :])
     for part in clusters:
         together[np.ix_(part, part)] = True
     safe = np.where(together, one, -gaps)
@@ -179,9 +185,10 @@ def _first_order(h, gram, gaps, clusters, bits):
     return x
 
 
-def step(h, gram, alpha, gaps, clusters, bits):
+def step(h, gram, alpha, gaps, off, bits):
     """The matrix that takes Q to better eigenvectors."""
-    x = _first_order(h, gram, gaps, clusters, bits)
+    clusters = off.clusters()
+    x = _first_order(h, gram, gaps, off, clusters, bits)
     for part in clusters:
         at = np.ix_(part, part)
         block = (h[at] + h[at].T) >> 1

@@ -61,8 +61,9 @@ def _check_file(file):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
     try:
         problem = load(file)
-        if not problem.spec.answers and not any(spec.answers for spec in problem.spec.cases.values()):
-            return 0 if problem.scene else 3, []
+        if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
+            problem.draw()
+            return 0, []
         from vibcli.check import check
 
         verdicts = check(problem)
