@@ -187,6 +187,8 @@ def inverted(a, names, bits):
 
 def growth_bits(inverse, bits):
     """log2 of (1 + n² max|inverse|)⁴, by which rounding may grow in a product with the inverse on both sides."""
+    if not len(inverse):
+        return 4.0
     largest = max(abs(x) for x in inverse.ravel().tolist())
     return 4.0 * max(1.0, 1 + largest.bit_length() - bits + 2 * math.log2(len(inverse)))
 

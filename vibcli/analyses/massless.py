@@ -50,6 +50,7 @@ class Reduced:
         z = range(len(heavy), len(order))
         basis[np.ix_(moved, z)] = turn
         kept = [j for j in range(len(order)) if j - len(heavy) not in loose]
+        _check_undamped(fx.product(basis.T, fx.product(c, basis, bits), bits), kept, bits)
         basis, k = self._condense(basis, k, kept, still, bits)
         c = fx.product(basis.T, fx.product(c, basis, bits), bits)
         self._scale(basis, m, c, k, heavy)
@@ -126,6 +127,15 @@ class Reduced:
         pushed = (root.left[2 * h:] - root.left[:h] @ drag) @ release
         left = np.concatenate([root.left[:h], pushed]) * size
         return Eigenvalue(root.re, root.im, root.radius, x / size, left)
+
+
+def _check_undamped(c, kept, bits):
+    """Directions without inertia and damper may only follow: velocities must not drive them, nor they anything."""
+    gone = [j for j in range(len(c)) if j not in kept]
+    coupling = [abs(x) for j in gone for x in (*c[j].tolist(), *c[:, j].tolist())]
+    if coupling and max(coupling) > max(abs(x) for x in c.ravel().tolist()) >> (bits // 3):
+        raise PhysicsError("a coordinate without inertia is driven by velocities, and no damper of its own resists it",
+                           hint="give it an inertia, or a damper")
 
 
 def _loose(c, bits):

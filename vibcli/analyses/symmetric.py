@@ -65,8 +65,8 @@ def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
 class Offset:
     """diag(α) + 2^-shift E in floats: how far α is from the eigenvalues.
 
-    zero: flags of those known to vanish; still: of those that may as far as E tells, whose vectors are only kept
-    orthonormal.
+    zero: flags of those known to vanish; still: also of those that may for all that the working precision tells,
+    whose vectors are only kept orthonormal.
     """
 
     __slots__ = ("alpha", "e", "gap", "known", "scaled", "shift", "skew", "still", "zero")
@@ -81,7 +81,8 @@ class Offset:
         self.alpha, self.gap = floats(alpha, bits), np.abs(floats(gap, bits))
         self.zero, self.known = np.zeros(len(alpha), bool), zeros is not None
         self.zero[np.argsort(np.abs(self.alpha), kind="stable")[:zeros or 0]] = True
-        self.still = self.zero | (np.abs(self.alpha) <= math.ldexp(8 * self.e.max(), -self.shift))
+        noise = 0.0 if self.known else 2.0 ** (slack + 10 - bits)
+        self.still = self.zero | (np.abs(self.alpha) <= noise)
         size = np.maximum(np.abs(self.alpha), max(math.ldexp(self.e.max(), -self.shift), LEAST))
         judged = size[~self.zero]
         root = np.sqrt(np.where(self.zero, judged.min() if len(judged) else 1.0, size))
