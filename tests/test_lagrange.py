@@ -11,7 +11,7 @@ from scenes import problem
 
 from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.lagrange import equation_of, full_equations, matrices_in_numbers
+from vibcli.mechanics.lagrange import equation_of, full_equations
 from vibcli.mechanics.linearise import in_numbers
 
 DIGITS, STATES = 40, 6
@@ -168,21 +168,21 @@ def magnitudes(elements, n):
 def test_matrices_in_floats(mechanism):
     elements, n = mechanism.problem.elements, len(mechanism.names)
     sizes = magnitudes(elements, n)
-    ours = flat(matrices_in_numbers(elements), n)
+    ours = flat(elements.matrices(), n)
     for found, exact, size in zip(ours, at_equilibrium(mechanism), sizes, strict=True):
         assert all(abs(x - y) <= 1e-14 * s + 1e-300 for x, y, s in zip(found, exact, size, strict=True))
 
 
 def test_matrices_in_many_digits(mechanism):
     elements, n = mechanism.problem.precise_elements(DIGITS), len(mechanism.names)
-    for found, exact in zip(flat(matrices_in_numbers(elements), n), at_equilibrium(mechanism), strict=True):
+    for found, exact in zip(flat(elements.matrices(), n), at_equilibrium(mechanism), strict=True):
         assert agree(found, exact, mpmath.mpf(10) ** -34) if any(exact) else not any(found)
 
 
 def test_floats_are_the_rounded_many_digits(mechanism):
     n = len(mechanism.names)
     sizes = magnitudes(mechanism.problem.elements, n)
-    rounded, exact = (flat(matrices_in_numbers(e), n) for e in
+    rounded, exact = (flat(e.matrices(), n) for e in
                       (mechanism.problem.elements, mechanism.problem.precise_elements(DIGITS)))
     for found, theirs, size in zip(rounded, exact, sizes, strict=True):
         assert all(abs(x - y) <= 1e-14 * s for x, y, s in zip(found, theirs, size, strict=True))

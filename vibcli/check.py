@@ -145,9 +145,7 @@ def _small(problem, answer):
     tree = answer.asked.tree
     head = tree[4] if tree[0] == "quantity" else None
     if head in ("M", "C", "K"):
-        from vibcli.mechanics.lagrange import matrices_in_numbers
-
-        matrices = dict(zip("MCGK", matrices_in_numbers(problem.elements), strict=True))
+        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":
         return 1e-12 * _reach(problem, coordinate_name(problem.spec, tree[5][0]))
@@ -262,9 +260,7 @@ def _compare_equation(problem, answer, head):
 
 def _small_oscillation(problem, i, states):
     """The left side of the linear equation of coordinate i at all states."""
-    from vibcli.mechanics.lagrange import matrices_in_numbers
-
-    M, C, G, K = matrices_in_numbers(problem.elements)
+    M, C, G, K = problem.elements.matrices()
     total = 0.0
     for j, name in enumerate(problem.scene.coordinates):
         total = total + (M.get((i, j), 0.0) * states[name + "''"] + K.get((i, j), 0.0) * states[name]

@@ -105,9 +105,7 @@ def _stable(problem, indices, attribute):
 
 def _matrix(which):
     def value(problem, indices, attribute):
-        from vibcli.mechanics.lagrange import matrices_in_numbers
-
-        M, C, _, K = matrices_in_numbers(problem.elements)
+        M, C, _, K = problem.elements.matrices()
         i, j = (problem.scene.coordinates.index(coordinate_name(problem.spec, index)) for index in indices)
         return float({"M": M, "C": C, "K": K}[which].get((i, j), 0.0)), ROUNDING
     return value

@@ -107,7 +107,8 @@ def _finite(x):
 
 def unmoved(i):
     """The refusal of a coordinate, or a combination led by it, which no inertia moves."""
-    error = PhysicsError(f"no positive inertia moves with coordinate {i + 1}", hint="give what it moves a mass or inertia")
+    error = PhysicsError(f"no positive inertia moves with coordinate {i + 1}",
+                         hint="give what it moves a mass or inertia")
     error.coordinate = i
     return error
 

@@ -28,3 +28,21 @@ class OscillatorElements:
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
         self.K_size = K_size or {}
         self.rational_rows, self.massless = rational_rows, tuple(massless)
+
+    def matrices(self):
+        """M, C, G, K assembled, each {(i, j): number}: for printing and for what needs no last digit."""
+        return [_assembled(rows, extra) for rows, extra in (
+            (self.inertias, self.M), (self.dampers, self.C), ((), self.G), (self.springs, self.K))]
+
+    def stiffness(self):
+        """K assembled, {(i, j): number}."""
+        return _assembled(self.springs, self.K)
+
+
+def _assembled(terms, extra):
+    matrix = dict(extra)
+    for weight, row in terms:
+        for i, x in row.items():
+            for j, y in row.items():
+                matrix[i, j] = matrix.get((i, j), 0) + weight * x * y
+    return matrix

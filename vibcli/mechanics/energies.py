@@ -22,20 +22,19 @@ def potential(scene):
 
 def kinetic(scene):
     """T = ½ Σ w ṡ² + what is written out."""
-    terms = []
-    for term in scene.inertias:
-        speed = rate(scene, term.s)
-        terms.append((term.weight * speed * speed, HALF))
-    return scene.table.sum(*terms, *_quadratic(scene, "M", scene.v), (scene.energies["T"], ONE))
+    return scene.table.sum(*_squared_rates(scene, scene.inertias), *_quadratic(scene, "M", scene.v),
+                           (scene.energies["T"], ONE))
 
 
 def dissipation(scene):
     """Φ = ½ Σ c ṡ² + what is written out."""
-    terms = []
-    for term in scene.dampers:
-        speed = rate(scene, term.s)
-        terms.append((term.weight * speed * speed, HALF))
-    return scene.table.sum(*terms, *_quadratic(scene, "C", scene.v), (scene.energies["Phi"], ONE))
+    return scene.table.sum(*_squared_rates(scene, scene.dampers), *_quadratic(scene, "C", scene.v),
+                           (scene.energies["Phi"], ONE))
+
+
+def _squared_rates(scene, terms):
+    """½ weight ṡ² of each term, as terms of a sum."""
+    return [(term.weight * rate(scene, term.s) ** 2, HALF) for term in terms]
 
 
 def _quadratic(scene, key, symbols):

@@ -116,12 +116,8 @@ class _Search:
     def stiffness(self, numbers):
         n = len(self.names)
         K = self.np.zeros((n, n))
-        for k, row in numbers.elements.springs:
-            for i, x in row.items():
-                for j, y in row.items():
-                    K[i, j] += k * x * y
-        for (i, j), value in numbers.elements.K.items():
-            K[i, j] += value
+        for pair, value in numbers.elements.stiffness().items():
+            K[pair] = value
         return K
 
     def step(self, q, numbers, radius):

@@ -6,7 +6,7 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.normal import textbook
-from vibcli.algebra.rationals import ONE
+from vibcli.algebra.rationals import HALF, ONE
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 
 LETTERS = 16        # most coordinates for which equations are written in letters
@@ -26,7 +26,16 @@ def equation_of(scene, i, T=None, V=None, Phi=None):
     speed = dict(zip(scene.q, scene.v, strict=True)) | dict(zip(scene.v, scene.a, strict=True))
     momentum = gradient(gradient(T).get(v, zero))
     rate = scene.table.sum(*((slope * speed[x], ONE) for x, slope in momentum.items() if x in speed))
-    return rate - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
+    left = rate - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
+    return left + _gyroscopic(scene, i)
+
+
+def _gyroscopic(scene, i):
+    """Σ Gᵢⱼ q̇ⱼ of the skew part of a C that is given outright, which no dissipation function has."""
+    if "C" not in scene.matrices:
+        return scene.table.zero
+    C = scene.matrices["C"]
+    return scene.table.sum(*(((C[i][j] - C[j][i]) * v, HALF) for j, v in enumerate(scene.v)))
 
 
 def full_equations(scene):
@@ -45,7 +54,7 @@ def equations(problem):
         found.M, found.C, found.G, found.K = matrices_in_letters(problem.letters_form)
         found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
     else:
-        found.M, found.C, found.G, found.K = matrices_in_numbers(problem.elements)
+        found.M, found.C, found.G, found.K = problem.elements.matrices()
         found.linear = []
     return found
 
@@ -75,20 +84,6 @@ def _assembled(table, terms, parts):
 def _simplified(found, table):
     entries = {pair: textbook(table.sum(*((node, ONE) for node in nodes))) for pair, nodes in found.items()}
     return {pair: node for pair, node in entries.items() if not node.is_zero}
-
-
-def matrices_in_numbers(elements):
-    """M, C, G, K of the element data as {(i, j): number}."""
-    found = []
-    for rows, extra in ((elements.inertias, elements.M), (elements.dampers, elements.C), ((), elements.G),
-                        (elements.springs, elements.K)):
-        matrix = dict(extra)
-        for weight, row in rows:
-            for i, x in row.items():
-                for j, y in row.items():
-                    matrix[i, j] = matrix.get((i, j), 0) + weight * x * y
-        found.append(matrix)
-    return found
 
 
 def _left_side(scene, found, i):

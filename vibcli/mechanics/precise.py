@@ -39,17 +39,11 @@ def equilibrium_to(problem, values, arithmetic):
 def _newton_step(numbers, mpmath):
     """−K⁻¹ r; coordinates that nothing holds stay where they are."""
     n = numbers.elements.n
-    K = mpmath.matrix(n, n)
-    for k, row in numbers.elements.springs:
-        for i, x in row.items():
-            for j, y in row.items():
-                K[i, j] += k * x * y
-    for (i, j), value in numbers.elements.K.items():
-        K[i, j] += value
-    held = [i for i in range(n) if any(K[i, j] for j in range(n))]
+    K = numbers.elements.stiffness()
+    held = [i for i in range(n) if any(K.get((i, j)) for j in range(n))]
     step = [mpmath.mpf(0)] * n
     if held:
-        block = mpmath.matrix([[K[i, j] for j in held] for i in held])
+        block = mpmath.matrix([[K.get((i, j), 0) for j in held] for i in held])
         try:
             found = mpmath.lu_solve(block, mpmath.matrix([-numbers.residual[i] for i in held]))
         except ZeroDivisionError:

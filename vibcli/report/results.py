@@ -58,9 +58,7 @@ def matrices_data(problem):
         equations = problem.equations
         matrices = {key: getattr(equations, key) for key in "MCGK"}
     else:
-        from vibcli.mechanics.lagrange import matrices_in_numbers
-
-        matrices = dict(zip("MCGK", matrices_in_numbers(problem.elements), strict=True))
+        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
     zero = "0" if symbolic else 0.0
     return {key: [[_entry(matrix.get((i, j), zero), symbolic) for j in range(n)] for i in range(n)] if matrix else None
             for key, matrix in matrices.items()}

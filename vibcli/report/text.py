@@ -143,10 +143,10 @@ class Report:
             self.section(f"Small oscillations about the equilibrium{where}", lines)
 
     def _numeric_equations(self, equations):
-        from vibcli.mechanics.lagrange import Equations, matrices_in_numbers
+        from vibcli.mechanics.lagrange import Equations
 
         found = Equations()
-        found.M, found.C, found.G, found.K = matrices_in_numbers(self.problem.elements)
+        found.M, found.C, found.G, found.K = self.problem.elements.matrices()
         lines = []
         for i, name in enumerate(self.problem.scene.coordinates):
             row = numeric_row(self.problem, found, i)
