@@ -132,7 +132,7 @@ def test_mass_matrix_anywhere(mechanism):
     n = len(mechanism.names)
     for state in states(mechanism):
         values = mechanism.problem.floats | dict(zip(mechanism.names, state[0], strict=True))
-        M = matrices_in_numbers(in_numbers(mechanism.problem.form, Floats, values).elements)[0]
+        M = in_numbers(mechanism.problem.form, Floats, values).elements.matrices()[0]
         exact = mechanism.at(mechanism.M, state)
         assert agree([M.get((i, j), 0.0) for i in range(n) for j in range(n)], exact, 1e-14)
 
