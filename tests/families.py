@@ -146,6 +146,35 @@ def rotor(random, n, ratio, size=1.0):
     return OscillatorElements(n, base.inertias, base.springs, dampers, G=turning.G, K=base.K)
 
 
+def anything(random, n, ratio, size=1.0):
+    """Springs, dampers and matrices of any sign and of strengths up to `ratio` apart, on any coordinates."""
+    def weight():
+        return random.choice((1.0, 1.0, 2.0, random.uniform(0.1, 5), ratio ** random.uniform(-1, 1)))
+
+    def row(largest=3):
+        return {i: random.choice((1.0, -1.0, 0.5, random.uniform(-1, 1)))
+                for i in random.sample(range(n), random.randrange(1, min(n, largest) + 1))}
+
+    def several(most, negative=0.1):
+        return [(weight() * (-1 if random.random() < negative else 1), row()) for _ in range(random.randrange(most))]
+
+    inertias = [(weight(), {i: 1.0}) for i in range(n)]
+    if random.random() < 0.3:
+        inertias.append((weight(), row()))
+    c, g, k = {}, {}, {}
+    for i in range(n):
+        if random.random() < 0.1:
+            c[i, i] = weight() * size
+        for j in range(i):
+            if random.random() < 0.15:
+                k[i, j] = k[j, i] = random.choice((-1, 1)) * weight()
+            if random.random() < 0.15:
+                g[i, j] = weight()
+                g[j, i] = -g[i, j]
+    dampers = [(w * size, r) for w, r in several(n + 2)]
+    return OscillatorElements(n, inertias, several(2 * n), dampers, C=c, G=g, K=k)
+
+
 def dense(terms, matrix, n):
     """Σ w s sᵀ + matrix in mpmath."""
     out = mpmath.zeros(n, n)

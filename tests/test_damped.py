@@ -87,6 +87,24 @@ def test_every_eigenvalue_to_the_last_digit_within_its_bound(family):
     assert statistics.median(ratios) <= 1e4
 
 
+def test_anything_at_all():
+    """Indefinite, gyroscopic, free and barely damped systems with every strength from 1e-20 to 1e20."""
+    swept = 0
+    for seed in range(120):
+        rng = random.Random(seed)
+        elements = families.anything(rng, rng.randrange(1, 5), 1e20)
+        modes = damped(elements)
+        if modes is not None:
+            with mpmath.workdps(150):
+                pairs, left = matched(elements, modes)
+                top = max(abs(x) for _, x, _ in pairs)
+                assert all(abs(x) <= top * mpmath.mpf(10) ** -40 for x in left)
+                assert all(close(value, exact, mode, top) for value, exact, mode in pairs)
+                assert max(mode.error for mode in modes) <= 1e-13
+            swept += len(pairs)
+    assert swept >= 300
+
+
 @pytest.mark.parametrize("family", FAMILIES)
 def test_shapes_satisfy_the_equations(family):
     for elements in sampled(family, 12, 6):

@@ -9,12 +9,13 @@ import random
 import re
 from functools import cache
 from importlib.util import module_from_spec, spec_from_file_location
+from itertools import islice
 from pathlib import Path
 
 import pytest
 from scenes import number, problem_of
 
-from vibcli.check import drawn_values
+from vibcli.draws import Draws
 
 HERE = Path(__file__).parent
 PROBLEMS = sorted((HERE.parent / "problems").rglob("*.yaml"))
@@ -52,7 +53,8 @@ def keys_of(problem):
 
 def draws(problem):
     """The problem with numbers: itself, or with several sets of random positive values for its symbols."""
-    return [problem.with_values(given) for given in drawn_values(problem)] if problem.symbolic else [problem]
+    draws = Draws(problem)
+    return list(islice(draws, draws.wanted))
 
 
 def tolerance(text):

@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.analyses import modal
+from vibcli.analyses import factored, modal
 from vibcli.analyses.digits import estimate_seconds
 from vibcli.analyses.factored import jacobi, pivoted_qr
 from vibcli.analyses.modal import undamped
@@ -41,7 +41,7 @@ def compared(elements, modes):
     assert len(exact) == len(modes)
     top = max(abs(x) for x in exact)
     for mode, x in zip(modes, exact, strict=True):
-        zero = abs(x) <= top * mpmath.mpf(10) ** -60
+        zero = abs(x) <= top * mpmath.mpf(10) ** (30 - mpmath.mp.dps)
         yield mode, mpmath.mpf(0) if zero else mpmath.sqrt(abs(x)), 0 if zero else mpmath.sign(x)
 
 
@@ -65,6 +65,17 @@ def test_every_frequency_to_the_last_digit_within_its_bound(family):
                 ratios.append(mode.error / float(abs(rate(mode) - exact) / exact))
     assert swept >= 60
     assert statistics.median(ratios) <= 1e4
+
+
+def test_anything_at_all():
+    """Indefinite and free systems with every strength from 1e-20 to 1e20."""
+    for seed in range(120):
+        rng = random.Random(seed)
+        elements = families.anything(rng, rng.randrange(1, 6), 1e20)
+        with mpmath.workdps(150):
+            for mode, exact, sign in compared(elements, undamped(elements)):
+                assert mode.rigid == (sign == 0) and (mode.omega is None) == (sign < 0)
+                assert sign == 0 or abs(rate(mode) - exact) <= mode.error * exact <= 1e-15 * exact
 
 
 @pytest.mark.parametrize("family", families.ONE_AXIS)
@@ -323,3 +334,19 @@ def test_small_systems_import_neither_scipy_nor_mpmath():
             "undamped(e); damped(e)\n"
             "assert not {'scipy', 'mpmath', 'sympy', 'dataclasses'} & set(sys.modules), 'too much imported'")
     subprocess.run([sys.executable, "-c", code], check=True, env=os.environ)
+
+
+def test_large_stiff_systems_keep_their_soft_modes_by_lapack(monkeypatch):
+    elements = families.chain(random.Random(8), 44, 1e18)
+    exact = undamped_enclosed(elements, monkeypatch)
+    monkeypatch.setattr(modal, "CERTIFIABLE", 0)
+    for columns in (factored.JACOBI_UP_TO, 10):
+        monkeypatch.setattr(factored, "JACOBI_UP_TO", columns)
+        for mode, other in zip(undamped(elements), exact, strict=True):
+            assert abs(mode.omega - other.omega) <= mode.error * other.omega <= 1e-12 * other.omega
+
+
+def undamped_enclosed(elements, monkeypatch):
+    with monkeypatch.context() as patch:
+        patch.setattr(modal, "CERTIFIED", 100)
+        return undamped(elements)

@@ -25,7 +25,7 @@ def asked_dimension(spec, tree):
 def coordinate_name(spec, index):
     """A coordinate by its name or its number from 1; None where there is none."""
     names = list(spec.coordinates)
-    if index.isdigit():
+    if index.isdecimal() and index.isascii():
         return names[int(index) - 1] if 1 <= int(index) <= len(names) else None
     return index if index in spec.coordinates else None
 
@@ -106,7 +106,7 @@ def _quantity(spec, reader, expression, tree):
         return False
     bodies = spec.get("bodies") or {}
     lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].keys)]
-    if lumped and (head == "centre" or len(indices) == 2):
+    if lumped and (head == "centre" or (head == "J" and len(indices) == 2)):
         reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
         return False
     return True
@@ -116,7 +116,7 @@ def _index(spec, reader, place, head, kind, index):
     n = len(spec.coordinates)
     bodies, points = spec.get("bodies") or {}, spec.get("points") or {}
     if kind == "mode":
-        good, valid = index.isdigit() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
+        good, valid = index.isdecimal() and index.isascii() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
     elif kind == "body":
@@ -140,7 +140,10 @@ def _cycles(spec, reader, head, expected):
     if angular and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
-    literal = whole_literal(expected.tree)
+    tree = expected.tree
+    if tree[0] == "name" and "value" in spec.parameters.get(tree[3], ()):
+        tree = spec.parameters[tree[3]]["value"].tree
+    literal = whole_literal(tree)
     if head == "frequency" and literal and any(unit in ("rad", "rpm") for unit, _, _, _ in literal[4]):
         reader.report(expected.where, "expected a frequency (Hz) for 'frequency', found an angular frequency",
                       "divide by 2*pi, or ask for omega[i]")

@@ -5,72 +5,69 @@ bound; equations of motion up to a non-zero factor, V up to a constant, at rando
 checked at several sets of random values of its symbols.
 """
 
-import random
 import re
-from fractions import Fraction
 from math import isfinite
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower, quantities_in, whole_literal
 from vibcli.algebra.parse import ExpressionError
 from vibcli.asking import coordinate_name
+from vibcli.draws import Draws, at_states, reach, states
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.measured import measure
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 
 EXACT, WIDEST, ROUNDING = 1e-9, 0.005, 1e-13
-DRAWS, STATES, NEAR, SEPARATE = 3, 5, 1e-4, 12
 
 
 class Verdict:
     """One answer compared: expected and found (numbers or None), whether they agree, and a remark."""
 
-    __slots__ = ("agrees", "answer", "case", "expected", "found", "refusal", "remark", "tolerance")
+    __slots__ = ("agrees", "answer", "case", "expected", "found", "refusal", "remark")
 
-    def __init__(self, answer, agrees, expected=None, found=None, tolerance=None, remark=None, case=None):
+    def __init__(self, answer, agrees, expected=None, found=None, remark=None, case=None):
         self.answer, self.agrees, self.expected, self.found = answer, agrees, expected, found
-        self.tolerance, self.remark, self.case, self.refusal = tolerance, remark, case, None
+        self.remark, self.case, self.refusal = remark, case, None
 
 
 def check(problem):
-    """The Verdicts of a problem and of its cases; PhysicsError where a scene has no such answer."""
-    verdicts = [_verdict(problem, answer, None) for answer in problem.spec.answers]
-    for name, spec in problem.spec.cases.items():
-        part = problem.case(name)
-        verdicts += [_verdict(part, answer, name) for answer in spec.answers]
+    """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself."""
+    problem.draw()
+    verdicts = []
+    for case in (None, *problem.spec.cases):
+        part = problem if case is None else problem.case(case)
+        draws = Draws(part)
+        verdicts += [_verdict(draws, answer, case) for answer in part.spec.answers]
     return verdicts
 
 
-def _verdict(problem, answer, case):
-    draws = [problem]
-    if problem.symbolic:
-        draws = [problem.with_values(values) for values in drawn_values(problem)]
-    verdict = None
+def _verdict(draws, answer, case):
+    """Compare at every draw; of a scene with symbols, draws of a regime that has no such answer are passed over."""
+    verdict, compared = None, 0
     for draw in draws:
         try:
-            verdict = _compare(draw, answer)
+            found = _compare(draw, answer)
         except PhysicsError as error:
-            verdict = Verdict(answer, False, remark="no such answer: " + error.message)
-            error.where = error.where or answer.asked.where
-            verdict.refusal = error
-        if not verdict.agrees:
+            if verdict is None:
+                verdict = Verdict(answer, False, remark="no such answer: " + error.message)
+                error.where = error.where or answer.asked.where
+                verdict.refusal = error
+            continue
+        verdict, compared = found, compared + 1
+        if not verdict.agrees or compared == draws.wanted:
             break
     verdict.case = case
     return verdict
 
 
-def drawn_values(problem):
-    """Sets of random positive values for the symbols of a scene in which the drawing fits together.
-
-    Reproducible: the values depend on the names alone. They lie near the sample with which the scene was drawn,
-    so that signs such as that of R − r are kept.
-    """
-    scene = problem.scene
-    free = [name for name in scene.parameters.free if name not in scene.parameters.definitions]
-    for draw in range(DRAWS):
-        generator = random.Random(f"{draw} {' '.join(free)}")
-        yield {name: Fraction(scene.sample[name]).limit_denominator(1000) * Fraction(generator.randint(850, 1150), 1000)
-               for name in free}
+def _worst(wanted, found, groups, rounding=0.0):
+    """(index, difference, size of the group) where two functions differ; None where they agree in each group."""
+    rounding = max(rounding, ROUNDING * max(abs(wanted).max(), abs(found).max()))
+    for group in groups:
+        off, size = abs(wanted - found)[group], max(abs(wanted[group]).max(), abs(found[group]).max())
+        if not off.max() <= EXACT * size + rounding:
+            return group.start + int(off.argmax()), float(off.max()), float(size)
+    return None
 
 
 def _compare(problem, answer):
@@ -89,7 +86,7 @@ def _compare(problem, answer):
     tolerance = _tolerance(problem, answer, expected, error)
     agrees = abs(found - expected) <= tolerance
     remark = None if agrees else likely_mistake(head, expected, found)
-    return Verdict(answer, agrees, expected, found, tolerance, remark)
+    return Verdict(answer, agrees, expected, found, remark)
 
 
 def value_of(problem, expression):
@@ -126,7 +123,7 @@ def _tolerance(problem, answer, expected, error):
         if not 0 <= rtol < 1:
             raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
                                         "write for example rtol: 0.5 %")])
-        return rtol * abs(expected) + 1e-300
+        return rtol * abs(expected) if expected else _small(problem, answer)
     literal = whole_literal(answer.expected.tree)
     if literal is None:
         return rounding if expected else _small(problem, answer)
@@ -148,66 +145,17 @@ def _small(problem, answer):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":
-        return 1e-12 * _reach(problem, coordinate_name(problem.spec, tree[5][0]))
+        return 1e-12 * reach(problem, coordinate_name(problem.spec, tree[5][0]))
     if head in ("mode", "zeta"):
         return 1e-11
     if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
         return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modes), default=0.0)
-    return 1e-12 * max((abs(v) for v in problem.floats.values()), default=1.0)
-
-
-def _states(problem):
-    """Random states near the drawn position, in groups: {symbol name: array} and the slices of the groups.
-
-    All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
-    is seen beside those of its kind, however stiff or heavy the rest of the scene is.
-    """
-    import numpy as np
-
-    generator = random.Random("states")
-    names = problem.scene.coordinates
-    groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
-    if 1 < len(names) <= SEPARATE:
-        groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
-    each, found = STATES + 3 * len(names), {}
-    for name in names:
-        scale = _reach(problem, name)
-        for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
-            found[name + "'" * primes] = centre + spread * scale * np.array([
-                group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
-    return found, [slice(i * each, (i + 1) * each) for i in range(len(groups))]
-
-
-def _worst(wanted, found, groups, rounding=0.0):
-    """(index, difference, size of the group) where two functions differ; None where they agree in each group."""
-    rounding = max(rounding, ROUNDING * max(abs(wanted).max(), abs(found).max()))
-    for group in groups:
-        off, size = abs(wanted - found)[group], max(abs(wanted[group]).max(), abs(found[group]).max())
-        if not off.max() <= EXACT * size + rounding:
-            return group.start + int(off.argmax()), float(off.max()), float(size)
-    return None
-
-
-def _at_states(problem, nodes, states):
-    """The values of expressions at all states, arrays of one length."""
-    import numpy as np
-
-    from vibcli.algebra.arrays import Arrays
-
-    count = max(map(len, states.values()))
-    with np.errstate(all="ignore"):
-        values = evaluate(nodes, Arrays, {**problem.floats, **states})
-    if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
-        raise PhysicsError("this has no finite value in some positions near the drawn one",
-                           "look for roots of what may be negative, and for powers out of range")
-    return [np.broadcast_to(value, (count,)) for value in values]
-
-
-def _reach(problem, name):
-    """How far a random state strays: a fraction of the figure, or of a radian."""
-    from vibcli.mechanics.equilibrium import figure_size
-
-    return 0.2 * (figure_size(problem) or 1.0) if problem.dimension(name) else 0.3
+    size = problem.figure_size
+    if head in ("J", "centre"):
+        body = problem.scene.bodies[tree[5][0]]
+        mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
+        return 1e-12 * (mass * size * size if head == "J" else size)
+    return 1e-12 * max((abs(float(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
 
 
 def _expected_node(problem, expression):
@@ -224,8 +172,8 @@ def _compare_energy(problem, answer, head):
     scene = problem.scene
     ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     expected = _expected_node(problem, answer.expected)
-    states, groups = _states(problem)
-    wanted, found = _at_states(problem, [expected, ours], states)
+    at, groups = states(problem)
+    wanted, found = at_states(problem, [expected, ours], at)
     rounding = 0.0
     if head == "V":
         first = [group.start for group in groups for _ in range(group.start, group.stop)]
@@ -233,7 +181,7 @@ def _compare_energy(problem, answer, head):
         wanted, found = wanted - wanted[first], found - found[first]
     worst = _worst(wanted, found, groups, rounding)
     i = worst[0] if worst else 0
-    return Verdict(answer, worst is None, float(wanted[i]), float(found[i]), None,
+    return Verdict(answer, worst is None, float(wanted[i]), float(found[i]),
                    "values at a random state of motion" if worst else None)
 
 
@@ -242,29 +190,29 @@ def _compare_equation(problem, answer, head):
     scene = problem.scene
     i = scene.coordinates.index(coordinate_name(problem.spec, answer.asked.tree[5][0]))
     expected = _expected_node(problem, answer.expected)
-    states, groups = _states(problem)
+    at, groups = states(problem)
     if head == "equation":
-        states = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in states.items()}
-        wanted, = _at_states(problem, [expected], states)
-        found = _small_oscillation(problem, i, states)
+        at = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in at.items()}
+        wanted, = at_states(problem, [expected], at)
+        found = _small_oscillation(problem, i, at)
     else:
         from vibcli.mechanics.lagrange import equation_of
 
-        wanted, found = _at_states(problem, [expected, equation_of(scene, i)], states)
+        wanted, found = at_states(problem, [expected, equation_of(scene, i)], at)
     factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
     worst = _worst(wanted, factor * found, groups)
     agrees = factor != 0.0 and worst is None
     remark = f"not proportional: off by {worst[1] / worst[2]:.2g} of its size" if worst else "it is empty"
-    return Verdict(answer, agrees, None, None, None, None if agrees else remark)
+    return Verdict(answer, agrees, remark=None if agrees else remark)
 
 
-def _small_oscillation(problem, i, states):
+def _small_oscillation(problem, i, at):
     """The left side of the linear equation of coordinate i at all states."""
     M, C, G, K = problem.elements.matrices()
     total = 0.0
     for j, name in enumerate(problem.scene.coordinates):
-        total = total + (M.get((i, j), 0.0) * states[name + "''"] + K.get((i, j), 0.0) * states[name]
-                         + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * states[name + "'"])
+        total = total + (M.get((i, j), 0.0) * at[name + "''"] + K.get((i, j), 0.0) * at[name]
+                         + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * at[name + "'"])
     return total
 
 

@@ -1,9 +1,9 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
-from vibcli.algebra.expression import Table
 from vibcli.algebra.meaning import lower, names_in, whole_literal
-from vibcli.algebra.parse import LARGEST, RANGE, SMALLEST, ExpressionError
+from vibcli.algebra.parse import LARGEST, RANGE, SMALLEST, ExpressionError, parse
 from vibcli.algebra.rationals import bits
+from vibcli.document import Scalar
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 
 WIDEST = 4096       # bits
@@ -14,12 +14,21 @@ def override(record, tree, scalar):
     from vibcli.fields import Expression
 
     old, number = record.get("value"), whole_literal(tree)
-    if number and not number[4] and old is not None and (was := whole_literal(old.tree)) and was[4]:
-        tree = _with_unit(tree, was[4])
+    if number and not number[4] and (unit := _unit_of(record)):
+        was = parse("1 " + unit)
+        tree, scalar = _with_unit(tree, was[4]), Scalar(f"{scalar.text} {unit}", scalar.where)
     if old is None:
         record.values["value"] = Expression(scalar, tree, None, None)
     else:
         old.tree, old.scalar = tree, scalar
+
+
+def _unit_of(record):
+    """The text of the unit in which the file gives a parameter, '' where it gives none."""
+    if "value" not in record:
+        return record.get("unit", "")
+    was = whole_literal(record["value"].tree)
+    return record["value"].text[was[4][0][2]:was[4][-1][3]] if was and was[4] else ""
 
 
 def _with_unit(tree, chain):
@@ -40,8 +49,6 @@ class Parameters:
         self.order = _order(spec.parameters)
         self.definitions = self._lowered()
         self.free = [name for name in spec.parameters if name not in self.definitions]
-        self.free += [name for name in self.order if name in self.definitions and self._depends_on_free(name)]
-        self.symbolic = bool(self.free)
 
     def _lowered(self):
         found, wrong = {}, []
@@ -58,9 +65,6 @@ class Parameters:
 
     def _symbol(self, name, primes, tree):
         return self.nodes[name]
-
-    def _depends_on_free(self, name):
-        return any(other in self.free for other, _, _, _ in names_in(self.records[name]["value"].tree))
 
     def values(self, arithmetic, given=None):
         """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
@@ -83,14 +87,14 @@ class Parameters:
             raise SpecError(wrong)
         return found
 
-    def rational(self):
+    def rational(self, given=None):
         """Exact values of the parameters that have one, without those that are irrational or have too many digits.
 
         (Products of products double their digits at each step.)
         """
         from vibcli.algebra.evaluate import evaluate_rational
 
-        found = {}
+        found = dict(given or {})
         for name in self.order:
             if name in self.definitions:
                 value = evaluate_rational([self.definitions[name]], found)
@@ -128,15 +132,9 @@ def unusable(value, arithmetic):
     return None
 
 
-def standalone(text_value):
-    """The exact value in SI of a text such as '0.5 N/mm' that stands outside of any file: (node, table)."""
-    table = Table()
-    return lower(text_value, table, None), table
-
-
 def require_values(parameters, what):
     """Refuse a numeric question about a scene that has symbols without value."""
-    if parameters.symbolic:
+    if parameters.free:
         names = ", ".join(parameters.free)
         raise PhysicsError(f"{what} needs numbers, and these parameters have none: {names}",
                            "give them values in the file or with --set")

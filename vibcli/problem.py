@@ -38,14 +38,17 @@ class Problem:
 
     def __init__(self, spec, given=None):
         self.spec, self.given = spec, dict(given or {})
-        self.costs, self.inner = {}, 0.0
+        self.costs, self.inner, self._cases = {}, 0.0, {}
 
     def with_values(self, given):
         """The same scene with values for its symbols."""
         return Problem(self.spec, {**self.given, **given})
 
     def case(self, name):
-        return Problem(self.spec.cases[name], self.given)
+        """The problem of a case of the file."""
+        if name not in self._cases:
+            self._cases[name] = Problem(self.spec.cases[name], self.given)
+        return self._cases[name]
 
     def draw(self):
         """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
@@ -62,9 +65,7 @@ class Problem:
     def scene(self):
         from vibcli.scene.build import build_scene
 
-        scene = build_scene(self.spec)
-        if self.given:
-            scene.sample = scene.parameters.values(_floats(), {k: float(v) for k, v in self.given.items()})
+        scene = build_scene(self.spec, self.given)
         self.preloads = {}
         if scene.static_preloads:
             from vibcli.mechanics.preload import settle_static_preloads
@@ -75,8 +76,7 @@ class Problem:
     @property
     def symbolic(self):
         """Are there parameters without value?"""
-        return any(name not in self.given for name in self.scene.parameters.free
-                   if name not in self.scene.parameters.definitions)
+        return any(name not in self.given for name in self.scene.parameters.free)
 
     @_Stage
     def form(self):
@@ -105,6 +105,20 @@ class Problem:
         return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
 
     @cached_property
+    def figure_size(self):
+        """The extent of the drawn figure in metres; 0 where nothing has a place."""
+        from vibcli.mechanics.equilibrium import figure_size
+
+        return figure_size(self)
+
+    @cached_property
+    def matrices_in_letters(self):
+        """M, C, G, K of the small oscillations in letters."""
+        from vibcli.mechanics.lagrange import matrices_in_letters
+
+        return matrices_in_letters(self.letters_form)
+
+    @cached_property
     def linear_in_letters(self):
         """Can the small oscillations be written in letters: is the equilibrium drawn, or does its place not matter?"""
         return self.is_linear or self.balanced_as_drawn
@@ -124,14 +138,9 @@ class Problem:
     @cached_property
     def drawn_residual(self):
         """The terms of each condition of equilibrium as drawn: lists of expressions."""
-        found = [[] for _ in self.scene.q]
-        for force, _, row in self.drawn_form.curved:
-            for i, slope in row.items():
-                found[i].append(force * slope)
-        for part in self.drawn_form.residual:
-            for i, node in part.items():
-                found[i].append(node)
-        return found
+        from vibcli.mechanics.linearise import residual_terms
+
+        return residual_terms(self.drawn_form)
 
     # numbers
 
@@ -158,7 +167,7 @@ class Problem:
     @cached_property
     def rational(self):
         """Exact values of the parameters that have a rational one."""
-        return {**self.scene.parameters.rational(), **self.given}
+        return self.scene.parameters.rational(self.given)
 
     @cached_property
     def potential(self):

@@ -17,6 +17,8 @@ from vibcli.reading import MOST_PROBLEMS, Reader, TooMany, nearest
 
 MOST_CASES = 100
 
+QUOTE = re.compile(r"\{\s*([^{}]*?)\s*\}")        # a parameter quoted in a question
+
 
 class _Cases(Kind):
     """Each case is a part of a scene: kept as a node, merged over the scene and read like a file of its own."""
@@ -102,8 +104,9 @@ def read_spec(root, file, diagnostics=(), settings=None):
                 remark = f" (in the case {quoted(name)})"
                 specs[name] = _read_one(_merged(root, part), file, found, settings or {}, remark)
     everything = [spec for spec in (base, *specs.values()) if spec is not None]
-    for spec in everything[:1]:
-        _report_unused(spec, set().union(*(s.used for s in everything)), found)
+    used = set().union(*(spec.used for spec in everything))
+    for spec in everything:
+        _report_unused(spec, used, found)
     if found:
         raise SpecError(_once(found))
     base.cases = specs
@@ -132,7 +135,7 @@ def _over(below, above):
     merged = dict(below)
     for key, (key_node, value) in above.items():
         old = merged.get(key)
-        if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping) and key != "answers":
+        if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping):
             value = _mapping(_over(old[1].entries, value.entries), value.where)
         merged[key] = (key_node, value)
     return merged
@@ -197,8 +200,8 @@ def _settings(spec, settings):
 
 
 def _question(spec, root, reader):
-    for quote in re.finditer(r"\{([^{}]*)\}", spec.get("question", "")):
-        name = quote.group(1).strip()
+    for quote in QUOTE.finditer(spec.get("question", "")):
+        name = quote.group(1)
         if plain_name(name) not in spec.named.get("parameters", ()):
             place = root.entries["question"][1].place(quote.start(), len(quote.group()))
             reader.report(place, f"the question quotes {quoted(quote.group())}, which is no parameter",

@@ -72,7 +72,7 @@ def counts_cycles(tree, cyclic=()):
         return bool(tree[4]) and literal_unit(tree[4]).cycles
     if tree[0] == "name":
         return tree[3] in cyclic
-    if tree[0] in ("sum",):
+    if tree[0] == "sum":
         return any(counts_cycles(part, cyclic) for _, part in tree[3])
     if tree[0] == "product":
         others = [part for _, part in tree[3] if not counts_cycles(part, cyclic)]

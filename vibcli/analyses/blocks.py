@@ -15,7 +15,7 @@ from vibcli.analyses.symmetric import components
 
 PARALLEL = 1e4
 STALLED = 3
-LARGE = 2.0 ** -16
+LARGE, ALIKE = 2.0 ** -16, 2.0 ** 10
 
 
 class Root:
@@ -108,7 +108,8 @@ class BlockForm:
     def improve(self):
         """A step of first order: V(I + X), T + diag E; blocks it cannot separate are joined and split anew."""
         blocks, bits = self.blocks, self.bits
-        x, close = separation(floats(self.t, bits), blocks, self.e, self.shift, LARGE)
+        t = floats(self.t, bits)
+        x, close = separation(t, blocks, self.e, self.shift, largest_steps(t, blocks))
         joined = components(close)
         for group in joined:
             part = np.concatenate([blocks[i] for i in group])
@@ -136,7 +137,8 @@ class BlockForm:
         turn, pieces = split(own)
         own = np.linalg.inv(turn) @ own @ turn
         rounding = np.full_like(own, 2.0 ** -48 * np.abs(own).max())
-        if len(pieces) == 1 or separation(own, pieces, rounding, 0, 0.05)[1].any():
+        largest = np.full((len(pieces), len(pieces)), 0.05)
+        if len(pieces) == 1 or separation(own, pieces, rounding, 0, largest)[1].any():
             return [part]
         self.v[:, part] = self.v[:, part].dot(fixed(turn, bits)) >> bits
         new = fixed(own, size)
@@ -182,8 +184,19 @@ def _closest(units, steep):
     return pair
 
 
+def largest_steps(t, blocks):
+    """For each pair of blocks the largest step to be taken between them.
+
+    Small between eigenvalues of one size: a step would carry what their vectors still hold of much stiffer ones
+    from one to the other.
+    """
+    size = np.array([np.abs(t[np.ix_(part, part)]).max() for part in blocks])
+    alike = np.maximum.outer(size, size) <= ALIKE * np.minimum.outer(size, size)
+    return np.where(alike, LARGE, 0.05)
+
+
 def separation(t, blocks, e, shift, limit):
-    """X with T X − X T = −E between blocks, and for which pairs of blocks that is larger than `limit`."""
+    """X with T X − X T = −E between blocks, and which pairs of blocks have one larger than `limit`, an array."""
     x, close = np.zeros_like(e), np.zeros((len(blocks), len(blocks)), bool)
     sizes = {}
     for i, part in enumerate(blocks):
@@ -194,7 +207,7 @@ def separation(t, blocks, e, shift, limit):
             rows, columns = a[:, None, :, None], b[None, :, None, :]
             own, other = t[a[:, :, None], a[:, None, :]], t[b[:, :, None], b[:, None, :]]
             part = _sylvester(own, other, e[rows, columns])
-            far = np.ldexp(np.abs(part).max(axis=(2, 3)), -shift) > limit
+            far = np.ldexp(np.abs(part).max(axis=(2, 3)), -shift) > limit[np.ix_(first, second)]
             far |= ~np.isfinite(part).all(axis=(2, 3))
             far &= np.array(first)[:, None] != np.array(second)[None, :]
             close[np.ix_(first, second)] |= far

@@ -10,7 +10,6 @@ from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, sympy_arithmet
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.algebra.rationals import HALF, ONE
-from vibcli.mechanics.lagrange import matrices_in_letters
 
 LARGEST, LONGEST, READABLE = 6, 400, 24
 
@@ -43,7 +42,7 @@ def closed_forms(problem):
     if not problem.linear_in_letters:
         return None
     scene = problem.scene
-    M, C, G, K = matrices_in_letters(problem.letters_form)
+    M, C, G, K = problem.matrices_in_letters
     n, zero = len(scene.q), scene.table.zero
     if n == 1:
         return _one_degree(scene, M.get((0, 0), zero), C.get((0, 0), zero), K.get((0, 0), zero))

@@ -53,11 +53,12 @@ class ModalDamping:
         gap = np.abs(fx.floats(np.subtract.outer(self.values, self.values), self.bits))
         same = gap <= np.ldexp(np.maximum.outer(size, size), -self.same)
         np.fill_diagonal(same, False)
+        small = max(abs(x) for x in self.c.ravel().tolist()) >> self.coupled
         for part in components(same):
             block = self.c[np.ix_(part, part)]
             block = (block + block.T) >> 1
-            if not fx.is_diagonal(block):
-                turn = spectrum(block, self.bits, self.same).vectors
+            if (np.abs(block - np.diag(block.diagonal())) > small).any():
+                turn = spectrum(block, self.bits, self.same, slack=small.bit_length()).vectors
                 self.basis[:, part] = fx.product(self.basis[:, part], turn, self.bits)
                 self.c[:, part] = fx.product(self.c[:, part], turn, self.bits)
                 self.c[part, :] = fx.product(turn.T, self.c[part, :], self.bits)

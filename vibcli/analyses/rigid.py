@@ -24,7 +24,8 @@ def undamped_rigid(elements, zeros, data):
 
     data: the elements in the arithmetic that decides about rows which are not rational.
     """
-    if zeros is None or any(elements.C.values()) or any(elements.G.values()):
+    pushed = any(c < 0 for c, _ in elements.dampers)
+    if zeros is None or pushed or any(elements.C.values()) or any(elements.G.values()):
         return None
     if not zeros:
         return 0

@@ -173,7 +173,9 @@ def require_quick(problem, digits):
         return
     from vibcli.analyses.digits import estimate_seconds
 
-    seconds = estimate_seconds(len(problem.scene.coordinates), digits)
+    spec = problem.spec
+    damped = any(section in spec.sections for section in ("dampers", "energies", "matrices"))
+    seconds = estimate_seconds(len(spec.coordinates), digits, damped)
     if seconds > 60:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{seconds:.0f} s; the limit is 60 s: ask for fewer digits")

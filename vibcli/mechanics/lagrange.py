@@ -51,10 +51,10 @@ def equations(problem):
     found.full = full_equations(scene) if len(scene.q) <= LETTERS else []
     found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
     if found.in_letters:
-        found.M, found.C, found.G, found.K = matrices_in_letters(problem.letters_form)
+        found.M, found.C, found.G, found.K = problem.matrices_in_letters
         found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
     else:
-        found.M, found.C, found.G, found.K = problem.elements.matrices()
+        found.M, found.C, found.G, found.K = [{}] * 4 if problem.symbolic else problem.elements.matrices()
         found.linear = []
     return found
 

@@ -133,6 +133,18 @@ def _each(form, change):
     return found
 
 
+def residual_terms(form):
+    """The terms of each condition of equilibrium r = 0: a list of expressions for each coordinate."""
+    found = [[] for _ in range(form.n)]
+    for force, _, row in form.curved:
+        for i, slope in row.items():
+            found[i].append(force * slope)
+    for part in form.residual:
+        for i, node in part.items():
+            found[i].append(node)
+    return found
+
+
 class Numbers:
     """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
 

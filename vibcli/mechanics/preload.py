@@ -7,8 +7,9 @@ that a pivoted elimination picks out in floats, in letters, so that every later 
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.linearise import at_position, linearise
+from vibcli.mechanics.linearise import at_position, linearise, residual_terms
 
 LOOSE = 1e-9
 
@@ -21,15 +22,16 @@ def settle_static_preloads(scene):
     unknowns = [node for node, _ in scene.static_preloads]
     form = at_position(linearise(scene), scene.drawn)
     columns = [_column(form, unknown) for unknown in unknowns]
-    rest = _residual(form, dict.fromkeys(unknowns, scene.table.zero))
+    sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
+    rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
     rows, picked = _pivots([row[:-1] for row in numbers])
-    tensions = _solved(scene.table, [[columns[j][i] for j in picked] + [-rest[i]] for i in rows])
+    tensions = solve_linear([[columns[j][i] for j in picked] + [-rest[i]] for i in rows], scene.table.zero)
     values = dict.fromkeys(unknowns, scene.table.zero)
     values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
-    if len(picked) < len(unknowns):
-        _harmless(scene, form, unknowns, columns, rows, picked, names)
+    for free in set(range(len(unknowns))) - set(picked):
+        _harmless(scene, form, unknowns, columns, rows, picked, free)
     scene.springs = [term._replace(force=substitute([term.force], values)[0]) for term in scene.springs]
     return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
@@ -39,28 +41,17 @@ def _column(form, unknown):
     found = [form.table.zero] * form.n
     for force, _, row in form.curved:
         share = _share(force, unknown)
-        for i, slope in row.items():
-            found[i] = found[i] + share * slope
+        if not share.is_zero:
+            for i, slope in row.items():
+                found[i] = found[i] + share * slope
     return found
 
 
 def _share(force, unknown):
     """The coefficient of a symbol in a force that is linear in it."""
     one, zero = unknown.table.one, unknown.table.zero
-    with_one, without = substitute([force], {unknown: one})[0], substitute([force], {unknown: zero})[0]
-    return with_one - without
-
-
-def _residual(form, values):
-    found = [form.table.zero] * form.n
-    for force, _, row in form.curved:
-        tension = substitute([force], values)[0]
-        for i, slope in row.items():
-            found[i] = found[i] + tension * slope
-    for part in form.residual:
-        for i, node in part.items():
-            found[i] = found[i] + node
-    return found
+    with_one = substitute([force], {unknown: one})[0]
+    return with_one - substitute([force], {unknown: zero})[0] if with_one is not force else zero
 
 
 def _floats(scene, rows):
@@ -72,27 +63,28 @@ def _floats(scene, rows):
 def _pivots(rows):
     """(rows, columns) of a largest regular block, by elimination with full pivoting on scaled rows."""
     work = [[x / (max(map(abs, row)) or 1.0) for x in row] for row in rows]
-    chosen_rows, chosen_columns = [], []
+    left, open_columns, pivots = set(range(len(work))), set(range(len(work[0]) if work else 0)), []
     while True:
-        best = max(((abs(work[i][j]), i, j) for i in range(len(work)) if i not in chosen_rows
-                    for j in range(len(work[i])) if j not in chosen_columns), default=(0.0, 0, 0))
-        if best[0] <= LOOSE:
-            return chosen_rows, chosen_columns
-        _, i, j = best
-        chosen_rows.append(i)
-        chosen_columns.append(j)
-        for other in range(len(work)):
-            if other not in chosen_rows and work[other][j]:
+        best, i, j = max(((abs(work[i][j]), i, j) for i in left for j in open_columns), default=(0.0, 0, 0))
+        if best <= LOOSE:
+            return [i for i, _ in pivots], [j for _, j in pivots]
+        pivots.append((i, j))
+        left.remove(i)
+        open_columns.remove(j)
+        for other in left:
+            if work[other][j]:
                 factor = work[other][j] / work[i][j]
                 work[other] = [x - factor * y for x, y in zip(work[other], work[i], strict=True)]
 
 
 def solve_linear(rows, zero):
-    """The solution of a regular system [A | b] whose diagonal pivots do not vanish, over any field."""
+    """The solution of a regular system [A | b] whose diagonal pivots do not vanish, in letters."""
     work = [list(row) for row in rows]
     for i, row in enumerate(work):
         pivot = row[i]
         for other in work[i + 1:]:
+            if other[i].is_zero:
+                continue
             factor = other[i] / pivot
             for column in range(i, len(row)):
                 other[column] = other[column] - factor * row[column]
@@ -103,10 +95,6 @@ def solve_linear(rows, zero):
             total = total - work[i][j] * solution[j]
         solution[i] = total / work[i][i]
     return solution
-
-
-def _solved(table, rows):
-    return solve_linear(rows, table.zero)
 
 
 def _consistent(scene, numbers, tensions, names):
@@ -122,10 +110,10 @@ def _consistent(scene, numbers, tensions, names):
                 scene.static_preloads[0][1].place("preload"))
 
 
-def _harmless(scene, form, unknowns, columns, rows, picked, names):
-    """What the conditions leave open must not change the stiffness."""
-    free = next(j for j in range(len(unknowns)) if j not in picked)
-    shares = _solved(scene.table, [[columns[j][i] for j in picked] + [-columns[free][i]] for i in rows])
+def _harmless(scene, form, unknowns, columns, rows, picked, free):
+    """A tension which the conditions leave open must not change the stiffness."""
+    names = [record.name for _, record in scene.static_preloads]
+    shares = solve_linear([[columns[j][i] for j in picked] + [-columns[free][i]] for i in rows], scene.table.zero)
     total = {}
     for j, share in [(free, scene.table.one), *zip(picked, shares, strict=True)]:
         for force, curvature, _ in form.curved:

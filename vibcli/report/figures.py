@@ -12,16 +12,11 @@ def figure(value, error=0.0, digits=SHOWN):
     if value is None:
         return "–"
     if not isinstance(value, (int, float)):
-        return text_of(value)
+        return str(value)
     if error and error > 0:
         digits = max(1, min(digits, int(-math.log10(min(error, 0.5)))))
     text = f"{value:.{digits}g}"
     return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
-
-
-def text_of(value):
-    """An mpmath number or an expression as text."""
-    return str(value)
 
 
 def with_unit(value, dimension, error=0.0):

@@ -21,7 +21,7 @@ KEYS = {
     "matrices.C": "damping matrix, symmetric",
     "matrices.G": "gyroscopic matrix, skew",
     "matrices.K": "stiffness matrix",
-    "modes": "a list: modes of the system without its dampers (and without G), by ascending omega, unstable ones first",
+    "modes": "a list: modes of the system without its dampers, by ascending omega, unstable ones first",
     "modes[].index": "number of the mode, from 1",
     "modes[].omega": "natural angular frequency; exactly 0 of a rigid mode, null of an unstable one",
     "modes[].frequency": "omega/(2 pi), in Hz",

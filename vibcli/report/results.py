@@ -24,6 +24,8 @@ def linear_row(problem, equations, i):
     """The equation of small oscillations of coordinate i: (text, LaTeX), in letters or with numbers."""
     if equations.in_letters:
         return language(equations.linear[i]) + " = 0", latex(equations.linear[i]) + " = 0"
+    if problem.symbolic:
+        return None, None
     row = numeric_row(problem, equations, i)
     return joined(row, "*", language), joined(row, r" \, ", latex)
 
@@ -55,8 +57,8 @@ def matrices_data(problem):
     symbolic = problem.symbolic
     n = len(problem.scene.coordinates)
     if symbolic:
-        equations = problem.equations
-        matrices = {key: getattr(equations, key) for key in "MCGK"}
+        known = problem.matrices_in_letters if problem.linear_in_letters else [{}] * 4
+        matrices = dict(zip("MCGK", known, strict=True))
     else:
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
     zero = "0" if symbolic else 0.0
@@ -140,8 +142,7 @@ def amplitude(value, write):
 
 def frequencies_data(problem, normalise="first", digits=None):
     """What `vibcli frequencies --json` prints."""
-    found = {"coordinates": list(problem.scene.coordinates), "equilibrium": equilibrium_data(problem),
-             "matrices": matrices_data(problem)}
+    found = {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
     if problem.symbolic:
         from vibcli.report.closed import closed_data
 

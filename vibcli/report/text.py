@@ -2,12 +2,14 @@
 frequencies, damping, modes. Each section is computed when it is printed, and only if it was asked for."""
 
 from vibcli import units
+from vibcli.algebra.parse import plain_name
 from vibcli.analyses.shapes import WORDS
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
 from vibcli.report.results import joined, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, shape_rows
+from vibcli.spec import QUOTE
 
 EVERYTHING = ("given", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping", "modes")
 LONGEST = 2400
@@ -30,9 +32,12 @@ class Report:
                 self.lines += ["", *wrapped(self._quoting(spec.get("question")), indent=0)]
 
     def _quoting(self, text):
-        for name, record in self.problem.spec.parameters.items():
-            value = record["value"].text if "value" in record else plain.symbol(name)
-            text = text.replace("{" + name + "}", value)
+        def value(quote):
+            name = plain_name(quote.group(1))
+            record = self.problem.spec.parameters[name]
+            return record["value"].text if "value" in record else plain.symbol(name)
+
+        text = QUOTE.sub(value, text)
         return " ".join(text.split())
 
     def section(self, title, lines):
@@ -164,9 +169,7 @@ class Report:
                      table(rows, ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")))
         n = len(problem.scene.coordinates)
         if n == 1 and problem.linear_in_letters and problem.modes[0].omega:
-            from vibcli.analyses.closed import closed_forms
-
-            form = closed_forms(problem)
+            form = problem.closed_forms
             if form is not None:
                 self.lines += [f"  ω = {plain(form.modes[0].omega)}"]
 

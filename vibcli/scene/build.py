@@ -21,20 +21,22 @@ from vibcli.scene.frame import Frame
 from vibcli.scene.order import carriers_first
 from vibcli.scene.terms import Terms
 
+ATTEMPTS = 12
 
-def build_scene(spec):
+
+def build_scene(spec, given=None):
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
 
-    A scene with symbols is drawn with sample values; signs such as that of R − r are those of the first sample in
-    which the drawing fits together.
+    A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
+    are those of the first sample in which the drawing fits together.
     """
-    for attempt in range(12):
-        scene = Scene(spec, attempt)
+    for attempt in range(ATTEMPTS):
+        scene = Scene(spec, attempt, given or {})
         try:
             scene.assemble()
         except ExpressionError as error:
             scene.report(None, error.message)
-        if not scene.diagnostics or not scene.parameters.free:
+        if not scene.diagnostics or not set(scene.parameters.free) - set(given or {}):
             break
     if scene.diagnostics:
         raise SpecError(scene.diagnostics)
@@ -44,12 +46,13 @@ def build_scene(spec):
 class Scene(Terms, Ends):
     """The scalar functions of a scene, and the services by which elements make them."""
 
-    def __init__(self, spec, attempt=0):
+    def __init__(self, spec, attempt, given):
         self.spec, self.diagnostics = spec, []
         self.table = table = Table()
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
-        self.sample = self.parameters.values(Floats, sample_values(self.parameters.free, attempt))
+        given = {name: float(value) for name, value in given.items()}
+        self.sample = self.parameters.values(Floats, {**sample_values(self.parameters.free, attempt), **given})
         table.sample = self.sample
         self.q = [table.variable(name) for name in self.coordinates]
         self.v = [table.variable(name + "'") for name in self.coordinates]

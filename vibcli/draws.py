@@ -1,0 +1,88 @@
+"""Where answers are compared: random values for the symbols of a scene, and random states of motion.
+
+Both are the same at every run.
+"""
+
+import random
+from fractions import Fraction
+
+from vibcli.algebra.evaluate import evaluate
+from vibcli.errors import PhysicsError, SpecError
+
+DRAWS, CANDIDATES = 3, 40
+STATES, NEAR, SEPARATE = 5, 1e-4, 12
+
+
+class Draws:
+    """Numeric Problems of a scene: itself, or with random values for its symbols for which the drawing fits together.
+
+    Made when they are asked for and kept; `wanted` is how many of them a comparison takes.
+    """
+
+    def __init__(self, problem):
+        symbolic = problem.symbolic
+        self.wanted = DRAWS if symbolic else 1
+        self._known = [] if symbolic else [problem]
+        self._candidates = _candidates(problem) if symbolic else iter(())
+
+    def __iter__(self):
+        yield from self._known
+        for problem in self._candidates:
+            self._known.append(problem)
+            yield problem
+
+
+def _candidates(problem):
+    from vibcli.scene.build import sample_values
+
+    for attempt in range(CANDIDATES):
+        values = sample_values(problem.scene.parameters.free, attempt)
+        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
+        candidate = problem.with_values(given)
+        try:
+            candidate.draw()
+        except (SpecError, PhysicsError):
+            continue
+        yield candidate
+
+
+def states(problem):
+    """Random states near the drawn position, in groups: {symbol name: array} and the slices of the groups.
+
+    All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
+    is seen beside those of its kind, however stiff or heavy the rest of the scene is.
+    """
+    import numpy as np
+
+    generator = random.Random("states")
+    names = problem.scene.coordinates
+    groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
+    if 1 < len(names) <= SEPARATE:
+        groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    each, found = STATES + 3 * len(names), {}
+    for name in names:
+        scale = reach(problem, name)
+        for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
+            found[name + "'" * primes] = centre + spread * scale * np.array([
+                group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
+    return found, [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+
+
+def at_states(problem, nodes, states):
+    """The values of expressions at all states, arrays of one length."""
+    import numpy as np
+
+    from vibcli.algebra.arrays import Arrays
+
+    count = max(map(len, states.values()))
+    with np.errstate(all="ignore"):
+        values = evaluate(nodes, Arrays, {**problem.floats, **states})
+    if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
+        raise PhysicsError("this has no finite value in some positions near the drawn one",
+                           "look for roots of what may be negative, and for powers out of range")
+    return [np.broadcast_to(value, (count,)) for value in values]
+
+
+def reach(problem, name):
+    """How far a random state strays: a fraction of the figure, or of a radian."""
+    return 0.2 * (problem.figure_size or 1.0) if problem.dimension(name) else 0.3
