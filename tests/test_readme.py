@@ -1,4 +1,4 @@
-"""The README's session happens as printed, and its words are true."""
+"""The README's example happens as printed, and its words are true."""
 
 import re
 from pathlib import Path
@@ -18,7 +18,7 @@ def scene(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("command, index", [("solve", 0), ("check", 1)])
-def test_session(scene, capsys, command, index):
+def test_example(scene, capsys, command, index):
     shown = re.findall(r"```text\n(.*?)```", README, re.DOTALL)[index]
     assert run([command, "rod.yaml"]) == 0
     assert capsys.readouterr().out == shown
@@ -34,6 +34,11 @@ def test_settings_shown_work(scene, capsys):
 def test_every_command_is_in_the_map():
     missing = [name for name in COMMANDS if f"vibcli {name}" not in README]
     assert not missing
+
+
+def test_words_shown_are_explained(capsys):
+    for word in re.findall(r"`vibcli explain (\w+)`", README):
+        assert run(["explain", word]) == 0
 
 
 def test_make_targets_exist():

@@ -28,7 +28,7 @@ def _unit_of(record):
     if "value" not in record:
         return record.get("unit", "")
     was = whole_literal(record["value"].tree)
-    return record["value"].text[was[4][0][2]:was[4][-1][3]] if was and was[4] else ""
+    return record["value"].text[was[4][0][2]:was[2]].strip() if was and was[4] else ""
 
 
 def _with_unit(tree, chain):

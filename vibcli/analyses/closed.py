@@ -121,11 +121,16 @@ def _several(scene, M, K, n):
     found = sorted(((evaluate([node], Floats, scene.sample)[0], node) for node in roots), key=lambda pair: pair[0])
     if not _agrees(scene, M, K, n, [value for value, _ in found]):
         return None
-    modes = []
-    for _, node in found:
-        shape = None if roots.count(node) > 1 else _shape(scene, M, K, n, node)
+    modes, ratio_of_omega = [], None
+    if n == 2:
+        shapes = [_shape(scene, M, K, i, [node for _, node in found]) for i in range(2)]
+        if roots[0] is not roots[1] and any((0, 1) in matrix for matrix in (M, K)):
+            ratio_of_omega = _ratio(scene, M, K, scene.table.variable("ω") ** 2)
+    else:
+        shapes = [None] * n
+    for (_, node), shape in zip(found, shapes, strict=True):
         modes.append(ClosedMode(node, root_of(node, scene.sample), shape))
-    return ClosedForms(modes, ratio=_ratio(scene, M, K, scene.table.variable("ω") ** 2) if n == 2 else None)
+    return ClosedForms(modes, ratio=ratio_of_omega)
 
 
 def _roots(coefficients, sample):
@@ -162,12 +167,19 @@ def _agrees(scene, M, K, n, squares):
     return len(squares) == n and bool(np.allclose(squares, reference, rtol=1e-6, atol=1e-7 * abs(reference).max()))
 
 
-def _shape(scene, M, K, n, square):
-    """Amplitudes of two degrees with the first one 1; None where the equations do not decide it."""
-    if n != 2:
-        return None
-    amplitude = _ratio(scene, M, K, square)
-    return None if amplitude is None else [scene.table.one, amplitude]
+def _shape(scene, M, K, i, squares):
+    """Amplitudes of mode i of two degrees: the first one is 1, or it rests. A double root has both coordinates alone."""
+    one, zero = scene.table.one, scene.table.zero
+    alone = [[one, zero], [zero, one]]
+    if squares[0] is squares[1]:
+        return alone[i]
+    entry = {pair: K.get(pair, zero) - squares[i] * M.get(pair, zero) for pair in ((0, 0), (0, 1))}
+    if not any((0, 1) in matrix for matrix in (M, K)):
+        x, = evaluate([entry[0, 0]], Floats, scene.sample)
+        y, = evaluate([K.get((0, 0), zero)], Floats, scene.sample)
+        return alone[0] if abs(x) <= 1e-9 * abs(y) or entry[0, 0].is_zero else alone[1]
+    amplitude = _ratio(scene, M, K, squares[i])
+    return None if amplitude is None else [one, amplitude]
 
 
 def _ratio(scene, M, K, square):

@@ -18,7 +18,7 @@ def scene_options(function):
     options = [
         click.argument("file", type=click.Path(), shell_complete=None),
         click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-                     help="Give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'."),
+                     help="Give a parameter another value, in every case: k=500 in the file's unit, or 'k=0.5 N/mm'."),
         click.option("--case", "case", metavar="NAME", help="Only this case of the file."),
         click.option("--json", "as_json", is_flag=True, help="Machine-readable results in SI units."),
         click.option("--timings", is_flag=True, help="What each stage cost and which were skipped, on stderr."),

@@ -10,5 +10,6 @@ from vibcli.cli.output import print_scenes
 @scene_options
 def command(file, settings, case, as_json, timings):
     """Energies and equations of motion, full and for small oscillations."""
-    print_scenes(chosen(load(file, settings), case), lambda problem: ("coordinates", "energies", "equations"), as_json,
-                 timings, data=("equations",))
+    problems = chosen(load(file, settings), case)
+    return print_scenes(problems, lambda problem: ("coordinates", "energies", "equations"), as_json,
+                        timings, data=("equations",))

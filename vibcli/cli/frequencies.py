@@ -11,5 +11,6 @@ from vibcli.cli.output import print_scenes
 @number_options
 def command(file, settings, case, as_json, timings, digits, normalise):
     """Equilibrium, natural frequencies, damping and mode shapes."""
-    print_scenes(chosen(load(file, settings), case), lambda problem: ("equilibrium", "frequencies", "damping", "modes"),
-                 as_json, timings, digits, normalise, ("frequencies",))
+    problems = chosen(load(file, settings), case)
+    return print_scenes(problems, lambda problem: ("equilibrium", "frequencies", "damping", "modes"),
+                        as_json, timings, digits, normalise, ("frequencies",))

@@ -4,23 +4,47 @@ import json
 
 import click
 
-from vibcli.cli.common import require_quick, show_timings
+from vibcli.cli.common import require_quick, show_refusal, show_timings
+from vibcli.errors import PhysicsError
 
 
 def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=()):
-    """Print the scene and its cases; `sections(problem)` names the text sections, `data` the parts of the JSON."""
+    """Print the scene and its cases; `sections(problem)` names the text sections, `data` the parts of the JSON.
+
+    A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
+    """
     for _, problem in problems:
         require_quick(problem, digits)
+    refused = False
+    found = {}
+    for case, problem in problems:
+        try:
+            if as_json:
+                found[case] = _data(problem, data, normalise, digits)
+            else:
+                report = _report(case, problem, sections(problem), normalise, digits)
+                click.echo(("\n\n" if found else "") + report.text())
+                found[case] = None
+                if report.refusal:
+                    raise report.refusal
+        except PhysicsError as error:
+            if as_json and len(problems) == 1:
+                raise
+            refused = True
+            show_refusal(error, problem.spec.file + (f", case {case}" if case else ""))
+            found[case] = {"error": error.message}
     if as_json:
-        whole, *cases = [_data(problem, data, normalise, digits) for _, problem in problems]
-        if cases:
-            whole["cases"] = {name: found for (name, _), found in zip(problems[1:], cases, strict=True)}
-        click.echo(json.dumps(whole, ensure_ascii=False, allow_nan=False, indent=1))
-    else:
-        texts = [_text(case, problem, sections(problem), normalise, digits) for case, problem in problems]
-        click.echo("\n\n".join(texts))
+        _print_json(found)
     if timings:
         show_timings(problems)
+    return 4 if refused else 0
+
+
+def _print_json(found):
+    first, *cases = found
+    if cases:
+        found[first]["cases"] = {case: found[case] for case in cases}
+    click.echo(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1))
 
 
 def _data(problem, parts, normalise, digits):
@@ -30,13 +54,15 @@ def _data(problem, parts, normalise, digits):
     if "frequencies" in parts:
         found |= frequencies_data(problem, normalise, digits)
     if "equations" in parts:
+        if problem.equations.refusal:
+            raise problem.equations.refusal
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)
     return found
 
 
-def _text(case, problem, sections, normalise, digits):
+def _report(case, problem, sections, normalise, digits):
     from vibcli.report.text import Report
 
     report = Report(problem, normalise)
@@ -45,11 +71,10 @@ def _text(case, problem, sections, normalise, digits):
         report.add(section)
     if digits is not None:
         _digits(report, problem, digits)
-    return report.text()
+    return report
 
 
 def _digits(report, problem, digits):
-    from vibcli.errors import PhysicsError
     from vibcli.report.results import frequencies_data
 
     if problem.symbolic:

@@ -1,6 +1,7 @@
 """Linear springs between two ends: V = N d + ½ k d², d being the stretch from the drawn length.
 
-With a free length ℓ₀ the stretch is ℓ − ℓ₀ and N = 0. Stretch, tension and preload are positive in lengthening.
+With a free length ℓ₀, or a `stretch` written out, d is what it says and N = 0, or with a preload the tension as drawn
+counts: N + k (d − d_drawn). Stretch, tension and preload are positive in lengthening.
 """
 
 from vibcli import units
@@ -72,8 +73,11 @@ def build(record, scene):
             scene.add_spring(record, k, preload, length - free)
         return
     stretch = scene.stretch(record, torsion)
-    if stretch is not None:
-        scene.add_spring(record, k, preload, stretch)
+    if stretch is None:
+        return
+    if "preload" in record and "stretch" in record:
+        preload = preload - k * scene.at_drawn(stretch)[0]  # the tension as drawn, where the stretch need not be zero
+    scene.add_spring(record, k, preload, stretch)
 
 
 def _preload(record, scene):

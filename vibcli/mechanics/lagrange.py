@@ -7,6 +7,7 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import HALF, ONE
+from vibcli.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 
 LETTERS = 16        # most coordinates for which equations are written in letters
@@ -14,9 +15,10 @@ LETTERS = 16        # most coordinates for which equations are written in letter
 
 class Equations:
     """full: left sides of the equations of motion; M, C, G, K: matrices {(i, j): expression or float} of the small
-    oscillations, their entries in letters or in numbers (`in_letters`); linear: left sides of their equations."""
+    oscillations, their entries in letters or in numbers (`in_letters`); linear: left sides of their equations;
+    refusal: the PhysicsError of a scene that has no equilibrium, or None."""
 
-    __slots__ = ("C", "G", "K", "M", "full", "in_letters", "linear")
+    __slots__ = ("C", "G", "K", "M", "full", "in_letters", "linear", "refusal")
 
 
 def equation_of(scene, i, T=None, V=None, Phi=None):
@@ -45,17 +47,21 @@ def full_equations(scene):
 
 
 def equations(problem):
-    """The Equations of a problem."""
+    """The Equations of a problem; without an equilibrium only the full ones, and the refusal of the others."""
     found = Equations()
     scene = problem.scene
     found.full = full_equations(scene) if len(scene.q) <= LETTERS else []
-    found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
-    if found.in_letters:
-        found.M, found.C, found.G, found.K = problem.matrices_in_letters
-        found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
-    else:
-        found.M, found.C, found.G, found.K = [{}] * 4 if problem.symbolic else problem.elements.matrices()
-        found.linear = []
+    found.M, found.C, found.G, found.K = [{}] * 4
+    found.in_letters, found.linear, found.refusal = False, [], None
+    try:
+        found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
+        if found.in_letters:
+            found.M, found.C, found.G, found.K = problem.matrices_in_letters
+            found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
+        elif not problem.symbolic:
+            found.M, found.C, found.G, found.K = problem.elements.matrices()
+    except PhysicsError as error:
+        found.in_letters, found.refusal = False, error
     return found
 
 

@@ -4,6 +4,10 @@ from vibcli.algebra.rationals import ONE
 from vibcli.report.notation import GREEK, Notation, decimal, shown_as_decimal, split_name
 
 
+def _escaped(word):
+    return word.replace("_", r"\_")
+
+
 class Latex(Notation):
     """LaTeX, for math mode."""
 
@@ -20,11 +24,15 @@ class Latex(Notation):
         letter, rest, primes = split_name(name)
         if letter == "ℓ":
             letter = r"\ell"
-        if letter in GREEK:
+        elif letter in GREEK:
             letter = "\\" + {"phi": "varphi", "epsilon": "varepsilon"}.get(letter, letter)
+        elif len(letter) > 1:
+            letter = rf"\mathrm{{{_escaped(letter)}}}"
         accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]
-        word = rest if len(rest) < 2 or rest.isdigit() else rf"\mathrm{{{rest}}}"
-        return accent.format(letter) + (f"_{{{word}}}".replace("_", r"\_").replace(r"\_", "_", 1) if rest else "")
+        below = rest.removeprefix("_")
+        if len(below) > 1 and not below.isdigit():
+            below = rf"\mathrm{{{_escaped(below)}}}"
+        return accent.format(letter) + (f"_{{{below}}}" if below else "")
 
     def brackets(self, text):
         return rf"\left({text}\right)"

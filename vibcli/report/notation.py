@@ -19,14 +19,16 @@ _PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308":
 
 
 def split_name(name):
-    """('φ', '1', "'") of phi1': letter, subscript, primes. A name of several letters keeps its first as the letter."""
+    """('φ', '1', "'") of phi1': letter, subscript, primes; a word such as length stays whole."""
     bare = name.rstrip("'")
-    match = _NAME.fullmatch(bare)
     primes = name[len(bare):]
+    match = _NAME.fullmatch(bare)
     if match is None:
         return bare, "", primes
     letter, rest = match.groups()
-    return letter, rest.removeprefix("_"), primes
+    if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2):
+        return letter, rest, primes
+    return bare, "", primes
 
 
 class Notation:
@@ -122,9 +124,11 @@ class Plain(Notation):
 
     def symbol(self, name):
         letter, rest, primes = split_name(name)
-        dotted = GREEK.get(letter, letter) + _DOTS[primes]
-        dotted = _PRECOMPOSED.get(dotted, dotted)
-        return dotted + (rest.translate(_SUBSCRIPT) if rest.isdigit() else "_" + rest if len(rest) > 1 else rest)
+        letter = GREEK.get(letter, letter)
+        if len(letter) > 1:
+            return letter + primes
+        dotted = letter + _DOTS[primes]
+        return _PRECOMPOSED.get(dotted, dotted) + (rest.translate(_SUBSCRIPT) if rest.isdigit() else rest)
 
     def brackets(self, text):
         return f"({text})"

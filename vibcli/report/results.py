@@ -48,7 +48,8 @@ def joined(row, times, write, minus="-"):
     parts = []
     for value, symbol in row:
         sign = (minus if value < 0 else "") if not parts else (f" {minus} " if value < 0 else " + ")
-        parts.append(f"{sign}{abs(value):.6g}{times}{write(symbol)}")
+        factor = "" if abs(value) == 1 else f"{abs(value):.6g}{times}"
+        parts.append(f"{sign}{factor}{write(symbol)}")
     return ("".join(parts) or "0") + " = 0"
 
 

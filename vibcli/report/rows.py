@@ -20,7 +20,7 @@ def mode_row(mode):
 
 def damped_row(mode):
     error = f"{mode.error:.0e}" if mode.error else "exact"
-    note = mode.note or ""
+    note = {"ζ = 1": "critically damped", None: ""}.get(mode.note, mode.note)
     if not note and mode.omega_d is None and mode.omega:
         note = "over-damped" if mode.zeta is not None else "real eigenvalue"
     if mode.growth_rate:

@@ -4,6 +4,7 @@ frequencies, damping, modes. Each section is computed when it is printed, and on
 from vibcli import units
 from vibcli.algebra.parse import plain_name
 from vibcli.analyses.shapes import WORDS
+from vibcli.errors import PhysicsError
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
@@ -20,6 +21,7 @@ class Report:
 
     def __init__(self, problem, normalise="first"):
         self.problem, self.normalise, self.lines, self.roots = problem, normalise, [], {}
+        self.refusal = None
 
     def head(self, case):
         spec = self.problem.spec
@@ -45,7 +47,11 @@ class Report:
             self.lines += ["", title, *(("  " + line).rstrip() for line in lines)]
 
     def add(self, name):
-        getattr(self, "_" + name)()
+        """Add a section; where the scene has no such answer the first refusal is kept, and the others are printed."""
+        try:
+            getattr(self, "_" + name)()
+        except PhysicsError as error:
+            self.refusal = self.refusal or error
 
     def _given(self):
         lines, symbols = [], []
@@ -112,12 +118,12 @@ class Report:
 
     def _energies(self):
         energies = self.problem.energies
-        shown, lengths = abbreviated(self.problem.scene.table, [energies[key] for key in ("T", "V", "Phi")], self.roots)
-        for title, symbol, node in zip(("Kinetic energy", "Potential energy", "Dissipation function"), ("T", "V", "Φ"),
-                                       shown, strict=True):
-            if not node.is_zero:
-                self.section(title, wrapped(f"{symbol} = {short(node)}"))
-        self.lines += self._lengths(lengths)
+        for key, symbol, title in (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"),
+                                   ("Phi", "Φ", "Dissipation function")):
+            (shown,), lengths = abbreviated(self.problem.scene.table, [energies[key]], self.roots)
+            if not shown.is_zero:
+                self.section(title, wrapped(f"{symbol} = {short(shown)}"))
+                self.lines += self._lengths(lengths)
 
     @staticmethod
     def _lengths(lengths):
@@ -136,6 +142,8 @@ class Report:
             self.lines += self._lengths(lengths)
         else:
             self.section("Equations of motion", [f"not written out for {len(scene.coordinates)} coordinates"])
+        if equations.refusal:
+            raise equations.refusal
         lines = []
         if equations.linear:
             for name, node in zip(scene.coordinates, equations.linear, strict=True):
@@ -182,9 +190,11 @@ class Report:
         else:
             lines = [f"ω{sub(i)} = {plain(mode.omega)}" for i, mode in enumerate(forms.modes, 1)]
             if len(forms.modes) > 1:
-                lines.append("(in the order of the sample values; f = ω/(2π), T = 2π/ω)")
+                lines.append("(numbered as at sample values of the letters; f = ω/(2π), T = 2π/ω)")
             else:
                 lines.append("f = ω/(2π), T = 2π/ω")
+        if self.problem.scene.dampers and (forms is None or forms.zeta is None):
+            lines.append("the damped modes are found in numbers only; give the parameters values with --set")
         self.section("Natural frequencies [rad/s]", lines)
         if forms is not None and forms.zeta is not None:
             self.section("Damping", [f"ζ = {plain(forms.zeta)}",
