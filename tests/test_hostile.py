@@ -100,7 +100,7 @@ def refused(path, capsys, *command):
     spent = time.perf_counter() - start
     out, err = capsys.readouterr()
     assert code in (3, 4), (code, err[:300])
-    assert not out or command == ("check",)
+    assert not out or command == ("check",) or (code == 4 and "Natural frequencies" not in out)
     assert "error" in err
     assert err.replace("\n", "").isprintable()
     assert len(err) < 100_000

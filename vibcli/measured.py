@@ -95,8 +95,8 @@ def _equilibrium(problem, indices, attribute):
 
 
 def is_stable(problem):
-    """Does K have no negative eigenvalue at the equilibrium?"""
-    return all(mode.growth_rate is None for mode in problem.modes)
+    """Does K have no negative eigenvalue, and does V not fall along a direction in which it vanishes?"""
+    return all(mode.growth_rate is None for mode in problem.modes) and "falling" not in problem.zero_modes.values()
 
 
 def _stable(problem, indices, attribute):

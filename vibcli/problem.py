@@ -66,6 +66,8 @@ class Problem:
         from vibcli.scene.build import build_scene
 
         scene = build_scene(self.spec, self.given)
+        if self.symbolic_parameters(scene):
+            scene = self._drawn_stable(scene)
         self.preloads = {}
         if scene.static_preloads:
             from vibcli.mechanics.preload import settle_static_preloads
@@ -76,7 +78,20 @@ class Problem:
     @property
     def symbolic(self):
         """Are there parameters without value?"""
-        return any(name not in self.given for name in self.scene.parameters.free)
+        return self.symbolic_parameters(self.scene)
+
+    def symbolic_parameters(self, scene):
+        return any(name not in self.given for name in scene.parameters.free)
+
+    def _drawn_stable(self, scene):
+        """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
+        from vibcli.scene.build import SAMPLES, build_scene
+
+        for start in SAMPLES:
+            if not falls_as_drawn(scene):
+                return scene
+            scene = build_scene(self.spec, self.given, start)
+        return scene
 
     @_Stage
     def form(self):
@@ -241,6 +256,13 @@ class Problem:
 
         return self._named(natural_modes, self.elements, self.precise_elements, self.exact_elements)
 
+    @cached_property
+    def zero_modes(self):
+        """What each mode without frequency is: free, held or falling (mechanics/neutral.py)."""
+        from vibcli.mechanics.neutral import zero_modes
+
+        return zero_modes(self) if any(mode.rigid for mode in self.modes) else {}
+
     @_Stage
     def damped(self):
         """The damped modes; None where nothing damps."""
@@ -307,3 +329,15 @@ def _floats():
     from vibcli.algebra.evaluate import Floats
 
     return Floats
+
+
+def falls_as_drawn(scene):
+    """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
+    from vibcli.mechanics.linearise import at_position, in_numbers, linearise
+
+    values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
+    try:
+        numbers = in_numbers(at_position(linearise(scene), scene.drawn), _floats(), values)
+    except ZeroDivisionError:  # said where the drawn position is asked for
+        return False
+    return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)

@@ -168,7 +168,7 @@ def _agrees(scene, M, K, n, squares):
 
 
 def _shape(scene, M, K, i, squares):
-    """Amplitudes of mode i of two degrees: the first one is 1, or it rests. A double root has both coordinates alone."""
+    """Amplitudes of mode i of two degrees: the first is 1, or it rests. A double root has both coordinates alone."""
     one, zero = scene.table.one, scene.table.zero
     alone = [[one, zero], [zero, one]]
     if squares[0] is squares[1]:

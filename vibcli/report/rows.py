@@ -7,14 +7,17 @@ from vibcli.report.figures import figure, table
 from vibcli.report.notation import plain
 from vibcli.report.results import TURN
 
+ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
+              "linear terms"}
 
-def mode_row(mode):
+
+def mode_row(mode, kind=None):
     number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
     if mode.omega is None:
         return number, "–", "–", "–", error, f"unstable: grows as exp({figure(float(mode.growth_rate), mode.error)}·t)"
     omega = float(mode.omega)
     if not omega:
-        return number, "0", "0", "∞", "exact", "rigid-body mode"
+        return number, "0", "0", "∞", "exact", ZERO_MODES[kind]
     return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, ""
 
 

@@ -86,8 +86,12 @@ class Report:
         found = problem.equilibrium
         values = [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
                   for name, value in found.values.items()]
-        rigid = sum(1 for mode in problem.modes if mode.rigid)
-        stable = "unstable" if not is_stable(problem) else "neutral: it can move freely" if rigid else "stable"
+        kinds = problem.zero_modes.values()
+        stable = "stable" if is_stable(problem) else "unstable"
+        if stable == "stable" and "free" in kinds:
+            stable = "neutral: it can move freely"
+        elif stable == "stable" and kinds:
+            stable = "stable, but only terms beyond the linear ones hold it"
         where = "the drawn position" if found.drawn else "shifted from the drawn position"
         lines = [f"{', '.join(values)}   ({where})",
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
@@ -171,7 +175,7 @@ class Report:
         if problem.symbolic:
             self._frequencies_in_letters()
             return
-        rows = [mode_row(mode) for mode in problem.modes]
+        rows = [mode_row(mode, problem.zero_modes.get(mode.index)) for mode in problem.modes]
         damped = "of the undamped system" if problem.damped else "undamped"
         self.section(f"Natural frequencies ({damped})",
                      table(rows, ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")))
@@ -182,6 +186,9 @@ class Report:
                 self.lines += [f"  ω = {plain(form.modes[0].omega)}"]
 
     def _frequencies_in_letters(self):
+        from vibcli.mechanics.symbolic import equilibrium_in_letters
+
+        equilibrium_in_letters(self.problem)  # refused where there is none
         forms = self.problem.closed_forms
         if forms is None:
             lines = ["no closed form that is readable; give the parameters values with --set"]

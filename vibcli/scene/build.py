@@ -22,15 +22,16 @@ from vibcli.scene.order import carriers_first
 from vibcli.scene.terms import Terms
 
 ATTEMPTS = 12
+SAMPLES = range(20, 28)     # where other samples start
 
 
-def build_scene(spec, given=None):
+def build_scene(spec, given=None, start=0):
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
-    for attempt in range(ATTEMPTS):
+    for attempt in range(start, start + ATTEMPTS):
         scene = Scene(spec, attempt, given or {})
         try:
             scene.assemble()
