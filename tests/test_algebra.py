@@ -9,7 +9,7 @@ import sympy
 from scenes import number
 from trees import NAMES, SYMBOLS, new_table, real, trees, values
 
-from vibcli.algebra.calculus import derivative, gradient, hessian
+from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
 from vibcli.algebra.expression import Table
 from vibcli.algebra.meaning import lower
@@ -21,6 +21,16 @@ SMOOTH = ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp")
 MECHANICAL = ("sin", "cos")
 BATCHES = range(8)
 DIGITS = 60
+
+
+
+def derivative(node, variable):
+    return gradient(node).get(variable, node.table.zero)
+
+
+def hessian(node):
+    """{(a, b): second derivative}, both triangles."""
+    return {(a, b): second for a, first in gradient(node).items() for b, second in gradient(first).items()}
 
 
 @pytest.fixture(autouse=True)

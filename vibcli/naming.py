@@ -1,5 +1,7 @@
 """Names and dimensions of a whole file: which names are parameters, which coordinates, and what each measures."""
 
+import re
+
 from vibcli import units
 from vibcli.algebra.meaning import (
     ANY,
@@ -237,6 +239,8 @@ def _unit_hint(spec, expression):
     literal = whole_literal(expression.tree)
     if not expression.unit:
         return None
+    if expression.unit == "N/m" and literal and literal_unit(literal[4]).dimension == units.parse_unit("N*m").dimension:
+        return "a torsional stiffness is given as `torsion:`"
     if literal and not literal[4]:
         return f"write the unit: {expression.text} {expression.unit}"
     name = expression.tree[3] if expression.tree[0] == "name" else None
@@ -274,6 +278,9 @@ def _unknown(spec, name, names):
         return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
     if name.lower() in NO_NUMBERS:
         return f"'{name}' is not a number", "write a finite number, or nothing at all: then the parameter is a symbol"
+    power = re.fullmatch(r"([A-Za-z]+)([2-4])", name)
+    if power and power.group(1) in units.UNITS:
+        return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
     hint = nearest(name, names)
     if names is not spec.parameters and (not hint or hint.startswith("valid")):
         hint = f"a parameter is declared under `parameters:`, a coordinate by a motion such as `slide: {name}`"

@@ -28,16 +28,6 @@ def _unfinished(node):
     return sorted(seen, key=lambda part: part.index)
 
 
-def derivative(node, variable):
-    """∂node/∂variable."""
-    return gradient(node).get(variable, node.table.zero)
-
-
-def hessian(node):
-    """{(a, b): ∂²node/∂a∂b}, both triangles, zero entries left out."""
-    return {(a, b): second for a, first in gradient(node).items() for b, second in gradient(first).items()}
-
-
 def _collect(table, pairs):
     """Σ weight·(∂part/∂v) by variable, of (part, weight node or rational) pairs."""
     terms = {}

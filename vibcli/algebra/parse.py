@@ -243,7 +243,7 @@ class _Parser:
 
     def unknown_unit(self, match, start):
         word = match.group(2)
-        meant = _unit_meant(word)
+        meant = None if word == "pi" else _unit_meant(word)
         product = f"a product is written with *: {self.text[start:self.at]}*{word}"
         raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
                               f"did you mean '{meant}'?" if meant else product)

@@ -161,16 +161,16 @@ def _place(body, motion, scene):
     for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):
         if mass is not None:
             x, y = body.frame.point(*centre)
-            scene.add_inertia(body.name, mass, x, "mass")
-            scene.add_inertia(body.name, mass, y, "mass")
-            scene.add_weight(body.name, mass, x, y)
+            scene.add_inertia(mass, x)
+            scene.add_inertia(mass, y)
+            scene.add_weight(mass, x, y)
         if inertia is not None:
-            scene.add_inertia(body.name, inertia, body.frame.angle, "inertia")
+            scene.add_inertia(inertia, body.frame.angle)
 
 
 def _lump(body, motion, scene):
     record = body.record
     body.lumped = load(motion).lump(record[motion], scene)
-    weight, what = (body.mass, "mass") if motion == "slide" else (body.inertia, "inertia")
+    weight = body.mass if motion == "slide" else body.inertia
     if weight is not None:
-        scene.add_inertia(body.name, weight, body.lumped[1], what)
+        scene.add_inertia(weight, body.lumped[1])

@@ -34,4 +34,4 @@ def build(record, scene):
     c = scene.lower(record["torsion" if torsion else "c"])
     stretch = scene.stretch(record, torsion)
     if stretch is not None:
-        scene.add_damper(record, c, stretch)
+        scene.add_damper(c, stretch)

@@ -67,17 +67,17 @@ def build(record, scene):
         if dx is None or scene.moving(record, dx if dx.mask else dy) is None:
             return
         if free.is_zero:
-            scene.add_spring(record, k, preload, dx)
-            scene.add_spring(record, k, preload, dy)
+            scene.add_spring(k, preload, dx)
+            scene.add_spring(k, preload, dy)
         elif (length := scene.length(record, dx, dy)) is not None:
-            scene.add_spring(record, k, preload, length - free)
+            scene.add_spring(k, preload, length - free)
         return
     stretch = scene.stretch(record, torsion)
     if stretch is None:
         return
     if "preload" in record and "stretch" in record:
         preload = preload - k * scene.at_drawn(stretch)[0]  # the tension as drawn, where the stretch need not be zero
-    scene.add_spring(record, k, preload, stretch)
+    scene.add_spring(k, preload, stretch)
 
 
 def _preload(record, scene):

@@ -1,6 +1,7 @@
 """Rows of the tables of modes: frequencies, damping, shapes."""
 
 from cmath import polar as to_polar
+from itertools import pairwise
 from math import degrees
 
 from vibcli.report.figures import figure, table
@@ -11,14 +12,24 @@ ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "f
               "linear terms"}
 
 
-def mode_row(mode, kind=None):
+def repeated(modes):
+    """The indices of modes whose frequencies coincide within their bounds: any mix of their shapes is a mode."""
+    found = set()
+    for a, b in pairwise(modes):
+        if a.omega and b.omega and float(b.omega - a.omega) <= (a.error + b.error) * float(b.omega):
+            found |= {a.index, b.index}
+    return found
+
+
+def mode_row(mode, kind=None, same=False):
+    """A row of the table of natural frequencies: number, ω, f, T, error bound, remark."""
     number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
     if mode.omega is None:
         return number, "–", "–", "–", error, f"unstable: grows as exp({figure(float(mode.growth_rate), mode.error)}·t)"
     omega = float(mode.omega)
     if not omega:
         return number, "0", "0", "∞", "exact", ZERO_MODES[kind]
-    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, ""
+    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, "repeated" * same
 
 
 def damped_row(mode):

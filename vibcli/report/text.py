@@ -9,7 +9,7 @@ from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
 from vibcli.report.results import joined, numeric_row
-from vibcli.report.rows import damped_row, mode_row, polar, shape_rows
+from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
 from vibcli.spec import QUOTE
 
 EVERYTHING = ("given", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping", "modes")
@@ -175,7 +175,8 @@ class Report:
         if problem.symbolic:
             self._frequencies_in_letters()
             return
-        rows = [mode_row(mode, problem.zero_modes.get(mode.index)) for mode in problem.modes]
+        same = repeated(problem.modes)
+        rows = [mode_row(mode, problem.zero_modes.get(mode.index), mode.index in same) for mode in problem.modes]
         damped = "of the undamped system" if problem.damped else "undamped"
         self.section(f"Natural frequencies ({damped})",
                      table(rows, ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")))
@@ -246,6 +247,8 @@ class Report:
                  for i, mode in enumerate(forms.modes, 1) if mode.shape and mode.readable]
         if not lines and forms.ratio is not None:
             lines = [f"{plain.symbol(names[1])}/{plain.symbol(names[0])} = {plain(forms.ratio)}   for ω = ω₁, ω₂"]
+        if not lines:
+            lines = ["no closed form that is readable; give the parameters values with --set"]
         self.section("Mode shapes (the first coordinate is 1)", lines)
 
     def text(self):

@@ -8,11 +8,9 @@ from vibcli.algebra.calculus import gradient
 class Term(NamedTuple):
     """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring."""
 
-    owner: str
     weight: object
     s: object
     force: object = None
-    what: str = ""
 
 
 class Terms:
@@ -24,25 +22,25 @@ class Terms:
         self.matrices = {}
         self.static_preloads = []
 
-    def add_inertia(self, owner, weight, s, what):
+    def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
         if s.mask and not weight.is_zero:
-            self.inertias.append(Term(owner, weight, s, what=what))
+            self.inertias.append(Term(weight, s))
 
-    def add_weight(self, owner, mass, x, y):
+    def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""
         if self.gravity is not None:
             for g, s in zip(self.gravity, (x, y), strict=True):
                 if s.mask and not g.is_zero:
-                    self.weights.append(Term(owner, -mass * g, s))
+                    self.weights.append(Term(-mass * g, s))
 
-    def add_spring(self, record, k, preload, s):
+    def add_spring(self, k, preload, s):
         """preload·s + ½·k·s² to V."""
-        self.springs.append(Term(record.name, k, s, preload))
+        self.springs.append(Term(k, s, preload))
 
-    def add_damper(self, record, c, s):
+    def add_damper(self, c, s):
         """½·c·ṡ² to Φ."""
-        self.dampers.append(Term(record.name, c, s))
+        self.dampers.append(Term(c, s))
 
     def static_preload(self, record):
         """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""
