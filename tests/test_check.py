@@ -207,3 +207,20 @@ def test_cases_are_checked(tmp_path, capsys):
     assert run(["check", path, "--json"]) == 0
     answer, = json.loads(capsys.readouterr().out)[0]["answers"]
     assert (answer["case"], answer["agrees"], answer["found"]) == ("stiff", True, 30.0)
+
+
+@pytest.mark.parametrize("setting", ["g=10", "g=10 m/s^2", "g=1000 cm/s^2"])
+def test_a_bare_number_takes_the_whole_unit_of_the_file(tmp_path, capsys, setting):
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}\ngravity: g\n"
+                    "bodies: {b: {mass: m, at: [0, -L], pin: {at: [0, 0], by: phi}}}\n")
+    assert run(["frequencies", str(path), "--set", setting, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["modes"][0]["omega"] == pytest.approx(10**0.5, rel=1e-15)
+
+
+def test_a_set_value_is_shown_with_its_unit(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {m: 1 kg, k: {unit: kN/m}}\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\n")
+    assert run(["solve", str(path), "--set", "k=4"]) == 0
+    assert "k = 4 kN/m" in capsys.readouterr().out
