@@ -21,7 +21,7 @@ lint: $(BIN)/pytest
 	$(BIN)/ruff check vibcli tests
 
 test: lint
-	$(BIN)/pytest -n 2
+	$(BIN)/pytest -q -n 2
 	$(BIN)/vibcli check --quiet problems
 
 bench: $(BIN)/pytest

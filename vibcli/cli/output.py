@@ -8,7 +8,8 @@ from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.errors import PhysicsError
 
 
-def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=()):
+def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=(),
+                 question=False):
     """Print the scene and its cases; `sections(problem)` names the text sections, `data` the parts of the JSON.
 
     A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
@@ -22,7 +23,7 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
             if as_json:
                 found[case] = _data(problem, data, normalise, digits)
             else:
-                report = _report(case, problem, sections(problem), normalise, digits)
+                report = _report(case, problem, sections(problem), normalise, digits, question)
                 click.echo(("\n\n" if found else "") + report.text())
                 found[case] = None
                 if report.refusal:
@@ -62,11 +63,11 @@ def _data(problem, parts, normalise, digits):
     return found
 
 
-def _report(case, problem, sections, normalise, digits):
+def _report(case, problem, sections, normalise, digits, question):
     from vibcli.report.text import Report
 
     report = Report(problem, normalise)
-    report.head(case)
+    report.head(case, question)
     for section in sections:
         report.add(section)
     if digits is not None:

@@ -157,7 +157,7 @@ def frequencies_data(problem, normalise="first", digits=None):
         modes, damped = problem.to_digits(digits)
 
         def write(value):
-            return mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False)
+            return mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False) if value else "0"
 
         return found | {"modes": modes_data(problem, modes, normalise, write),
                         "damped": damped_data(problem, damped, normalise, write)}

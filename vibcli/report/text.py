@@ -23,12 +23,13 @@ class Report:
         self.problem, self.normalise, self.lines, self.roots = problem, normalise, [], {}
         self.refusal = None
 
-    def head(self, case):
+    def head(self, case, question=True):
+        """The title, and the question with its source."""
         spec = self.problem.spec
         title = spec.get("title") or spec.file
         title = f"{title} — case {case}" if case else title
         self.lines += [title, "=" * width(title)]
-        if not case:
+        if question and not case:
             self.lines += [f"Source: {spec.get('source')}"] if spec.get("source") else []
             if spec.get("question"):
                 self.lines += ["", *wrapped(self._quoting(spec.get("question")), indent=0)]
