@@ -36,8 +36,11 @@ def test_preload_of_a_written_stretch_is_the_tension_as_drawn():
     assert found.equilibrium.values["x"] == pytest.approx(0.2, abs=1e-15)
 
 
-TWO = "parameters: {{m: , k: , K: {{unit: N/m, unused: allowed}}}}\nbodies: {{p: {{mass: m, slide: x}}, q: {{mass: m, " \
-      "slide: y}}}}\nsprings: {{a: {{k: k, between: [ground, p]}}, b: {{k: {}, between: [ground, q]}}}}"
+TWO = """
+parameters: {{m: , k: , K: {{unit: N/m, unused: allowed}}}}
+bodies: {{p: {{mass: m, slide: x}}, q: {{mass: m, slide: y}}}}
+springs: {{a: {{k: k, between: [ground, p]}}, b: {{k: {}, between: [ground, q]}}}}
+"""
 
 
 @pytest.mark.parametrize("second", ["k", "k + K"])
