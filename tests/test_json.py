@@ -16,8 +16,8 @@ MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
 DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "decay", "growth_rate", "shape", "error"]
 FREQUENCIES = {"title", "coordinates", "equilibrium", "matrices", "modes", "damped"}
-KEYS = {"solve": FREQUENCIES | {"equations"}, "frequencies": FREQUENCIES,
-        "equations": {"title", "coordinates", "equations", "matrices"}}
+KEYS = {"solve": FREQUENCIES | {"energies", "equations"}, "frequencies": FREQUENCIES,
+        "equations": {"title", "coordinates", "energies", "equations", "matrices"}}
 
 SCENE = """
 title: Two cars

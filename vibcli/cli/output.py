@@ -49,7 +49,7 @@ def _print_json(found):
 
 
 def _data(problem, parts, normalise, digits):
-    from vibcli.report.results import equations_data, frequencies_data, matrices_data
+    from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if "frequencies" in parts:
@@ -57,6 +57,7 @@ def _data(problem, parts, normalise, digits):
     if "equations" in parts:
         if problem.equations.refusal:
             raise problem.equations.refusal
+        found["energies"] = energies_data(problem)
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)

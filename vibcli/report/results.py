@@ -6,6 +6,11 @@ from vibcli.report.latex import latex
 TURN = 6.283185307179586
 
 
+def energies_data(problem):
+    """{T, V, Phi} as expressions of the scene language."""
+    return {key: language(node) for key, node in problem.energies.items()}
+
+
 def equations_data(problem):
     """[{coordinate, text, latex, linear_text, linear_latex}]."""
     equations = problem.equations
