@@ -53,7 +53,7 @@ def effective_potential(scene):
 
 def textbook_energies(scene):
     """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
-    return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": textbook(dissipation(scene))}
+    return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}
 
 
 def _textbook_potential(scene):
@@ -73,3 +73,16 @@ def _textbook_potential(scene):
     if collected.op == "sum":
         collected = table.sum(*((part, c) for part, c in collected.args if part.mask))
     return table.sum(*parts, (collected, ONE))
+
+
+def _textbook_dissipation(scene):
+    """Φ with the part ½ c ḋ² of each damper kept as it is read off the figure."""
+    table, parts = scene.table, []
+    rest = [*_quadratic(scene, "C", scene.v), (scene.energies["Phi"], ONE)]
+    for term in scene.dampers:
+        speed = textbook(rate(scene, term.s))
+        if speed.op == "sum":
+            parts.append((table.product((term.weight, ONE), (speed, ONE + ONE)), HALF))
+        else:
+            rest.append((term.weight * speed * speed, HALF))
+    return table.sum(*parts, (textbook(table.sum(*rest)), ONE))

@@ -17,13 +17,13 @@ def abbreviated(table, nodes, known):
 
 
 def _rooted(node):
-    """The long sums that stand under a root anywhere in a node."""
+    """The long sums that stand under a root, or below a line as the square of a length does, anywhere in a node."""
     pending, found = [node], []
     while pending:
         part = pending.pop()
         if part.op == "product":
-            found += [base for base, e in part.args if base.op == "sum" and base.mask and e.denominator == 2
-                      and len(base.args) >= SHORT]
+            found += [base for base, e in part.args if base.op == "sum" and base.mask and len(base.args) >= SHORT
+                      and (e.denominator == 2 or e < 0)]
         if part.op in ("sum", "product"):
             pending.extend(arg for arg, _ in part.args)
         elif part.op == "call":
