@@ -8,6 +8,7 @@ PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
 $(BIN)/vibcli: pyproject.toml
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	$(BIN)/python -m compileall -q vibcli
 	@touch $@
 
 $(BIN)/pytest: pyproject.toml $(BIN)/vibcli

@@ -141,7 +141,7 @@ def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
     tree = answer.asked.tree
     head = tree[4] if tree[0] == "quantity" else None
-    if head in ("M", "C", "K"):
+    if head in ("M", "C", "G", "K"):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":

@@ -105,9 +105,9 @@ def _stable(problem, indices, attribute):
 
 def _matrix(which):
     def value(problem, indices, attribute):
-        M, C, _, K = problem.elements.matrices()
+        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         i, j = (problem.scene.coordinates.index(coordinate_name(problem.spec, index)) for index in indices)
-        return float({"M": M, "C": C, "K": K}[which].get((i, j), 0.0)), ROUNDING
+        return float(matrices[which].get((i, j), 0.0)), ROUNDING
     return value
 
 
@@ -139,5 +139,5 @@ _MEASURES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
     "decay": _of_damped("decay", "decay"), "equilibrium": _equilibrium, "stable": _stable,
-    "M": _matrix("M"), "C": _matrix("C"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
+    "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
 }

@@ -31,6 +31,7 @@ ASKED = {
     "motion": Asked(("coordinate",), None, "full equation of motion"),
     "M": Asked(("coordinate", "coordinate"), None, "entry of the mass matrix"),
     "C": Asked(("coordinate", "coordinate"), None, "entry of the damping matrix"),
+    "G": Asked(("coordinate", "coordinate"), None, "entry of the gyroscopic matrix"),
     "K": Asked(("coordinate", "coordinate"), None, "entry of the stiffness matrix"),
     "T": Asked((), "J", "kinetic energy, as a function of coordinates and velocities"),
     "V": Asked((), "J", "potential energy, up to a constant"),
