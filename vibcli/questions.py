@@ -41,7 +41,7 @@ ASKED = {
 }
 STATE_FUNCTIONS = ("T", "V", "Phi", "equation", "motion")
 OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)  # of the matrix times two coordinates
-            for key, power in (("M", 2), ("C", 1), ("K", 0))}
+            for key, power in (("M", 2), ("C", 1), ("G", 1), ("K", 0))}
 
 
 def dimension(head, indices, coordinate):
