@@ -33,8 +33,10 @@ class Ends:
     def moving(self, record, stretch):
         """The stretch; None where it never changes, which is reported."""
         if stretch is not None and not stretch.mask:
-            self.report(record.where, f"'{record.name}' joins what never moves relative to one another",
-                        "check its ends, or take it out")
+            hint = "check its ends, or take it out"
+            if any(isinstance(end, list) for end in record.get("between", ())):
+                hint = "a place [x, y] is fixed; a point of a body is P: {body: name, at: [x, y]} under `points`"
+            self.report(record.where, f"'{record.name}' joins what never moves relative to one another", hint)
             return None
         return stretch
 
