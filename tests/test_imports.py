@@ -28,7 +28,7 @@ ROOMS = (
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
-    ("results", ("report", "problem", "measured", "draws", "check")),
+    ("results", ("report", "stage", "problem", "measured", "draws", "check")),
     ("manual", ("manual",)),
     ("cli", ("cli", "__main__")),
     ("bench", ("bench",)),

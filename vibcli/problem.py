@@ -8,29 +8,11 @@ Each stage is computed on first touch, by one call to a pure function whose modu
 
 from fractions import Fraction
 from functools import cached_property
-from time import perf_counter
 
 from vibcli.errors import defined_as_drawn
+from vibcli.stage import Stage
 
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
-
-
-class _Stage(cached_property):
-    """A cached property that records what it cost."""
-
-    def __get__(self, problem, owner=None):
-        if problem is None:
-            return self
-        known = problem.__dict__
-        if self.attrname in known:
-            return known[self.attrname]
-        before, inner = perf_counter(), problem.inner
-        problem.inner = 0.0
-        value = super().__get__(problem, owner)
-        spent = perf_counter() - before
-        problem.costs[self.attrname] = spent - problem.inner
-        problem.inner = inner + spent
-        return value
 
 
 class Problem:
@@ -61,13 +43,15 @@ class Problem:
         found = self.spec.dimensions.of(coordinate)
         return LENGTH if any(base.startswith("?") for base in found) else found
 
-    @_Stage
+    @Stage
     def scene(self):
         from vibcli.scene.build import build_scene
 
         scene = build_scene(self.spec, self.given)
         if self.symbolic_parameters(scene):
-            scene = self._drawn_stable(scene)
+            from vibcli.mechanics.symbolic import drawn_stable
+
+            scene = drawn_stable(self.spec, self.given, scene)
         self.preloads = {}
         if scene.static_preloads:
             from vibcli.mechanics.preload import settle_static_preloads
@@ -83,17 +67,7 @@ class Problem:
     def symbolic_parameters(self, scene):
         return any(name not in self.given for name in scene.parameters.free)
 
-    def _drawn_stable(self, scene):
-        """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
-        from vibcli.scene.build import SAMPLES, build_scene
-
-        for start in SAMPLES:
-            if not falls_as_drawn(scene):
-                return scene
-            scene = build_scene(self.spec, self.given, start)
-        return scene
-
-    @_Stage
+    @Stage
     def form(self):
         from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import linearise
@@ -191,7 +165,7 @@ class Problem:
 
         return defined_as_drawn(effective_potential, self.scene)
 
-    @_Stage
+    @Stage
     def equilibrium(self):
         from vibcli.mechanics import equilibrium
 
@@ -216,7 +190,7 @@ class Problem:
         terms = len(self.drawn_form.curved) + len(self.drawn_form.residual)
         return numbers if is_balanced(numbers, terms + 2) else None
 
-    @_Stage
+    @Stage
     def elements(self):
         """The element data at the equilibrium, in floats that are correct but for their own rounding."""
         from vibcli.mechanics.linearise import in_numbers
@@ -249,7 +223,7 @@ class Problem:
         except (Rationals.Irrational, KeyError, ZeroDivisionError):
             return None
 
-    @_Stage
+    @Stage
     def modes(self):
         """The modes of the system without its dampers."""
         from vibcli.analyses.spectrum import natural_modes
@@ -263,7 +237,7 @@ class Problem:
 
         return zero_modes(self) if any(mode.rigid for mode in self.modes) else {}
 
-    @_Stage
+    @Stage
     def damped(self):
         """The damped modes; None where nothing damps."""
         elements = self.elements
@@ -303,21 +277,21 @@ class Problem:
 
     # letters
 
-    @_Stage
+    @Stage
     def energies(self):
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
         return textbook_energies(self.scene)
 
-    @_Stage
+    @Stage
     def equations(self):
         """Lagrange's equations, full and for small oscillations, in letters."""
         from vibcli.mechanics.lagrange import equations
 
         return equations(self)
 
-    @_Stage
+    @Stage
     def closed_forms(self):
         """Natural frequencies and modes in letters, by SymPy."""
         from vibcli.analyses.closed import closed_forms
@@ -329,15 +303,3 @@ def _floats():
     from vibcli.algebra.evaluate import Floats
 
     return Floats
-
-
-def falls_as_drawn(scene):
-    """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
-    from vibcli.mechanics.linearise import at_position, in_numbers, linearise
-
-    values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
-    try:
-        numbers = in_numbers(at_position(linearise(scene), scene.drawn), _floats(), values)
-    except ZeroDivisionError:  # said where the drawn position is asked for
-        return False
-    return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)

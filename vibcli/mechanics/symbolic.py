@@ -5,8 +5,9 @@ from vibcli.algebra.normal import is_zero, textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.lagrange import matrices_in_letters
+from vibcli.mechanics.linearise import at_position, in_numbers, linearise
 from vibcli.mechanics.preload import solve_linear
-from vibcli.scene.build import sample_values
+from vibcli.scene.build import SAMPLES, build_scene, sample_values
 
 
 def vanishes(scene, terms):
@@ -49,3 +50,22 @@ def equilibrium_in_letters(problem):
                            "give numbers with --set") from None
     drawn = list(scene.drawn.values())
     return {name: textbook(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}
+
+
+def drawn_stable(spec, given, scene):
+    """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
+    for start in SAMPLES:
+        if not _falls_as_drawn(scene):
+            break
+        scene = build_scene(spec, given, start)
+    return scene
+
+
+def _falls_as_drawn(scene):
+    """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
+    values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
+    try:
+        numbers = in_numbers(at_position(linearise(scene), scene.drawn), Floats, values)
+    except ZeroDivisionError:  # said where the drawn position is asked for
+        return False
+    return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)
