@@ -1,10 +1,15 @@
 """Zero frequencies that are no rigid motion, shapes of decoupled and repeated modes, preloads of written stretches."""
 
-import pytest
-from scenes import problem
+from fractions import Fraction
+from pathlib import Path
 
+import pytest
+from scenes import problem, problem_of
+
+from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.measured import is_stable
 
+PROBLEMS = Path(__file__).parent.parent / "problems"
 QUARTIC = "parameters: {{m: 1 kg, a: 3 N/m^3}}\ncoordinates: [x]\nenergies: {{T: m*x'^2/2, V: {}}}"
 
 
@@ -71,3 +76,22 @@ def test_a_derived_parameter_follows_its_definition():
                     "bodies: {b: {shape: disc, mass: m, radius: r, at: [0, -d], roll: {surface: track, turn: phi}}}")
     sample = found.scene.sample
     assert sample["d"] == pytest.approx(sample["R"] - sample["r"])
+
+
+IN_LETTERS = ("6_more_degrees/three_car_train", "6_two_degrees/coupled_pendulums_beats",
+              "6_two_degrees/disc_rolling_on_cart",
+              "6_two_degrees/double_pendulum_equal", "6_two_degrees/disc_rolling_on_tied_cart")
+
+
+@pytest.mark.parametrize("stem", IN_LETTERS)
+def test_shapes_in_letters_are_those_in_numbers(stem):
+    """At the sample values every closed form equals the numeric mode."""
+    found = problem_of(PROBLEMS / f"{stem}.yaml")
+    sample = {name: Fraction(found.scene.sample[name]) for name in found.scene.parameters.free}
+    numeric = found.with_values(sample)
+    forms = found.closed_forms.modes
+    assert len(forms) == len(numeric.modes)
+    for form, mode in zip(forms, numeric.modes, strict=True):
+        omega, *shape = evaluate([form.omega, *form.shape], Floats, found.scene.sample)
+        assert omega == pytest.approx(mode.omega, rel=1e-9, abs=1e-6)
+        assert shape == pytest.approx(numeric.shape(mode), rel=1e-7, abs=1e-7)

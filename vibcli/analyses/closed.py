@@ -11,7 +11,7 @@ from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.algebra.rationals import HALF, ONE
 
-LARGEST, LONGEST, READABLE = 6, 400, 24
+LARGEST, LONGEST, READABLE, COFACTORS = 6, 400, 24, 4
 
 
 class ClosedMode:
@@ -127,7 +127,9 @@ def _several(scene, M, K, n):
         if roots[0] is not roots[1] and any((0, 1) in matrix for matrix in (M, K)):
             ratio_of_omega = _ratio(scene, M, K, scene.table.variable("ω") ** 2)
     else:
-        shapes = [None] * n
+        single = [n <= COFACTORS and roots.count(node) == 1 for _, node in found]
+        shapes = [_by_cofactors(scene, M, K, n, node) if alone else None
+                  for alone, (_, node) in zip(single, found, strict=True)]
     for (_, node), shape in zip(found, shapes, strict=True):
         modes.append(ClosedMode(node, root_of(node, scene.sample), shape))
     return ClosedForms(modes, ratio=ratio_of_omega)
@@ -180,6 +182,39 @@ def _shape(scene, M, K, i, squares):
         return alone[0] if abs(x) <= 1e-9 * abs(y) or entry[0, 0].is_zero else alone[1]
     amplitude = _ratio(scene, M, K, squares[i])
     return None if amplitude is None else [one, amplitude]
+
+
+def _by_cofactors(scene, M, K, n, square):
+    """Amplitudes as cofactors of a row of K − λM, the first that moves being 1; None where they are too long."""
+    zero, table = scene.table.zero, scene.table
+    if any(e.denominator == 2 for part in reachable([square]) if part.op == "product" for _, e in part.args):
+        return None
+    entry = [[K.get((i, j), zero) - square * M.get((i, j), zero) for j in range(n)] for i in range(n)]
+    for row in range(n):
+        rest = [line for i, line in enumerate(entry) if i != row]
+        found = [textbook(table.scaled(_determinant([line[:j] + line[j + 1:] for line in rest]), (-1) ** (row + j)))
+                 for j in range(n)]
+        sizes = evaluate(found, Floats, scene.sample)
+        largest = max(map(abs, sizes))
+        terms = max(abs(x) for x in evaluate([part for line in entry for part in line], Floats, scene.sample))
+        if largest <= 1e-9 * terms ** (n - 1):
+            continue
+        pivot = next(j for j, size in enumerate(sizes) if abs(size) > 1e-9 * largest)
+        return [zero if abs(size) <= 1e-9 * largest else ratio(part, found[pivot])
+                for part, size in zip(found, sizes, strict=True)]
+    return None
+
+
+def _determinant(rows):
+    """By expansion along the first row."""
+    if len(rows) == 1:
+        return rows[0][0]
+    total = rows[0][0].table.zero
+    for j, entry in enumerate(rows[0]):
+        if not entry.is_zero:
+            minor = _determinant([line[:j] + line[j + 1:] for line in rows[1:]])
+            total = total + entry * minor * (-1) ** j
+    return total
 
 
 def _ratio(scene, M, K, square):

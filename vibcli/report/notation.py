@@ -117,7 +117,7 @@ class Plain(Notation):
     """Unicode text; a no-break space holds a function and its argument together."""
 
     def number(self, value):
-        return decimal(value)
+        return decimal(value).replace("-", "−")
 
     def minus(self, text):
         return text

@@ -250,7 +250,7 @@ class Report:
             lines = [f"{plain.symbol(names[1])}/{plain.symbol(names[0])} = {plain(forms.ratio)}   for ω = ω₁, ω₂"]
         if not lines:
             lines = ["no closed form that is readable; give the parameters values with --set"]
-        self.section("Mode shapes (the first coordinate is 1)", lines)
+        self.section("Mode shapes (the first coordinate that moves is 1)", lines)
 
     def text(self):
         return "\n".join(self.lines).replace("\u00a0", " ")
