@@ -6,27 +6,12 @@ import subprocess
 import sys
 
 import pytest
+from documents import SCENE
 
 from vibcli import document
 from vibcli.diagnostics import render
 from vibcli.document import Scalar, Sequence, read, read_file
 from vibcli.errors import Diagnostic, Where
-
-SCENE = """\
-title: "Mass: on a spring"
-parameters: {m: 2 kg, k: , on: 010}
-bodies:
-  block: {mass: m, slide: x}
-  'tip''s':
-    - [0, -(L + h)]
-    - omega[1]: 1e3
-answers:
-  omega[1]: sqrt(k/m)   # rad/s
-  x': ''
-question: >
-  What is
-  asked
-"""
 
 
 def plain(node):

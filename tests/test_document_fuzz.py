@@ -7,27 +7,14 @@ import time
 
 import pytest
 import yaml
+from documents import SCENE
 
 from vibcli import decoding
 from vibcli.diagnostics import render
 from vibcli.document import Mapping, Scalar, Sequence, read
 from vibcli.errors import Diagnostic
 
-SCENE = b"""\
-title: "Mass: on a spring"
-parameters: {m: 2 kg, k: , on: 010}
-bodies:
-  block: {mass: m, slide: x}
-  'tip''s':
-    - [0, -(L + h)]
-    - omega[1]: 1e3
-answers:
-  omega[1]: sqrt(k/m)   # rad/s
-  x': ''
-question: >
-  What is
-  asked
-"""
+DATA = SCENE.encode()
 
 
 def read_text(text):
@@ -108,7 +95,7 @@ def bad_bytes(dice):
         return dice.randbytes(dice.randrange(40))
     if kind < 0.5:
         return b"".join(dice.choices(PIECES, k=dice.randrange(1, 25)))
-    data = bytearray(SCENE)
+    data = bytearray(DATA)
     for _ in range(dice.randrange(1, 5)):
         place = dice.randrange(len(data) + 1)
         change = dice.randrange(4)

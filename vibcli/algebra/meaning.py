@@ -10,37 +10,30 @@ from vibcli.diagnostics import quoted
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
 
 
-def names_in(tree):
-    """(name, primes, start, end) of each name of a tree."""
+def _within(tree, kind):
+    """The parts of a tree that are of one kind."""
     pending, found = [tree], []
     while pending:
         part = pending.pop()
-        if part[0] == "name":
-            found.append((part[3], part[4], part[1], part[2]))
+        if part[0] == kind:
+            found.append(part)
         pending.extend(_children(part))
     return found
+
+
+def names_in(tree):
+    """(name, primes, start, end) of each name of a tree."""
+    return [(part[3], part[4], part[1], part[2]) for part in _within(tree, "name")]
 
 
 def quantities_in(tree):
     """The quantity trees (`omega[1]`) within a tree."""
-    pending, found = [tree], []
-    while pending:
-        part = pending.pop()
-        if part[0] == "quantity":
-            found.append(part)
-        pending.extend(_children(part))
-    return found
+    return _within(tree, "quantity")
 
 
 def literals_in(tree):
     """The number trees within a tree."""
-    pending, found = [tree], []
-    while pending:
-        part = pending.pop()
-        if part[0] == "number":
-            found.append(part)
-        pending.extend(_children(part))
-    return found
+    return _within(tree, "number")
 
 
 def _children(tree):
