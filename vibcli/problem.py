@@ -56,7 +56,7 @@ class Problem:
         if scene.static_preloads:
             from vibcli.mechanics.preload import settle_static_preloads
 
-            self.preloads = settle_static_preloads(scene)
+            self.preloads = defined_as_drawn(settle_static_preloads, scene)
         return scene
 
     @property

@@ -170,7 +170,7 @@ def is_zero(node):
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
         return node.is_zero or not reduced(_cleared(expanded(node)))
-    except TooLong:
+    except (TooLong, ZeroDivisionError):
         return False
 
 
@@ -197,7 +197,7 @@ def textbook(node):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
         terms = reduced(expanded(_unnested(node)))
-    except TooLong:
+    except (TooLong, ZeroDivisionError):
         return node
     return collected(node.table, terms)
 
@@ -279,7 +279,7 @@ def root_of_square(node):
     """√node up to sign as a node where that needs no root, else None."""
     try:
         terms = reduced(expanded(node))
-    except TooLong:
+    except (TooLong, ZeroDivisionError):
         return None
     if len(terms) == 1:
         (monomial, value), = terms.items()
