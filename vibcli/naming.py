@@ -38,13 +38,17 @@ def resolve(spec, reader):
     _matrices(spec, reader)
     _start(spec, reader)
     _bounded(spec, reader)
-    known = (*spec.parameters, *spec.coordinates)
+    known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
+    if "t" not in spec.parameters and "t" not in spec.coordinates:
+        spec.dimensions.equate(spec.dimensions.unknown("t"), units.TIME)
     parameters = {id(p.get("value")) for p in spec.parameters.values()}
     moving = _moving(spec, reader)
     for expression in reader.expressions:
         if id(expression) not in apart and id(expression) not in parameters:
             names = known if id(expression) in moving else spec.parameters
-            check(spec, reader, expression, names, expression.dimension)
+            local = reader.local_names.get(id(expression))
+            check(spec, reader, expression, names if local is None else {**names, local: None}, expression.dimension,
+                  local)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
         from vibcli.asking import check_answers
 
@@ -52,13 +56,12 @@ def resolve(spec, reader):
 
 
 def _moving(spec, reader):
-    """Coordinates may stand in motions, stretches and energies; everything else is of parameters alone."""
+    """Coordinates and the time may stand in motions, stretches, loads and energies; all else is of parameters."""
     holders = [*(spec.get("springs") or {}).values(), *(spec.get("dampers") or {}).values()]
     energies = spec.get("energies")
-    expressions = [*reader.motions, *(record.get("stretch") for record in holders),
-                   *(energies.values.values() if energies else ())]
-    spec.velocities = {id(expression) for expression in expressions[len(reader.motions) + len(holders):]}
-    return set(map(id, expressions))
+    at_speed = [*(energies.values.values() if energies else ()), *reader.loads]
+    spec.velocities = set(map(id, at_speed))
+    return set(map(id, (*reader.motions, *(record.get("stretch") for record in holders), *at_speed)))
 
 
 def _coordinates(spec, reader):
@@ -168,6 +171,10 @@ def _matrices(spec, reader):
 
 
 def _start(spec, reader):
+    for record in (spec.get("forces") or {}).values():
+        if "value" in record:
+            record["value"].dimension = units.times(units.parse_unit("J").dimension,
+                                                    spec.dimensions.unknown(record["coordinate"].text), -1)
     for name, value in (spec.get("equilibrium") or {}).items():
         value.dimension = spec.dimensions.unknown(name)
     for name, record in spec.coordinates.items():
@@ -182,13 +189,15 @@ def _bounded(spec, reader):
                       "leave coordinates out, or divide the scene")
 
 
-def check(spec, reader, expression, names, expected):
-    """Names and dimension of one expression; True where both fit."""
+def check(spec, reader, expression, names, expected, local=None):
+    """Names and dimension of one expression; True where both fit. `local`: the name of a length in it alone."""
     before = len(reader.diagnostics)
     named = names_in(expression.tree)
     if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
         return True
     for name, primes, start, end in named:
+        if name == local and not primes:
+            continue
         if name in names:
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
@@ -200,7 +209,7 @@ def check(spec, reader, expression, names, expected):
     if len(reader.diagnostics) > before:
         return False
     try:
-        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.times(
+        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.LENGTH if name == local else units.times(
             spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
@@ -265,15 +274,16 @@ def _primes(spec, reader, expression, name, primes, start, end):
     if not primes:
         return
     place = expression.scalar.place(start, end - start)
-    if name in spec.parameters:
-        reader.report(place, f"'{name}' is a parameter: it has no derivative", "only coordinates move")
+    if name in spec.parameters or name not in spec.coordinates:
+        what = "a parameter" if name in spec.parameters else "the time"
+        reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
     elif reader.sound and id(expression) not in spec.velocities:
         reader.report(place, "velocities cannot stand here", "they stand in energies and in expected equations")
 
 
 def _unknown(spec, name, names):
     if name == "t":
-        return "the time t cannot stand here", "motions and loads that depend on time do not work yet"
+        return "the time t cannot stand here", "it stands in motions, driven points, forces and energies"
     if name in spec.coordinates:
         return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
     if name.lower() in NO_NUMBERS:

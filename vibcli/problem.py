@@ -59,6 +59,15 @@ class Problem:
             self.preloads = defined_as_drawn(settle_static_preloads, scene)
         return scene
 
+    @cached_property
+    def loose(self):
+        """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
+        if self.scene.loops is None:
+            return self.scene
+        from vibcli.scene.build import build_scene
+
+        return build_scene(self.spec, self.given, self.scene.attempt, loose=True)
+
     @property
     def symbolic(self):
         """Are there parameters without value?"""
@@ -75,14 +84,20 @@ class Problem:
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
-        return defined_as_drawn(linearise, self.scene)
+        found = defined_as_drawn(linearise, self.scene)
+        if not self.scene.timed:
+            return found
+        from vibcli.mechanics.steady import steady
+
+        self.timed_form = found
+        return steady(self.scene, found)
 
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
         from vibcli.mechanics.linearise import at_position
 
-        return defined_as_drawn(at_position, self.form, self.scene.drawn)
+        return defined_as_drawn(at_position, self.form, self.scene.drawn_position)
 
     @cached_property
     def is_linear(self):
@@ -150,8 +165,9 @@ class Problem:
     def drawn_floats(self):
         from vibcli.algebra.evaluate import evaluate
 
-        nodes = list(self.scene.drawn.values())
-        return dict(zip(self.scene.coordinates, evaluate(nodes, _floats(), self.floats), strict=True))
+        drawn = {q.name: node for q, node in self.scene.drawn.items()}
+        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        return dict(zip(drawn, evaluate(list(drawn.values()), _floats(), self.floats), strict=True))
 
     @cached_property
     def rational(self):
@@ -164,6 +180,24 @@ class Problem:
         from vibcli.mechanics.energies import effective_potential
 
         return defined_as_drawn(effective_potential, self.scene)
+
+    @cached_property
+    def excitation(self):
+        """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
+        equilibrium that is not the drawn one."""
+        from vibcli.mechanics.steady import excitation
+
+        scene = self.scene
+        if self.linear_in_letters or self.symbolic:
+            return excitation(scene, self.timed_form, scene.drawn_position)
+        place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        return excitation(scene, self.timed_form, place)
+
+    @cached_property
+    def conservative(self):
+        """Have all loads a potential: constant forces alone, and no driven motion?"""
+        scene = self.scene
+        return not scene.timed and not any(term.weight.mask for term in scene.forces)
 
     @Stage
     def equilibrium(self):
@@ -178,7 +212,21 @@ class Problem:
         from vibcli.algebra.evaluate import evaluate
 
         nodes = [self.scene.lower(expression) for expression in start.values()]
-        return {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        return self.closed(self.drawn_floats, target)
+
+    def closed(self, start, target):
+        """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
+        `start`; PhysicsError where its loops cannot close there."""
+        if self.scene.loops is None:
+            return target
+        found = self.scene.loops.followed({**self.floats, "t": 0.0, **start}, {**self.floats, "t": 0.0, **target})
+        if found is None:
+            from vibcli.errors import PhysicsError
+
+            raise PhysicsError("the loops of this scene cannot close in the position asked for",
+                               "start nearer to the drawn position, or make the links longer")
+        return {name: found[name] for name in self.drawn_floats}
 
     @cached_property
     def drawn_numbers(self):
@@ -195,6 +243,10 @@ class Problem:
         """The element data at the equilibrium, in floats that are correct but for their own rounding."""
         from vibcli.mechanics.linearise import in_numbers
 
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+
+            require_autonomous(self, self.equilibrium.values)
         if self.equilibrium.drawn:
             return self.drawn_numbers.elements
         if self.is_linear:
@@ -282,7 +334,7 @@ class Problem:
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
-        return textbook_energies(self.scene)
+        return textbook_energies(self.loose)
 
     @Stage
     def equations(self):

@@ -109,6 +109,10 @@ class Table:
         self.variables.append(node)
         return node
 
+    def dependent(self, name, mask):
+        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved."""
+        return self._make("symbol", (self.one,), ONE, mask, name)
+
     def scaled(self, node, factor):
         """factor·node, the factor rational; over a sum it is distributed."""
         if factor == 1:

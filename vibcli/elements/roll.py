@@ -34,6 +34,10 @@ def build(roll, body, scene):
         scene.report(roll.where, f"'{body.name}' has no radius to roll on", "give `radius`, or a shape that is round")
         return scene.still(body.drawn)
     carrier = scene.carrier(surface, "body")
+    if "curve" in surface:
+        scene.report(roll["surface"].where, "bodies roll on lines and circles, not on other curves",
+                     "`slide: {surface: …, by: …}` moves a particle along a curve")
+        return scene.still(body.drawn)
     on = _on_line if "line" in surface else _on_circle
     return on(roll, body, scene, surface, radius, carrier)
 

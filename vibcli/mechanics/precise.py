@@ -22,17 +22,21 @@ def elements_to(problem, digits):
 
 
 def equilibrium_to(problem, values, arithmetic):
-    """{coordinate: mpf} in equilibrium at the working precision."""
+    """{coordinate: mpf} in equilibrium at the working precision, dependent coordinates included."""
     import mpmath
 
-    names = problem.scene.coordinates
-    q = [mpmath.mpf(problem.equilibrium.values[name]) for name in names]
+    names, loops = problem.scene.coordinates, problem.scene.loops
+    position = {name: mpmath.mpf(value) for name, value in problem.equilibrium.values.items()}
     for _ in range(60):
-        numbers = in_numbers(problem.form, arithmetic, {**values, **dict(zip(names, q, strict=True))})
+        if loops is not None:
+            found = loops.refined({**values, "t": mpmath.mpf(0), **position}, arithmetic)
+            position = {name: found[name] for name in position}
+        numbers = in_numbers(problem.form, arithmetic, {**values, **position})
         step = _newton_step(numbers, mpmath)
-        q = [a + d for a, d in zip(q, step, strict=True)]
-        if max(map(abs, step)) <= mpmath.eps * 100 * (1 + max(map(abs, q))):
-            return dict(zip(names, q, strict=True))
+        for name, change in zip(names, step, strict=True):
+            position[name] += change
+        if max(map(abs, step)) <= mpmath.eps * 100 * (1 + max(map(abs, position.values()))):
+            return position
     raise PhysicsError("the equilibrium does not converge to more digits: it is degenerate", "ask for fewer digits")
 
 

@@ -2,7 +2,8 @@
 
 from typing import NamedTuple
 
-from vibcli.algebra.calculus import gradient
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.scene.closing import Constraint
 
 
 class Term(NamedTuple):
@@ -17,21 +18,21 @@ class Terms:
     """The part of a Scene that collects what its elements contribute."""
 
     def start_terms(self):
-        self.inertias, self.springs, self.dampers, self.weights = [], [], [], []
+        self.inertias, self.springs, self.dampers, self.weights, self.forces = [], [], [], [], []
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
         self.static_preloads = []
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
-        if s.mask and not weight.is_zero:
+        if s.mask & ~self.time.mask and not weight.is_zero:
             self.inertias.append(Term(weight, s))
 
     def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""
         if self.gravity is not None:
             for g, s in zip(self.gravity, (x, y), strict=True):
-                if s.mask and not g.is_zero:
+                if s.mask & ~self.time.mask and not g.is_zero:
                     self.weights.append(Term(-mass * g, s))
 
     def add_spring(self, k, preload, s):
@@ -41,6 +42,42 @@ class Terms:
     def add_damper(self, c, s):
         """½·c·ṡ² to Φ."""
         self.dampers.append(Term(c, s))
+
+    def add_force(self, force, s):
+        """The virtual work δA = force·δs; the force depends on time, coordinates and velocities as it likes."""
+        if s.mask and not force.is_zero:
+            self.forces.append(Term(force, s))
+
+    def add_constraint(self, record, node, form, part=""):
+        """The condition node = 0."""
+        self.constraints.append(Constraint(record.name + part, node, record.where, form))
+
+    def replace(self, values):
+        """Every expression of the scene with symbols replaced, {symbol: node}."""
+        kinds = ("inertias", "springs", "dampers", "weights", "forces")
+        terms = [term for kind in kinds for term in getattr(self, kind)]
+        frames = {id(body.frame): body.frame for body in self.bodies.values() if body.frame is not None}.values()
+        lumps = [body for body in self.bodies.values() if body.lumped is not None]
+        nodes = [node for term in terms for node in term if node is not None]
+        nodes += [node for frame in frames for node in (*frame.place, frame.angle)]
+        nodes += [body.lumped[1] for body in lumps] + list(self.energies.values())
+        nodes += [constraint.node for constraint in self.constraints]
+        new = dict(zip(nodes, substitute(nodes, values), strict=True))
+        for kind in kinds:
+            setattr(self, kind, [Term(*(node if node is None else new[node] for node in term))
+                                 for term in getattr(self, kind)])
+        for frame in frames:
+            frame.place, frame.angle = tuple(new[node] for node in frame.place), new[frame.angle]
+        for body in lumps:
+            body.lumped = body.lumped[0], new[body.lumped[1]]
+        self.energies = {key: new[node] for key, node in self.energies.items()}
+        self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
+
+    def depends_on_time(self):
+        """Does anything in the scene depend on the time explicitly?"""
+        terms = (*self.inertias, *self.springs, *self.dampers, *self.weights, *self.forces)
+        nodes = [node for term in terms for node in term if node is not None] + list(self.energies.values())
+        return any(node.mask & self.time.mask for node in nodes)
 
     def static_preload(self, record):
         """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""
