@@ -24,7 +24,7 @@ ROOMS = (
     ("algebra", ("algebra",)),
     ("fields", ("reading", "fields")),
     ("elements", ("elements",)),
-    ("spec", ("naming", "asking", "parameters", "spec")),
+    ("spec", ("signals", "naming", "asking", "parameters", "spec")),
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),

@@ -7,6 +7,7 @@ from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.naming import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
+from vibcli.signals import near_signals, signal_dimension
 
 
 def check_answers(spec, reader):
@@ -19,7 +20,11 @@ def check_answers(spec, reader):
 
 def asked_dimension(spec, tree):
     indices = [coordinate_name(spec, index) or index for index in tree[5]]
-    return dimension(tree[4], indices, spec.dimensions.of)
+
+    def of(name):
+        return spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
+
+    return dimension(tree[4], indices, of)
 
 
 def coordinate_name(spec, index):
@@ -63,7 +68,7 @@ def _answer(spec, reader, answer):
                       f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
         return
     _cycles(spec, reader, head, expected)
-    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates)
+    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
     check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if whole else _dimension_of(spec, asked)
     expected.unit = ASKED[head].unit if whole else None
@@ -119,6 +124,9 @@ def _index(spec, reader, place, head, kind, index):
         good, valid = index.isdecimal() and index.isascii() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
+    elif kind == "signal":
+        good = coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
+        valid = near_signals(spec, index)
     elif kind == "body":
         good, valid = index in bodies, list(bodies)
     else:

@@ -12,7 +12,8 @@ from functools import cached_property
 from vibcli.errors import defined_as_drawn
 from vibcli.stage import Stage
 
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "reactions", "energies", "equations",
+          "closed_forms")
 
 
 class Problem:
@@ -120,6 +121,11 @@ class Problem:
         """M, C, G, K of the small oscillations in letters."""
         from vibcli.mechanics.lagrange import matrices_in_letters
 
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+            from vibcli.scene.loops import drawn_values
+
+            require_autonomous(self, drawn_values(self.scene))
         return matrices_in_letters(self.letters_form)
 
     @cached_property
@@ -215,12 +221,19 @@ class Problem:
         target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
         return self.closed(self.drawn_floats, target)
 
+    @property
+    def at_rest(self):
+        """{symbol: float} of everything in equilibrium, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **self.equilibrium.values,
+                **{v.name: 0.0 for v in self.scene.v}}
+
     def closed(self, start, target):
         """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
         `start`; PhysicsError where its loops cannot close there."""
         if self.scene.loops is None:
             return target
-        found = self.scene.loops.followed({**self.floats, "t": 0.0, **start}, {**self.floats, "t": 0.0, **target})
+        floats = {**self.floats, self.scene.time.name: 0.0}
+        found = self.scene.loops.followed({**floats, **start}, {**floats, **target})
         if found is None:
             from vibcli.errors import PhysicsError
 
@@ -246,7 +259,7 @@ class Problem:
         if self.scene.timed:
             from vibcli.mechanics.steady import require_autonomous
 
-            require_autonomous(self, self.equilibrium.values)
+            require_autonomous(self, self.at_rest)
         if self.equilibrium.drawn:
             return self.drawn_numbers.elements
         if self.is_linear:
@@ -298,6 +311,13 @@ class Problem:
         from vibcli.analyses.spectrum import damped_modes
 
         return self._named(damped_modes, elements, lambda: self.modes, self.precise_elements, self.exact_elements)
+
+    @Stage
+    def reactions(self):
+        """Forces in constraints and supports in equilibrium, by multipliers."""
+        from vibcli.mechanics.reactions import reactions
+
+        return reactions(self)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""

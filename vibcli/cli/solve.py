@@ -5,8 +5,8 @@ import click
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 
-FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",), "equilibrium": ("equilibrium",),
-            "frequencies": ("frequencies",), "modes": ("modes",), "damping": ("damping",)}
+FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",), "equilibrium": ("equilibrium", "virtual_work"),
+            "frequencies": ("frequencies",), "modes": ("modes",), "damping": ("damping",), "virtual_work": ("virtual_work",), "reactions": ("reactions",)}
 
 
 @click.command("solve")
@@ -23,7 +23,7 @@ def command(file, settings, case, as_json, timings, digits, normalise):
         if wanted is None:
             return EVERYTHING
         asked = {section for word in wanted for section in FOUND_BY[word]}
-        return [s for s in EVERYTHING if s in asked or s in ("given", "coordinates")]
+        return [s for s in (*EVERYTHING, "reactions") if s in asked or s in ("given", "coordinates")]
 
     return print_scenes(problems, sections, as_json, timings, digits, normalise, ("equations", "frequencies"),
                         question=True)

@@ -61,6 +61,7 @@ def _on_line(roll, body, scene, surface, radius, carrier):
         turn = scene.change(roll["turn"])
         travel = -(turn - carrier.angle) * side * radius
     place = carrier.point(x0 + travel * ex, y0 + travel * ey)
+    body.normal = carrier.turned(-side * ey, side * ex)
     return scene.new_frame(body.drawn, place, turn)
 
 
@@ -92,4 +93,6 @@ def _on_circle(roll, body, scene, surface, radius, carrier):
     turn = scene.change(roll["turn"]) if "turn" in roll else carrier.angle + swing * arm * sense / radius
     centre = carrier.point(cx, cy)
     frame = scene.new_frame((cx, cy), centre, carrier.angle + swing)
+    outward = -1 if inside or encloses else 1
+    body.normal = frame.turned(outward * (x0 - cx) / distance, outward * (y0 - cy) / distance)
     return scene.new_frame(body.drawn, frame.point(x0, y0), turn)

@@ -41,15 +41,19 @@ def _on_surface(slide, body, scene):
         (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])
         ex, ey = scene.unit(bx - ax, by - ay, surface.where)
         off, x, y = (y0 - ay) * ex - (x0 - ax) * ey, x0 + u * ex, y0 + u * ey
+        normal = -ey, ex
     elif "circle" in surface:
         (cx, cy), radius = scene.pair(surface["circle"]), scene.positive(surface["radius"], "the radius of the circle")
         off = scene.distance(x0 - cx, y0 - cy) - radius
         x, y = scene.new_frame((cx, cy), (cx, cy), u / radius).point(x0, y0)
+        normal = (x - cx) / radius, (y - cy) / radius
     else:
         off, x = y0 - scene.height_of(surface, x0), x0 + u
         y = scene.height_of(surface, x)
+        normal = scene.unit_normal(y, u)
     scene.require_equal(off, scene.table.zero, slide.where, f"'{body.name}' is {{}} m off its surface as drawn",
                         "draw it on the surface", size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
+    body.normal = carrier.turned(*normal)
     return scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle)
 
 

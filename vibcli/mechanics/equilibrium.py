@@ -82,7 +82,7 @@ class _Search:
         target = {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
         if self.scene.loops is None:
             return target
-        loops, floats = self.scene.loops, {**self.problem.floats, "t": 0.0}
+        loops, floats = self.scene.loops, {**self.problem.floats, self.scene.time.name: 0.0}
         found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
         return None if found is None else {name: found[name] for name in self.here}
 

@@ -29,7 +29,7 @@ def equilibrium_to(problem, values, arithmetic):
     position = {name: mpmath.mpf(value) for name, value in problem.equilibrium.values.items()}
     for _ in range(60):
         if loops is not None:
-            found = loops.refined({**values, "t": mpmath.mpf(0), **position}, arithmetic)
+            found = loops.refined({**values, problem.scene.time.name: mpmath.mpf(0), **position}, arithmetic)
             position = {name: found[name] for name in position}
         numbers = in_numbers(problem.form, arithmetic, {**values, **position})
         step = _newton_step(numbers, mpmath)

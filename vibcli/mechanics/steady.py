@@ -91,14 +91,14 @@ def _at(terms, start):
 
 
 def require_autonomous(problem, values):
-    """PhysicsError where M, C, G or K about the position `values` ({name: float}) depend on the time."""
-    scene, steady_form = problem.scene, problem.form
-    wanted = _matrices(steady_form, {**problem.floats, **values})
+    """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
+    scene = problem.scene
+    wanted = _matrices(problem.form, values)
     for instant in INSTANTS:
-        at = {**values, "t": instant}
+        at = {**values, scene.time.name: instant}
         if scene.loops is not None:
-            at = scene.loops.followed({**problem.floats, **values, "t": 0.0}, {**problem.floats, **at}) or at
-        found = _matrices(problem.timed_form, {**problem.floats, **at})
+            at = scene.loops.followed({**values, scene.time.name: 0.0}, at) or at
+        found = _matrices(problem.timed_form, at)
         for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
             _compare(scene, key, wanted[key], found[key], size)
 
@@ -132,8 +132,3 @@ def excitation(scene, form, position):
                 found[i] = collected(scene.table, parts)
     return found
 
-
-def samples_differ(scene, node):
-    """Does an expression depend on the time at the sample values of the letters?"""
-    values = [evaluate([node], Floats, {**scene.sample, "t": instant})[0] for instant in INSTANTS]
-    return max(values) - min(values) > SAME * max(map(abs, values))

@@ -8,11 +8,12 @@ from vibcli.errors import PhysicsError
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
-from vibcli.report.results import joined, numeric_row
+from vibcli.report.results import joined, numeric_drive, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
+from vibcli.report.sides import equation
 from vibcli.spec import QUOTE
 
-EVERYTHING = ("given", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping", "modes")
+EVERYTHING = ("given", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies", "damping", "modes")
 LONGEST = 2400
 
 
@@ -75,7 +76,38 @@ class Report:
             unit = _unit(problem.dimension(name))
             rows.append(f"{plain.symbol(name)} [{unit}]" + (f"  {about}" if about else ""))
         n = len(rows)
-        self.section(f"Generalised coordinates ({n} degree{'s' if n > 1 else ''} of freedom)", rows)
+        self.section(f"Generalised coordinates ({n} degree{'s' if n > 1 else ''} of freedom)", rows + self._tied())
+
+    def _tied(self):
+        """How constraints leave these coordinates."""
+        scene = self.problem.scene
+        freedom = scene.freedom
+        if not freedom.conditions:
+            return []
+        closed = [plain.symbol(name) for name in scene.loops.names] if scene.loops else []
+        explicit = [f"{plain.symbol(name)} = {short(node)}" for name, node in scene.dependent.items()
+                    if plain.symbol(name) not in closed]
+        lines = wrapped(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
+                        f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else "")
+                        + "   ".join(explicit), indent=2)
+        if closed:
+            lines.append(", ".join(closed) + (" follow" if len(closed) > 1 else " follows") + " by closing the loops")
+        lines += [f"'{name}' is redundant: it follows from the other constraints" for name in freedom.redundant]
+        return lines
+
+    def _virtual_work(self):
+        scene = self.problem.loose
+        if not scene.forces or len(scene.q) > 16:
+            return
+        from vibcli.mechanics.virtual_work import generalised_forces
+
+        names = [plain.symbol(name) for name in scene.coordinates]
+        shown, lengths = abbreviated(scene.table, generalised_forces(scene), self.roots)
+        lines = ["δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names)]
+        for name, node in zip(names, shown, strict=True):
+            lines += wrapped(f"Q_{name} = {short(node)}" + ("" if scene.constraints else " = 0"), indent=4)
+        self.section("Virtual work of weights, springs and steady loads", lines)
+        self.lines += self._lengths(lengths)
 
     def _equilibrium(self):
         problem = self.problem
@@ -98,6 +130,11 @@ class Report:
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
+        if "constraints" in problem.spec.sections:
+            from vibcli.mechanics.reactions import slack
+
+            lines += [f"{signal} = {figure(value)} N would be a push: the rope goes slack"
+                      for signal, value in slack(problem)]
         self.section("Equilibrium", lines)
 
     def _preload(self, node, name):
@@ -121,6 +158,22 @@ class Report:
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
 
+    def _reactions(self):
+        problem = self.problem
+        if not problem.symbolic:
+            rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
+                     f"{figure(reaction.value)} {'N·m' if reaction.signal.endswith('moment') else 'N'}")
+                    for reaction in problem.reactions if reaction.value != 0.0]
+            self.section("Reactions in equilibrium (tension positive; supports: what they exert on the body, fixed axes)",
+                         table(rows, ("force", "value")))
+        from vibcli.mechanics.reactions import along_the_motion
+
+        scene, forces = along_the_motion(problem)
+        lines = []
+        for signal, node in forces.items():
+            lines += wrapped(f"{signal} = {short(node)}", indent=4)
+        self.section("Reactions along a motion", lines)
+
     def _energies(self):
         energies = self.problem.energies
         for key, symbol, title in (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"),
@@ -137,22 +190,27 @@ class Report:
 
     def _equations(self):
         problem, scene = self.problem, self.problem.scene
-        equations = problem.equations
+        equations, loose = problem.equations, problem.loose
         if equations.full:
-            shown, lengths = abbreviated(scene.table, equations.full, self.roots)
+            shown, lengths = abbreviated(loose.table, equations.full + equations.conditions, self.roots)
+            names = [f"{plain.symbol(name)}:  " for name in equations.names] + [""] * len(equations.conditions)
             lines = []
-            for name, node in zip(scene.coordinates, shown, strict=True):
-                lines += wrapped(f"{plain.symbol(name)}:  {short(node)} = 0", indent=4)
+            for name, node in zip(names, shown, strict=True):
+                lines += wrapped(name + equation(loose, node, short), indent=4)
             self.section("Equations of motion", lines)
             self.lines += self._lengths(lengths)
+            if equations.multipliers:
+                self.lines.append("  " + ", ".join(f"{plain(symbol)}: the multiplier of '{name}'"
+                                                   for symbol, name in equations.multipliers.items()))
         else:
             self.section("Equations of motion", [f"not written out for {len(scene.coordinates)} coordinates"])
         if equations.refusal:
             raise equations.refusal
         lines = []
         if equations.linear:
-            for name, node in zip(scene.coordinates, equations.linear, strict=True):
-                lines += wrapped(f"{plain.symbol(name)}:  {plain(node)} = 0", indent=4)
+            for i, (name, node) in enumerate(zip(scene.coordinates, equations.linear, strict=True)):
+                right = plain(equations.drive.get(i, scene.table.zero))
+                lines += wrapped(f"{plain.symbol(name)}:  {plain(node)} = {right}", indent=4)
         numbers = not problem.symbolic and len(scene.coordinates) <= 16
         if numbers:
             lines += [""] * bool(lines) + ["in numbers (SI units):"] * bool(lines) + self._numeric_equations(equations)
@@ -167,8 +225,9 @@ class Report:
         found.M, found.C, found.G, found.K = self.problem.elements.matrices()
         lines = []
         for i, name in enumerate(self.problem.scene.coordinates):
-            row = numeric_row(self.problem, found, i)
-            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain, '−')}", indent=4)
+            row, drive = numeric_row(self.problem, found, i), numeric_drive(self.problem, equations, i)
+            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain, '−')} = "
+                             f"{joined(drive, '·', plain, '−')}", indent=4)
         return lines
 
     def _frequencies(self):

@@ -27,16 +27,17 @@ ATTEMPTS = 12
 SAMPLES = range(20, 28)     # where other samples start
 
 
-def build_scene(spec, given=None, start=0, loose=False):
+def build_scene(spec, given=None, start=0, loose=False, releasing=False):
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
 
-    A `loose` scene keeps all coordinates: its constraints are held by multipliers.
+    A `loose` scene keeps all coordinates: its constraints are held by multipliers. `releasing`: the supports of bodies
+    give way by further coordinates, whose generalised forces are the reactions.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
     for attempt in range(start, start + ATTEMPTS):
-        scene = Scene(spec, attempt, given or {})
+        scene = Scene(spec, attempt, given or {}, releasing)
         try:
             scene.assemble(loose)
         except ExpressionError as error:
@@ -51,20 +52,21 @@ def build_scene(spec, given=None, start=0, loose=False):
 class Scene(Terms, Ends):
     """The scalar functions of a scene, and the services by which elements make them."""
 
-    def __init__(self, spec, attempt, given):
-        self.spec, self.diagnostics, self.attempt = spec, [], attempt
+    def __init__(self, spec, attempt, given, releasing=False):
+        self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
         self.table = table = Table()
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
         given = {name: float(value) for name, value in given.items()}
         self.sample = self.parameters.values(Floats, {**sample_values(self.parameters.free, attempt), **given})
         table.sample = self.sample
-        self.time = table.variable("t")
+        named = "t" in spec.parameters or "t" in spec.coordinates
+        self.time = table.variable("the time" if named else "t")
         self.q, self.v, self.a = ([table.variable(name + primes) for name in self.coordinates]
                                   for primes in ("", "'", "''"))
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
                          for name, node in zip(self.coordinates, nodes, strict=True)}
-        self._symbols.setdefault(("t", 0), self.time)
+        self._symbols[self.time.name, 0] = self.time
         self.drawn = {node: self._drawn_value(name) for name, node in zip(self.coordinates, self.q, strict=True)}
         self._drawn_at_rest = {**self.drawn, **dict.fromkeys(self.v, table.zero), self.time: table.zero}
         self.speeds = self._speeds()
@@ -85,12 +87,14 @@ class Scene(Terms, Ends):
         self.gravity = gravity.build(spec.get("gravity"), self) if "gravity" in spec.sections else None
         order = carriers_first(spec, self.report)
         for name in order:
+            self.owner = name
             self.bodies[name] = load("body").build(spec.get("bodies")[name], self)
         if self.diagnostics:
             return
         for section, element in (("springs", "spring"), ("dampers", "damper"), ("forces", "force"),
                                  ("constraints", "constraint")):
             for record in (spec.get(section) or {}).values():
+                self.owner = record.name
                 try:
                     load(element).build(record, self)
                 except ZeroDivisionError:
@@ -155,6 +159,21 @@ class Scene(Terms, Ends):
         symbol = self.table.dependent(f"{name} {len(self.driven)}", node.mask)
         self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
         return symbol
+
+    def release(self, body):
+        """Let the support of a body give way: by x and y in the fixed axes, and by a rotation."""
+        x, y, turn = (self._released(f"{body.name}.reaction.{part}") for part in ("x", "y", "moment"))
+        frame = body.frame
+        return self.new_frame(frame.drawn, (frame.place[0] + x, frame.place[1] + y), frame.angle + turn)
+
+    def _released(self, name):
+        q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
+        self.coordinates.append(name)
+        for nodes, node in ((self.q, q), (self.v, v), (self.a, a)):
+            nodes.append(node)
+        self.drawn[q] = self._drawn_at_rest[q] = self._drawn_at_rest[v] = self.table.zero
+        self.speeds = self._speeds()
+        return q
 
     def rename(self, independent):
         """Keep these coordinates as the independent ones."""
@@ -309,6 +328,15 @@ class Scene(Terms, Ends):
     def height_of(self, surface, x):
         """f(x) of a curve y = f(x)."""
         return self.lower(surface["curve"], (surface["in"], x))
+
+    def unit_normal(self, y, u):
+        """The upward normal (−y′, 1)/√(1 + y′²) of a curve, y being a function of the displacement u."""
+        slope = self.table.zero
+        for x, partial in gradient(y).items():
+            if x in gradient(u):
+                slope = partial / gradient(u)[x]
+        length = self.table.sqrt(slope * slope + 1)
+        return -slope / length, 1 / length
 
     def pivot(self, pin, body):
         """(pin as drawn, pin now, frame that carries it)."""
