@@ -5,8 +5,9 @@ import click
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 
-FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",), "equilibrium": ("equilibrium", "virtual_work"),
-            "frequencies": ("frequencies",), "modes": ("modes",), "damping": ("damping",), "virtual_work": ("virtual_work",), "reactions": ("reactions",)}
+FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
+            "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
+            "damping": ("damping",), "virtual_work": ("virtual_work",), "reactions": ("reactions",)}
 
 
 @click.command("solve")

@@ -1,11 +1,10 @@
 """Loads: forces at points, moments on bodies, generalised forces; their virtual work is δA = Σ F δs = Σ Q_q δq.
 
-A force with a `carrier` keeps its direction in that body (a follower force). An unbalance e of mass m₀ turning at Ω acts
-as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
+A force with a `carrier` keeps its direction in that body (a follower force). An unbalance e of mass m₀ turning at Ω
+acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 """
 
 from vibcli.fields import BODY, Element, Field, Load, NameOf, OneOf, Quantity, vector
-from vibcli.units import parse_unit
 
 _AT = OneOf("the name of a point or body", scalar=NameOf("the name of a point or body", "points", "bodies"))
 
@@ -18,7 +17,8 @@ def _settle(record, reader):
                 reader.report(record.where, f"a force with '{first}' needs '{key}'",
                               f"{key}: {ELEMENT.fields[key].about}")
     if "carrier" in record and "force" not in record.keys:
-        reader.report(record.place("carrier"), "'carrier' turns a force with a body: here is no `force`", "leave it out")
+        reader.report(record.place("carrier"), "'carrier' turns a force with a body: here is no `force`",
+                      "leave it out")
 
 
 ELEMENT = Element(
@@ -68,7 +68,8 @@ def _force(record, scene):
         return
     if lumped:
         if body.lumped[0] == "turn":
-            scene.report(record.where, f"'{body.name}' turns: what acts on it is a moment", "write `body:` and `moment:`")
+            scene.report(record.where, f"'{body.name}' turns: what acts on it is a moment",
+                         "write `body:` and `moment:`")
             return
         scene.add_force(scene.lower(load), body.lumped[1])
         return

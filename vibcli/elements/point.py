@@ -21,5 +21,5 @@ def build(point, scene):
     """(drawn place, present place) of a point."""
     x, y = drawn = scene.pair(point["at"])
     if "moves" in point:
-        x, y = (place + scene.driven_by(part, point.name) for place, part in zip(drawn, point["moves"], strict=True))
+        x, y = (place + scene.driven_by(scene.lower(part)) for place, part in zip(drawn, point["moves"], strict=True))
     return drawn, scene.frame(point["body"]).point(x, y) if "body" in point else (x, y)

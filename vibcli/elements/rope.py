@@ -1,8 +1,8 @@
 """Ropes of constant length over and around pulleys and drums.
 
-A free piece runs from a circle (centre c₁, radius r₁) to the next; σ = ±1 where the rope goes round counter-clockwise or
-clockwise, 0 at a point. With w = c₂ − c₁ and ρ = σ₁r₁ − σ₂r₂ its length is ℓ = √(w² − ρ²), and with β its direction the
-rope between the marks on two circles that turn by θ₁, θ₂ changes by
+A free piece runs from a circle (centre c₁, radius r₁) to the next; σ = ±1 where the rope goes round counter-clockwise
+or clockwise, 0 at a point. With w = c₂ − c₁ and ρ = σ₁r₁ − σ₂r₂ its length is ℓ = √(w² − ρ²), and with β its direction
+the rope between the marks on two circles that turn by θ₁, θ₂ changes by
 
     δℓ + ρ δβ − σ₁r₁θ₁ + σ₂r₂θ₂ = 0.
 
@@ -10,13 +10,15 @@ On a body that turns the rope does not slip, so the conditions of the pieces on 
 place or a body without rotation it slides freely, and their sum holds.
 """
 
+from itertools import pairwise
+
 from vibcli.algebra.normal import root_of_square, textbook
 from vibcli.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, vector
 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}
-ABOUT = ("a rope of constant length: [A, {under: drum}, {over: top, radius: r}, B]. Its ends are points or bodies, or a "
-         "drum it is wound on; `over`, `under`, `left_of`, `right_of` say on which side it passes a body (without slip, "
-         "if the body turns) or a place")
+ABOUT = ("a rope of constant length: [A, {under: drum}, {over: top, radius: r}, B]. Its ends are points or bodies, or "
+         "a drum it is wound on; `over`, `under`, `left_of`, `right_of` say on which side it passes a body (without "
+         "slip, if the body turns) or a place")
 
 PULLEY = Element(
     "pulley of a rope",
@@ -53,7 +55,7 @@ def build(record, scene):
         if stop.side is not None:
             stop.sense = _sense(record, scene, stops, i)
     groups, total = [], scene.table.zero
-    for one, two in zip(stops, stops[1:], strict=False):
+    for one, two in pairwise(stops):
         total = total + _piece(record, scene, one, two)
         if two.turn is not None or two is stops[-1]:
             groups.append(total)

@@ -3,8 +3,8 @@
 Steps are those of a trust region on V(q) with its exact Hessian (Conn, Gould & Toint 2000, alg. 7.3.1): where the
 Hessian is singular or indefinite the step goes downhill. Where loads have no potential, or motions are driven, the
 force −r is followed by implicit Euler steps that grow as it fades (pseudo-transient continuation, Kelley & Keyes 1998).
-Coordinates are scaled by the size of the figure (angles by 1), so that units change nothing; dependent coordinates follow
-by closing their loops. The end is polished by plain Newton steps until the residual is that of rounding.
+Coordinates are scaled by the size of the figure (angles by 1), so that units change nothing; dependent coordinates
+follow by closing their loops. The end is polished by plain Newton steps until the residual is that of rounding.
 """
 
 import math

@@ -15,9 +15,10 @@ LETTERS = 16        # most coordinates for which equations are written in letter
 
 class Equations:
     """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
-    name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices {(i, j): expression or float} of the small
-    oscillations, their entries in letters or in numbers (`in_letters`); linear: left sides of their equations;
-    drive: {i: Q(t)} of their right sides; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
+    name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
+    {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
+    linear: left sides of their equations, drive: {i: Q(t)} of their right sides; refusal: the PhysicsError of a scene
+    that has no equilibrium, or None."""
 
     __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "linear", "multipliers", "names",
                  "refusal")

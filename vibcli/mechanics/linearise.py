@@ -7,7 +7,8 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
     K = ∂r/∂q = Σ k ∇s ∇sᵀ + Σ P ∇²s + Σ w ∇s (∂ₜₜ∇s)ᵀ + Σ c ∇s (∂ₜ∇s)ᵀ − Σ ∇s (∂F/∂q)ᵀ + …
 
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
-C is the symmetric, G the skew part of what multiplies the velocities.
+C is the symmetric, G the skew part of what multiplies the velocities. Driven displacements that oscillate are small
+like the coordinates: springs and dampers are linear in them too, which leaves them to the excitation.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
@@ -33,9 +34,10 @@ def linearise(scene):
     found = Linearisation()
     found.n, found.table = len(scene.q), scene.table
     found.inertias = [(term.weight, _row(term.s, number)) for term in scene.inertias]
-    found.dampers = [(term.weight, _row(term.s, number)) for term in scene.dampers]
+    dampers = scene.at_still("dampers")
+    found.dampers = [(term.weight, _row(term.s, number)) for term in dampers]
     found.springs, found.curved = [], []
-    for term in scene.springs:
+    for term in scene.at_still("springs"):
         row = _row(term.s, number)
         found.springs.append((term.weight, row))
         found.curved.append((term.force + term.weight * term.s, _curvature(row, number), row))
@@ -47,8 +49,8 @@ def linearise(scene):
     for term in scene.forces:
         _loaded(scene, found, number, term, slips)
     if scene.timed:
-        for kind in ("inertias", "dampers"):
-            for term in getattr(scene, kind):
+        for kind, terms in (("inertias", scene.inertias), ("dampers", dampers)):
+            for term in terms:
                 _driven(scene, found, number, term, kind, slips)
     _split(found, slips)
     return found
@@ -74,8 +76,7 @@ def _driven(scene, found, number, term, kind, slips):
     if first is None:
         return
     row = _row(term.s, number)
-    turning = {i: slope for i, slope in _row(first, number).items()}
-    weight = term.weight
+    turning, weight = _row(first, number), term.weight
     if kind == "dampers":
         force, bend = first, turning
     else:

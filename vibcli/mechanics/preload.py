@@ -33,7 +33,7 @@ def settle_static_preloads(scene):
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
-    scene.springs = [term._replace(force=substitute([term.force], values)[0]) for term in scene.springs]
+    scene.replace(values)
     return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 

@@ -1,7 +1,7 @@
 """Forces in ropes, links, pins, guides and contacts, by multipliers.
 
-Every constraint G_k = 0 of the scene with all its coordinates has a multiplier λ_k; every support of a body is released by
-displacements ρ (x, y and a rotation about its reference point) that are held at zero. With the virtual work of what acts
+Every constraint G_k = 0 of the scene with all its coordinates has a multiplier λ_k; every support of a body is released
+by displacements ρ (x, y and a rotation about its reference point) that are held at zero. With the work of what acts
 
     E_q + Σ λ_k ∂G_k/∂q = 0          R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,          E = d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q.
 
@@ -116,8 +116,8 @@ def _solved(G, E):
 
 
 def along_the_motion(problem):
-    """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints stay
-    in it as symbols lambda_NAME."""
+    """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints
+    stay in it as symbols lambda_NAME."""
     released = Released(problem)
     scene, table = released.scene, released.scene.table
     still = {node: table.zero for symbol in released.held
@@ -135,7 +135,7 @@ def along_the_motion(problem):
     for symbol in released.held:
         if not any(is_zero(equations[symbol] - sign * node) for node in free for sign in (1, -1)):
             found[symbol.name] = equations[symbol]
-    return scene, found
+    return found
 
 
 def _steady_slope(released, node):

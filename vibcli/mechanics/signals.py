@@ -6,7 +6,7 @@ from vibcli.reading import Name
 
 
 def displacement(scene, text):
-    """The node of a coordinate, or of a place, turn or stretch as displaced from the drawn position; None of a force."""
+    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, _, part = text.partition(".")

@@ -6,8 +6,9 @@ M and C are taken at t = 0. Whether M, C, G, K then are those of every instant i
 coefficients (a shaken pivot) are refused by name.
 """
 
-from vibcli.algebra.calculus import substitute
-from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.evaluate import Floats
+from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
@@ -121,9 +122,12 @@ def _compare(scene, key, wanted, found, size):
 
 def excitation(scene, form, position):
     """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters."""
-    found = {}
     place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
-    for i, terms in enumerate(residual_terms(at_position(form, place))):
+    rows = residual_terms(at_position(form, place))
+    for i, terms in _shaken(scene).items():
+        rows[i] += substitute(terms, place)
+    found = {}
+    for i, terms in enumerate(rows):
         total = scene.table.sum(*((term, -ONE) for term in terms))
         if total.mask & scene.time.mask:
             parts = {monomial: value for monomial, value in _terms(scene, total).items()
@@ -132,3 +136,39 @@ def excitation(scene, form, position):
                 found[i] = collected(scene.table, parts)
     return found
 
+
+def _shaken(scene):
+    """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs, and
+    Σ c ∂s/∂q ∂s/∂u u̇ of dampers."""
+    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+    if not scene.shaking:
+        return found
+    zero = scene.table.zero
+    still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
+    moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
+    for kind, terms in (("springs", scene.shaken), ("dampers", scene.shaken_dampers)):
+        for term in terms:
+            here = [symbol for symbol in still if symbol in reachable([term.s])]
+            slopes = gradient(term.s)
+            for q, i in number.items():
+                for symbol in here if q in slopes else ():
+                    part = _slope_by(scene, term, slopes[q], symbol, kind)
+                    found.setdefault(i, []).append(substitute([part], {**still, **moved})[0]
+                                                   * _function(scene, symbol, kind))
+    return found
+
+
+def _slope_by(scene, term, slope, symbol, kind):
+    """What multiplies u(t), or u̇(t) of a damper."""
+    stand_in = scene.table.variable(symbol.name + " small")
+    s, row = substitute([term.s, slope], {symbol: stand_in})
+    if kind == "dampers":
+        part = term.weight * row * gradient(s).get(stand_in, scene.table.zero)
+    else:
+        part = gradient((term.force + term.weight * s) * row).get(stand_in, scene.table.zero)
+    return substitute([part], {stand_in: symbol})[0]
+
+
+def _function(scene, symbol, kind):
+    node = scene.driven[symbol]
+    return scene.rate(node) if kind == "dampers" else node

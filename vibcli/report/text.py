@@ -13,7 +13,8 @@ from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
 from vibcli.report.sides import equation
 from vibcli.spec import QUOTE
 
-EVERYTHING = ("given", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies", "damping", "modes")
+EVERYTHING = ("given", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies", "damping",
+              "modes")
 LONGEST = 2400
 
 
@@ -130,7 +131,7 @@ class Report:
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
-        if "constraints" in problem.spec.sections:
+        if any("rope" in record for record in (problem.spec.get("constraints") or {}).values()):
             from vibcli.mechanics.reactions import slack
 
             lines += [f"{signal} = {figure(value)} N would be a push: the rope goes slack"
@@ -164,13 +165,12 @@ class Report:
             rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
                      f"{figure(reaction.value)} {'N·m' if reaction.signal.endswith('moment') else 'N'}")
                     for reaction in problem.reactions if reaction.value != 0.0]
-            self.section("Reactions in equilibrium (tension positive; supports: what they exert on the body, fixed axes)",
+            self.section("Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
                          table(rows, ("force", "value")))
         from vibcli.mechanics.reactions import along_the_motion
 
-        scene, forces = along_the_motion(problem)
         lines = []
-        for signal, node in forces.items():
+        for signal, node in along_the_motion(problem).items():
             lines += wrapped(f"{signal} = {short(node)}", indent=4)
         self.section("Reactions along a motion", lines)
 

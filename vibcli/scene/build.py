@@ -103,7 +103,9 @@ class Scene(Terms, Ends):
             if section in spec.sections:
                 load(section).build(spec.get(section), self)
         if self.driven:
+            shaken = list(self.springs), list(self.dampers)
             self.replace(self.driven)
+            self.shaking, (self.shaken, self.shaken_dampers) = True, shaken
             self.points = {name: (drawn, tuple(substitute(place, self.driven)))
                            for name, (drawn, place) in self.points.items()}
         if self.constraints and not loose and not self.diagnostics:
@@ -145,18 +147,20 @@ class Scene(Terms, Ends):
         return node
 
     def _symbol(self, name, primes, tree):
-        return self.parameters.nodes[name] if name in self.parameters.nodes else self._symbols[name, primes]
+        return self.parameters.nodes[name] if name in self.parameters.nodes else self.symbol(name, primes)
 
     def symbol(self, name, primes=0):
         """The node of a coordinate, its velocity or acceleration; of a dependent one, what it equals."""
+        if primes == 2 and (name, 2) not in self._symbols:
+            self._symbols[name, 2] = self.rate(self._symbols[name, 1])
         return self._symbols[name, primes]
 
-    def driven_by(self, expression, name):
-        """A displacement given as an expression: a symbol that is zero as drawn until the scene is assembled."""
-        node = self.lower(expression)
-        if not node.mask:
+    def driven_by(self, node):
+        """A driven displacement: where it depends on the time, a symbol that is zero as drawn and stands for it until
+        the scene is assembled."""
+        if not node.mask & self.time.mask:
             return node
-        symbol = self.table.dependent(f"{name} {len(self.driven)}", node.mask)
+        symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
         self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
         return symbol
 
@@ -184,7 +188,8 @@ class Scene(Terms, Ends):
 
     def define(self, name, node, velocity):
         """Let a dependent coordinate be `node`, wherever its name stands from now on."""
-        self._symbols.update({(name, 0): node, (name, 1): velocity, (name, 2): self.rate(velocity)})
+        self._symbols.update({(name, 0): node, (name, 1): velocity})
+        del self._symbols[name, 2]
         for primes in (0, 1):
             raw = self.table.variable(name + "'" * primes)
             self._drawn_at_rest.pop(raw)

@@ -114,9 +114,14 @@ def _substituted(nodes, chosen, scene):
         expression = textbook(z - nodes.pop(k) / slope)
         waiting.remove(z)
         for other, node in found.items():
-            found[other] = textbook(substitute([node], {z: expression})[0])
+            found[other] = _with(node, z, expression)
         found[z] = expression
-        nodes = [textbook(node) for node in substitute(nodes, {z: expression})]
+        nodes = [_with(node, z, expression) for node in nodes]
+
+
+def _with(node, z, expression):
+    """The node with z substituted."""
+    return textbook(substitute([node], {z: expression})[0]) if node.mask & z.mask else node
 
 
 def _implicit(scene, values, left):
@@ -147,7 +152,7 @@ def _implicit(scene, values, left):
 
 def solved(rows, n, numbers):
     """A⁻¹B of rows [A | B] in letters, A being n × n: sparse elimination; pivots are not small as drawn."""
-    work = [dict((j, node) for j, node in enumerate(row) if not node.is_zero) for row in rows]
+    work = [{j: node for j, node in enumerate(row) if not node.is_zero} for row in rows]
     order, free = [], set(range(n))
     while free:
         candidates = [(i, j) for i in free for j in work[i] if j < n and j not in {c for _, c in order}]

@@ -101,7 +101,8 @@ class Ends:
         if body.frame is not None:
             return body.frame.angle
         if body.lumped[0] == "slide":
-            self.report(end.where, f"'{end.text}' slides: it has no rotation", "give it a `turn`, or a place and a `pin`")
+            self.report(end.where, f"'{end.text}' slides: it has no rotation",
+                        "give it a `turn`, or a place and a `pin`")
             return None
         return body.lumped[1]
 

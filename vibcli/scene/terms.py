@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.expression import reachable
 from vibcli.scene.closing import Constraint
 
 
@@ -24,7 +25,7 @@ class Terms:
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
         self.static_preloads = []
-        self.owner = None
+        self.owner, self.shaking = None, False
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
@@ -57,7 +58,8 @@ class Terms:
 
     def replace(self, values):
         """Every expression of the scene with symbols replaced, {symbol: node}."""
-        kinds = ("inertias", "springs", "dampers", "weights", "forces")
+        kinds = ("inertias", "springs", "dampers", "weights", "forces", *(("shaken", "shaken_dampers") if self.shaking
+                                                                          else ()))
         terms = [term for kind in kinds for term in getattr(self, kind)]
         frames = {id(body.frame): body.frame for body in self.bodies.values() if body.frame is not None}.values()
         lumps = [body for body in self.bodies.values() if body.lumped is not None]
@@ -79,6 +81,25 @@ class Terms:
             body.normal = tuple(new[node] for node in body.normal)
         self.energies = {key: new[node] for key, node in self.energies.items()}
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
+
+    def at_still(self, kind):
+        """The springs or dampers with the driven displacements that oscillate left out; in `shaken` they are functions of
+        driven displacements."""
+        if not self.shaking:
+            return getattr(self, kind)
+        held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
+        moved = {symbol: node for symbol, node in self.driven.items() if symbol not in held}
+        found = []
+        for term in self.shaken if kind == "springs" else self.shaken_dampers:
+            nodes = [node for node in term[:3] if node is not None]
+            new = dict(zip(nodes, substitute(nodes, {**held, **moved}), strict=True))
+            found.append(Term(*(node if node is None else new[node] for node in term[:3]), term.owner))
+        return found
+
+    def oscillates(self, symbol):
+        """Does a driven displacement depend on the time through sines and cosines alone?"""
+        waves = {part: self.table.one for part in reachable([self.driven[symbol]]) if part.name in ("sin", "cos")}
+        return not substitute([self.driven[symbol]], waves)[0].mask & self.time.mask
 
     def depends_on_time(self):
         """Does anything in the scene depend on the time explicitly?"""
