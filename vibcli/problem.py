@@ -82,6 +82,8 @@ class Problem:
         from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import linearise
 
+        if not self.scene.q and self.scene.dependent:
+            raise PhysicsError(locked(self.scene), "take a constraint out, or let one more body move")
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
@@ -369,6 +371,16 @@ class Problem:
         from vibcli.analyses.closed import closed_forms
 
         return closed_forms(self)
+
+
+def locked(scene):
+    """What is said of a scene whose constraints leave no freedom."""
+    if scene.timed:
+        return "nothing moves freely: all motion is prescribed as a function of the time"
+    bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
+    names = ", ".join(dict.fromkeys(f"'{constraint.name.partition('.')[0]}'" for constraint in scene.constraints))
+    return (f"the constraints {names} lock the scene: {bodies} cannot move, as {scene.freedom.coordinates} coordinates "
+            f"are tied by as many independent conditions")
 
 
 def _floats():

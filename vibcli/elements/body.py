@@ -72,6 +72,11 @@ class Body:
         self.mass = self.inertia = self.pieces = None
 
 
+    @property
+    def moves(self):
+        return any(key in self.record for key in MOTIONS)
+
+
 def build(record, scene):
     """The body of a record, its frame included; its energies are added to the scene."""
     body = Body(record.name, record)

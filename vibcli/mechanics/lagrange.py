@@ -5,7 +5,7 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 """
 
 from vibcli.algebra.calculus import gradient
-from vibcli.algebra.normal import textbook
+from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.algebra.rationals import HALF, ONE
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, rate
@@ -49,13 +49,22 @@ def full_equations(scene):
 
 def _with_multipliers(scene, found):
     """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, and the conditions G = 0 of a loose scene."""
-    found.conditions = [textbook(constraint.node) for constraint in scene.constraints]
+    nodes = [textbook(constraint.node) for constraint in scene.constraints]
+    found.conditions = [_primitive(node) for node in nodes]
     symbols = [scene.table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
     found.multipliers = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
-    slopes = [gradient(node) for node in found.conditions]
+    slopes = [gradient(node) for node in nodes]
     for i, q in enumerate(scene.q):
         ties = [(textbook(slope[q]) * symbol, ONE) for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
         found.full[i] = scene.table.sum((found.full[i], ONE), *ties)
+
+
+def _primitive(node):
+    """A condition without its common factor."""
+    try:
+        return factors_of(node.table, reduced(expanded(node)))[1][0]
+    except (TooLong, IndexError):
+        return node
 
 
 def equations(problem):

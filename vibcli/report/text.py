@@ -77,7 +77,7 @@ class Report:
             unit = _unit(problem.dimension(name))
             rows.append(f"{plain.symbol(name)} [{unit}]" + (f"  {about}" if about else ""))
         n = len(rows)
-        self.section(f"Generalised coordinates ({n} degree{'s' if n > 1 else ''} of freedom)", rows + self._tied())
+        self.section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)", rows + self._tied())
 
     def _tied(self):
         """How constraints leave these coordinates."""
@@ -191,6 +191,8 @@ class Report:
     def _equations(self):
         problem, scene = self.problem, self.problem.scene
         equations, loose = problem.equations, problem.loose
+        if not loose.q:
+            return
         if equations.full:
             shown, lengths = abbreviated(loose.table, equations.full + equations.conditions, self.roots)
             names = [f"{plain.symbol(name)}:  " for name in equations.names] + [""] * len(equations.conditions)

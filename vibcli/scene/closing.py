@@ -34,25 +34,30 @@ class Freedom(NamedTuple):
 
 
 def close(scene):
-    """Express dependent coordinates by the others throughout the scene; returns {name: expression}."""
+    """Express dependent coordinates by the others throughout the scene; returns {name: expression}.
+
+    Where the file lists its coordinates, the first of them stay independent as far as can be; else those that no
+    condition gives explicitly.
+    """
     raw = list(scene.q)
-    nodes = [textbook(constraint.node) for constraint in scene.constraints]
-    if _contradictory(scene, nodes):
+    nodes = dict(enumerate(textbook(constraint.node) for constraint in scene.constraints))
+    if _contradictory(scene, nodes.values()):
         return {}
-    rows, columns = _pivots(*_jacobian(scene, nodes, raw))
-    chosen = [raw[j] for j in columns]
-    values = _substituted([nodes[i] for i in rows], chosen, scene)
-    left = [raw[j] for j in range(len(raw)) if j not in columns]
+    allowed = raw
+    if "coordinates" in scene.spec.sections:
+        allowed = [q for _, q in _pivots(scene, nodes, raw)]
+    values = _explicit(scene, nodes, allowed)
+    pivots = _pivots(scene, nodes, [q for q in allowed if q not in values])
+    tied = [nodes.pop(k) for k, _ in pivots]
+    left = [q for q in raw if q not in values and q not in {z for _, z in pivots}]
     scene.rename(left)
-    loops = _implicit(scene, values, left)
+    scene.loops = _implicit(scene, tied, [z for _, z in pivots], values, left) if pivots else None
     velocities = {scene.symbol(z.name, 1): scene.rate(node) for z, node in values.items()}
     scene.replace({**values, **velocities})
     for z, node in values.items():
         scene.define(z.name, node, velocities[scene.symbol(z.name, 1)])
-    scene.loops = loops
-    others = [i for i in range(len(nodes)) if i not in rows]
-    _redundant(scene, others, substitute([nodes[i] for i in others], values))
-    scene.freedom = Freedom(len(raw), len(rows), tuple(scene.constraints[i].name for i in others))
+    _redundant(scene, nodes, substitute(list(nodes.values()), values))
+    scene.freedom = Freedom(len(raw), len(values), tuple(scene.constraints[k].name for k in nodes))
     return {z.name: node for z, node in values.items()}
 
 
@@ -66,57 +71,54 @@ def _contradictory(scene, nodes):
     return len(scene.diagnostics) > before
 
 
-def _jacobian(scene, nodes, raw):
-    """∂G/∂q as drawn, in floats: rows of equal size."""
+def _pivots(scene, nodes, columns):
+    """[(number of a condition, coordinate)] of a largest regular block of ∂G/∂q as drawn: coordinates from the last,
+    conditions from the first. `nodes`: {number: condition}."""
     zero = scene.table.zero
-    slopes = scene.at_drawn(*(gradient(node).get(q, zero) for node in nodes for q in raw))
-    flat = evaluate(slopes, Floats, scene.sample)
-    n = len(raw)
-    rows = [flat[i * n:(i + 1) * n] for i in range(len(nodes))]
-    return [[x / (max(map(abs, row), default=0.0) or 1.0) for x in row] for row in rows], n
-
-
-def _pivots(work, n):
-    """(rows, columns) of a largest regular block: columns from the last, rows from the first."""
-    work, rows, columns = [list(row) for row in work], [], []
+    slopes = scene.at_drawn(*(gradient(node).get(q, zero) for node in nodes.values() for q in columns))
+    flat, n = evaluate(slopes, Floats, scene.sample), len(columns)
+    work = {}
+    for i, k in enumerate(nodes):
+        row = flat[i * n:(i + 1) * n]
+        size = max(map(abs, row), default=0.0) or 1.0
+        work[k] = [x / size for x in row]
+    found = []
     for j in reversed(range(n)):
-        free = [i for i in range(len(work)) if i not in rows]
-        largest = max((abs(work[i][j]) for i in free), default=0.0)
+        largest = max((abs(row[j]) for row in work.values()), default=0.0)
         if largest <= LOOSE:
             continue
-        pivot = next(i for i in free if abs(work[i][j]) >= 0.1 * largest)
-        rows.append(pivot)
-        columns.append(j)
-        for i in free:
-            if i != pivot and work[i][j]:
-                factor = work[i][j] / work[pivot][j]
-                work[i] = [x - factor * y for x, y in zip(work[i], work[pivot], strict=True)]
-    return rows, columns
+        pivot = next(k for k, row in work.items() if abs(row[j]) >= 0.1 * largest)
+        found.append((pivot, columns[j]))
+        chosen = work.pop(pivot)
+        for k, row in work.items():
+            if row[j]:
+                factor = row[j] / chosen[j]
+                work[k] = [x - factor * y for x, y in zip(row, chosen, strict=True)]
+    return found
 
 
-def _substituted(nodes, chosen, scene):
-    """{z: expression} of the dependents that stand with a constant coefficient in a condition; the other conditions
-    are left in `nodes`, and their dependents, under None."""
-    found, nodes, waiting = {}, list(nodes), list(chosen)
+def _explicit(scene, nodes, allowed):
+    """{z: expression} of coordinates that stand with a constant coefficient in a condition, which is taken out of
+    `nodes` ({number: condition}); of those of the shortest condition the last."""
+    found, order = {}, {q: i for i, q in enumerate(scene.q)}
     while True:
         best = None
-        for k, node in enumerate(nodes):
-            slopes = gradient(node)
-            here = [z for z in waiting if z in slopes]
-            for z in here:
-                slope = slopes[z]
-                if not slope.mask and abs(scene.number(slope)) > 0 and (best is None or len(here) < best[0]):
-                    best = len(here), k, z, slope
+        for k, node in nodes.items():
+            here = [(q, slope) for q, slope in gradient(node).items() if q in order]
+            for z, slope in here:
+                if z in allowed and z not in found and not slope.mask and scene.number(slope):
+                    rank = len(here), -order[z]
+                    if best is None or rank < best[0]:
+                        best = rank, k, z, slope
         if best is None:
-            found[None] = (nodes, waiting)
             return found
         _, k, z, slope = best
         expression = textbook(z - nodes.pop(k) / slope)
-        waiting.remove(z)
         for other, node in found.items():
             found[other] = _with(node, z, expression)
         found[z] = expression
-        nodes = [_with(node, z, expression) for node in nodes]
+        for other, node in nodes.items():
+            nodes[other] = _with(node, z, expression)
 
 
 def _with(node, z, expression):
@@ -124,11 +126,8 @@ def _with(node, z, expression):
     return textbook(substitute([node], {z: expression})[0]) if node.mask & z.mask else node
 
 
-def _implicit(scene, values, left):
-    """Replace the dependents that are left in `values` by symbols with implicit gradients; the Loops, or None."""
-    nodes, waiting = values.pop(None)
-    if not waiting:
-        return None
+def _implicit(scene, nodes, waiting, values, left):
+    """Adds the dependents `waiting` to `values` as symbols with implicit gradients; returns the Loops."""
     table = scene.table
     depends = [x for x in (*left, scene.time) if any(x in gradient(node) for node in nodes)]
     mask = 0
@@ -191,18 +190,16 @@ def _reduce(row, other, factor, skip):
                 row[k] = value
 
 
-def _redundant(scene, others, nodes):
+def _redundant(scene, numbers, nodes):
     """Conditions which the others imply as drawn must be implied in all positions."""
-    for i, node in zip(others, nodes, strict=True):
+    for k, node in zip(numbers, nodes, strict=True):
         if is_zero(node):
             continue
         terms = [scene.table.scaled(part, c) for part, c in node.args] if node.op == "sum" else [node]
         for values in (nearby(scene, attempt) for attempt in range(4)):
-            if values is None:
-                continue
-            sizes = evaluate([node, *terms], Floats, values)
+            sizes = evaluate([node, *terms], Floats, values) if values is not None else (0.0,)
             if not abs(sizes[0]) <= 1e-9 * sum(map(abs, sizes[1:])):
-                constraint = scene.constraints[i]
+                constraint = scene.constraints[k]
                 scene.report(constraint.where, f"the constraint '{constraint.name}' locks the scene in the drawn "
                              "position: it contradicts the other constraints as soon as anything moves",
                              "take it out, or draw the position so that all constraints can hold while it moves")

@@ -83,8 +83,8 @@ class Terms:
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
 
     def at_still(self, kind):
-        """The springs or dampers with the driven displacements that oscillate left out; in `shaken` they are functions of
-        driven displacements."""
+        """The springs or dampers with the driven displacements that oscillate left out; those in `shaken` are functions
+        of them."""
         if not self.shaking:
             return getattr(self, kind)
         held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
