@@ -80,7 +80,7 @@ def _together(record, scene, dx, dy, words):
     """Report a gap as drawn."""
     x, y = scene.number(dx), scene.number(dy)
     gap = (x * x + y * y) ** 0.5
-    if not gap <= 1e-9 * (scene.extent(scene.sample) or 1.0):
+    if gap and not gap <= 1e-9 * (scene.extent(scene.sample) or 1.0):
         scene.report(record.where, words.format(record.name, gap), "draw them at the same place")
 
 

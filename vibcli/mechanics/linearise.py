@@ -18,6 +18,9 @@ from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.elements import OscillatorElements
 
 
+ALIKE = 2.0**-46
+
+
 class Linearisation:
     """The expressions of all rows and weights, in the coordinates or with the drawn position substituted.
 
@@ -242,6 +245,7 @@ def in_numbers(form, arithmetic, values, rational=None):
     for part in form.residual:
         for i, node in part.items():
             _gather(residual, residual_size, i, known[node])
+    _even_out(K, size)
     elements = OscillatorElements(
         n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
         C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form, known),
@@ -253,6 +257,14 @@ def _accumulate(K, size, pair, term):
     if term:
         K[pair] = K.get(pair, 0) + term
         size[pair] = size.get(pair, 0) + abs(term)
+
+
+def _even_out(K, size):
+    """K of forces with a potential is symmetric: what differs by rounding alone is made equal."""
+    for (i, j), one in list(K.items()):
+        other = K.get((j, i), 0)
+        if i < j and one != other and abs(one - other) <= ALIKE * max(size[i, j], size.get((j, i), 0)):
+            K[i, j] = K[j, i] = (one + other) / 2
 
 
 def _gather(residual, size, i, term):
