@@ -1,11 +1,11 @@
 """Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
 
 from vibcli import units
-from vibcli.algebra.meaning import DimensionCheck, counts_cycles, names_in, quantities_in, whole_literal
+from vibcli.algebra.meaning import DimensionCheck, counts_cycles, quantities_in, whole_literal
 from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
-from vibcli.naming import check
+from vibcli.naming import check, cyclic
 from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
 from vibcli.signals import near_signals, signal_dimension
 
@@ -136,16 +136,10 @@ def _index(spec, reader, place, head, kind, index):
     return good
 
 
-def _cyclic(spec, tree):
-    """The parameters named in a tree whose value is in Hz."""
-    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
-    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
-
-
 def _cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
     angular = head in ("omega", "omega_d", "decay", "growth_rate")
-    if angular and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
+    if angular and counts_cycles(expected.tree, cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
     tree = expected.tree

@@ -36,7 +36,7 @@ class Text(Kind):
 class Quantity(Kind):
     """An expression of a given dimension; `unit` None leaves it to be inferred."""
 
-    def __init__(self, unit=None, equation=False):
+    def __init__(self, unit=None, equation=None):
         self.unit, self.equation = unit, equation
         self.dimension = None if unit is None else units.parse_unit(unit).dimension
 
@@ -91,7 +91,7 @@ class Equation(Load):
     """An equation between coordinates and the time."""
 
     def __init__(self):
-        super().__init__(equation=True)
+        super().__init__(equation="x2 = 2*x1")
 
 
 class NewName(Text):

@@ -7,6 +7,7 @@ from vibcli.algebra.meaning import (
     ANY,
     DimensionCheck,
     constant,
+    counts_cycles,
     literal_unit,
     literals_in,
     names_in,
@@ -106,6 +107,13 @@ def _references(spec, reader):
                 namespaces == ("coordinates",) and not reader.sound):
             continue
         valid = [word for space in namespaces for word in spaces[space]]
+        if namespaces == ("bodies",) and name.text in spaces["points"]:
+            reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
+                          nearest(name.text, valid))
+            continue
+        if name.text == "ground" and "points" in namespaces:
+            reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
+            continue
         kind = _KINDS.get(namespaces[0] if len(namespaces) == 1 else None, "point or body")
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
                       nearest(name.text, valid) or f"expected {wants}")
@@ -172,7 +180,7 @@ def _matrices(spec, reader):
 
 def _start(spec, reader):
     for record in (spec.get("forces") or {}).values():
-        if "value" in record:
+        if "value" in record and "coordinate" in record:
             record["value"].dimension = units.times(units.parse_unit("J").dimension,
                                                     spec.dimensions.unknown(record["coordinate"].text), -1)
     for name, value in (spec.get("equilibrium") or {}).items():
@@ -213,6 +221,8 @@ def check(spec, reader, expression, names, expected, local=None):
             spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
+        if not spec.asked_dimension and expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree)):
+            reader.report(expression.where, "expected an angular frequency (rad/s), found Hz", "write 2*pi*f")
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
@@ -266,6 +276,12 @@ def _no_quantities(reader, expression):
                       "what is asked of a scene, such as omega[1], stands under answers")
 
 
+def cyclic(spec, tree):
+    """The parameters named in a tree whose value is in Hz."""
+    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
+    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
+
+
 def _only_numbers(tree):
     return all(name == "pi" for name, _, _, _ in names_in(tree))
 
@@ -277,13 +293,15 @@ def _primes(spec, reader, expression, name, primes, start, end):
     if name in spec.parameters or name not in spec.coordinates:
         what = "a parameter" if name in spec.parameters else "the time"
         reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
+    elif primes > 1 and any(expression is load for load in reader.loads):
+        reader.report(place, "accelerations cannot stand here", "a load depends on coordinates and velocities")
     elif reader.sound and id(expression) not in spec.velocities:
         reader.report(place, "velocities cannot stand here", "they stand in energies and in expected equations")
 
 
 def _unknown(spec, name, names):
     if name == "t":
-        return "the time t cannot stand here", "it stands in motions, driven points, forces and energies"
+        return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
     if name in spec.coordinates:
         return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
     if name.lower() in NO_NUMBERS:

@@ -5,6 +5,7 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
+from vibcli.algebra.normal import is_zero, textbook
 from vibcli.elements import rope
 from vibcli.fields import BODY, PLACE, Element, Equation, Field, Flag, Many, NameOf, Quantity
 
@@ -18,7 +19,12 @@ _GOES_WITH = {"surface": ("point",), "radii": ("gear", "belt"), "carrier": ("gea
 def _settle(record, reader):
     for key, kinds in _GOES_WITH.items():
         if key in record.keys and not any(kind in record.keys for kind in kinds):
-            reader.report(record.place(key), f"'{key}' goes with " + " or ".join(f"'{kind}'" for kind in kinds))
+            reader.report(record.place(key), f"'{key}' goes with " + " or ".join(f"'{kind}'" for kind in kinds),
+                          f"write `{kinds[0]}:`, or leave it out")
+    for kind in ("gear", "belt", "join", "link"):
+        ends = [getattr(end, "text", None) for end in record.get(kind, ())]
+        if ends and ends[0] is not None and ends[0] == ends[1]:
+            reader.report(record.place(kind), f"'{kind}' ties '{ends[0]}' to itself", "name two different ones")
     if "point" in record.keys and "surface" not in record.keys:
         reader.report(record.where, "a point on a surface needs 'surface'", "surface: the name of a surface")
 
@@ -63,30 +69,43 @@ def _equation(record, scene):
         scene.report(record["equation"].where, "a constraint ties positions, not velocities",
                      "write it between coordinates; what rolls without slip has `roll`")
         return
+    if textbook(node).is_zero or not node.mask:
+        scene.report(record["equation"].where, f"the constraint '{record.name}' ties no coordinate",
+                     "write an equation between coordinates, such as x2 = 2*x1")
+        return
     scene.require_equal(node, scene.table.zero, record["equation"].where,
-                        f"the constraint '{record.name}' does not hold as drawn: its sides differ by {{}}",
+                        f"the constraint '{record.name}' does not hold as drawn: its sides differ by {{}} (SI units)",
                         "mind that coordinates are zero as drawn unless `coordinates` gives `drawn`", size=1e-12)
     scene.add_constraint(record, node, "equation")
 
 
 def _join(record, scene):
     (ax, ay), (bx, by) = (scene.place_of(end) for end in record["join"])
-    _together(record, scene, bx - ax, by - ay, "the points that '{}' joins are {:.6g} m apart as drawn")
-    scene.add_constraint(record, bx - ax, "join", ".x")
-    scene.add_constraint(record, by - ay, "join", ".y")
+    x, y = scene.number(bx - ax), scene.number(by - ay)
+    _together(record, scene, (x * x + y * y) ** 0.5, "the points that '{}' joins are {:.6g} m apart as drawn",
+              "draw them at the same place")
+    parts = [(node, part) for node, part in ((bx - ax, ".x"), (by - ay, ".y")) if node.mask and not is_zero(node)]
+    if not parts:
+        scene.report(record.where, f"'{record.name}' joins what never moves relative to one another", "take it out")
+    for node, part in parts:
+        scene.add_constraint(record, node, "join", part)
 
 
-def _together(record, scene, dx, dy, words):
+def _together(record, scene, gap, words, hint):
     """Report a gap as drawn."""
-    x, y = scene.number(dx), scene.number(dy)
-    gap = (x * x + y * y) ** 0.5
     if gap and not gap <= 1e-9 * (scene.extent(scene.sample) or 1.0):
-        scene.report(record.where, words.format(record.name, gap), "draw them at the same place")
+        scene.report(record.where, words.format(record.name, gap), hint)
 
 
 def _link(record, scene):
+    before = len(scene.diagnostics)
     (ax, ay), (bx, by) = (scene.place_of(end) for end in record["link"])
     dx, dy = bx - ax, by - ay
+    if len(scene.diagnostics) > before:
+        return
+    if not (dx.mask or dy.mask):
+        scene.report(record.where, f"'{record.name}' links what never moves relative to one another", "take it out")
+        return
     length = scene.distance(*scene.at_drawn(dx, dy))
     if not scene.number(length):
         scene.report(record.where, f"the link '{record.name}' has no length as drawn",
@@ -102,13 +121,18 @@ def _point(record, scene):
     if "line" in surface:
         (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])
         ex, ey = scene.unit(bx - ax, by - ay, surface.where)
-        node = (y - ay) * ex - (x - ax) * ey
+        node = off = (y - ay) * ex - (x - ax) * ey
     elif "circle" in surface:
         (cx, cy), radius = scene.pair(surface["circle"]), scene.positive(surface["radius"], "the radius of the circle")
         node = ((x - cx) * (x - cx) + (y - cy) * (y - cy) - radius * radius) / (2 * radius)
+        off = scene.distance(*scene.at_drawn(x - cx, y - cy)) - radius
     else:
-        node = y - scene.height_of(surface, x)
-    _together(record, scene, node, scene.table.zero, "the point of '{}' is {:.6g} m off its surface as drawn")
+        node = off = y - scene.height_of(surface, x)
+    if not node.mask:
+        scene.report(record.where, f"the point of '{record.name}' never moves on its surface", "take it out")
+        return
+    _together(record, scene, abs(scene.number(off)), "the point of '{}' is {:.6g} m off its surface as drawn",
+              "draw it on the surface")
     scene.add_constraint(record, node, "point")
 
 
@@ -119,8 +143,9 @@ def _gear(record, scene):
     angles = [scene.angle_of(name) for name in names]
     if None in angles:
         return
+    before = len(scene.diagnostics)
     radii = _radii(record, scene, names)
-    if radii is None:
+    if len(scene.diagnostics) > before:
         return
     if not belt:
         _touching(record, scene, names, radii)

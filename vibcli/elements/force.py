@@ -6,10 +6,13 @@ acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 
 from vibcli.fields import BODY, Element, Field, Load, NameOf, OneOf, Quantity, vector
 
-_AT = OneOf("the name of a point or body", scalar=NameOf("the name of a point or body", "points", "bodies"))
+_AT = OneOf("the name of a point or body (name a place under `points`)",
+            scalar=NameOf("the name of a point or body", "points", "bodies"))
 
 
 def _settle(record, reader):
+    if "speed" in record.keys and "unbalance" not in record.keys:
+        reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
     for first, others in (("force", ("at",)), ("moment", ("body",)), ("value", ("coordinate",)),
                           ("unbalance", ("at", "speed"))):
         for key in others if first in record.keys else ():
@@ -49,7 +52,7 @@ def build(record, scene):
     if "value" in record:
         scene.add_force(scene.lower(record["value"]), scene.symbol(record["coordinate"].text))
     elif "moment" in record:
-        angle = scene.angle_of(record["body"])
+        angle = scene.angle_of(record["body"], "write `at:` and `force:`")
         if angle is not None:
             scene.add_force(scene.lower(record["moment"]), angle)
     elif "unbalance" in record:
@@ -59,36 +62,50 @@ def build(record, scene):
 
 
 def _force(record, scene):
-    load, body = record["force"], scene.bodies.get(record["at"].text)
-    lumped = body is not None and body.frame is None
-    if lumped == isinstance(load, list):
+    load, axis = record["force"], _axis(record, scene)
+    if (axis is not None) == isinstance(load, list):
         where = load[0].where if isinstance(load, list) else load.where
-        message = "has no place: its force is one number" if lumped else "has a place: its force has two components"
-        scene.report(where, f"'{record['at'].text}' {message}", "write `force: F`" if lumped else "write `[Fx, Fy]`")
-        return
-    if lumped:
-        if body.lumped[0] == "turn":
-            scene.report(record.where, f"'{body.name}' turns: what acts on it is a moment",
-                         "write `body:` and `moment:`")
-            return
-        scene.add_force(scene.lower(load), body.lumped[1])
-        return
-    fx, fy = scene.pair(load)
-    if "carrier" in record:
-        fx, fy = scene.frame(record["carrier"]).turned(fx, fy)
+        message, hint = (("has no place: its force is one number", "write `force: F`") if axis is not None else
+                         ("has a place: its force has two components", "write `[Fx, Fy]`"))
+        scene.report(where, f"'{record['at'].text}' {message}", hint)
+    elif axis is not None:
+        if "carrier" in record:
+            scene.report(record.place("carrier"), f"'{record['at'].text}' has no place: its force does not turn",
+                         "leave `carrier` out")
+        scene.add_force(scene.lower(load), axis)
+    else:
+        fx, fy = scene.pair(load)
+        if "carrier" in record:
+            fx, fy = scene.frame(record["carrier"]).turned(fx, fy)
+        _at_point(record, scene, fx, fy)
+
+
+def _axis(record, scene):
+    """The displacement of a lumped body that a force acts on; None of what has a place."""
+    body = scene.bodies.get(record["at"].text)
+    if body is None or body.frame is not None:
+        return None
+    if body.lumped[0] == "turn":
+        scene.report(record.place("at"), f"'{body.name}' turns: what acts on it is a moment",
+                     "write `body:` and `moment:`")
+    return body.lumped[1]
+
+
+def _at_point(record, scene, fx, fy):
     x, y = scene.place(record["at"])[1]
+    if not (x.mask or y.mask):
+        scene.report(record.place("at"), f"'{record['at'].text}' never moves: this force does no work",
+                     "a point of a body is P: {body: name, at: [x, y]} under `points`")
     scene.add_force(fx, x)
     scene.add_force(fy, y)
 
 
 def _unbalance(record, scene):
     """m₀ e Ω² (cos Ωt, sin Ωt); along the one axis of a lumped body m₀ e Ω² sin Ωt."""
-    speed = scene.lower(record["speed"])
+    speed, axis = scene.lower(record["speed"]), _axis(record, scene)
     size, phase = scene.lower(record["unbalance"]) * speed * speed, speed * scene.time
-    body = scene.bodies.get(record["at"].text)
-    if body is not None and body.frame is None:
-        scene.add_force(size * scene.table.call("sin", phase), body.lumped[1])
-        return
-    x, y = scene.place(record["at"])[1]
-    scene.add_force(size * scene.table.call("cos", phase), x)
-    scene.add_force(size * scene.table.call("sin", phase), y)
+    sin, cos = scene.table.call("sin", phase), scene.table.call("cos", phase)
+    if axis is not None:
+        scene.add_force(size * sin, axis)
+    else:
+        _at_point(record, scene, size * cos, size * sin)

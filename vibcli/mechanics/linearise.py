@@ -17,7 +17,6 @@ from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.elements import OscillatorElements
 
-
 ALIKE = 2.0**-46
 
 

@@ -121,7 +121,8 @@ class Terms:
             self.report(record.place(key), "V depends on the coordinates alone, not on velocities")
         if set(self.a) & set(found):
             self.report(record.place(key), "energies do not depend on accelerations")
-        if key != "V" and not velocities & set(found):
+        moving = {"T": {*velocities, *self.q}, "Phi": velocities}
+        if key in moving and not moving[key] & set(found):
             self.report(record.place(key), f"{key} must depend on a velocity such as {self.coordinates[0]}'"
                         if self.coordinates else f"{key} must depend on a velocity")
         self.energies[key] = self.energies[key] + node
