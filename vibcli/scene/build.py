@@ -73,11 +73,13 @@ class Scene(Terms, Ends):
         self.gravity = gravity.build(spec.get("gravity"), self) if "gravity" in spec.sections else None
         order = carriers_first(spec, self.report)
         for name in order:
+            self.owner = name
             self.bodies[name] = load("body").build(spec.get("bodies")[name], self)
         if self.diagnostics:
             return
         for section, element in (("springs", "spring"), ("dampers", "damper")):
             for record in (spec.get(section) or {}).values():
+                self.owner = record.name
                 try:
                     load(element).build(record, self)
                 except ZeroDivisionError:

@@ -6,11 +6,13 @@ from vibcli.algebra.calculus import gradient
 
 
 class Term(NamedTuple):
-    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring."""
+    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, `owner`
+    the name of the element that it came from."""
 
     weight: object
     s: object
     force: object = None
+    owner: str = None
 
 
 class Terms:
@@ -21,26 +23,27 @@ class Terms:
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
         self.static_preloads = []
+        self.owner = None
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
         if s.mask and not weight.is_zero:
-            self.inertias.append(Term(weight, s))
+            self.inertias.append(Term(weight, s, owner=self.owner))
 
     def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""
         if self.gravity is not None:
             for g, s in zip(self.gravity, (x, y), strict=True):
                 if s.mask and not g.is_zero:
-                    self.weights.append(Term(-mass * g, s))
+                    self.weights.append(Term(-mass * g, s, owner=self.owner))
 
     def add_spring(self, k, preload, s):
         """preload·s + ½·k·s² to V."""
-        self.springs.append(Term(k, s, preload))
+        self.springs.append(Term(k, s, preload, self.owner))
 
     def add_damper(self, c, s):
         """½·c·ṡ² to Φ."""
-        self.dampers.append(Term(c, s))
+        self.dampers.append(Term(c, s, owner=self.owner))
 
     def static_preload(self, record):
         """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""
