@@ -6,7 +6,8 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.naming import check
-from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
+from vibcli.parameters import independent
+from vibcli.questions import ASKED, BARE, STATE_FUNCTIONS, dimension
 
 
 def check_answers(spec, reader):
@@ -34,7 +35,7 @@ def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable") and not tree[4]:
+    if tree[0] == "name" and tree[3] in BARE and not tree[4]:
         tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
         asked.tree = tree
     whole = tree[0] == "quantity"
@@ -119,6 +120,11 @@ def _index(spec, reader, place, head, kind, index):
         good, valid = index.isdecimal() and index.isascii() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
+    elif kind == "parameter":
+        good, valid = index in independent(spec.parameters), independent(spec.parameters)
+        if not good and index in spec.parameters:
+            reader.report(place, f"'{index}' is defined by other parameters", nearest(index, valid))
+            return False
     elif kind == "body":
         good, valid = index in bodies, list(bodies)
     else:
@@ -136,7 +142,7 @@ def _cyclic(spec, tree):
 
 def _cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
-    angular = head in ("omega", "omega_d", "decay", "growth_rate")
+    angular = head in ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
     if angular and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")

@@ -10,12 +10,14 @@ from fractions import Fraction
 from functools import cached_property
 
 from vibcli.errors import defined_as_drawn
+from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
+          "shares", "sensitivities", "estimates")
 
 
-class Problem:
+class Problem(OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
     def __init__(self, spec, given=None):

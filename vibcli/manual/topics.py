@@ -32,6 +32,12 @@ FIND = {
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
+    "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
+              "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
+    "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
+                     "of the equilibrium included; in numbers, only where it is asked for",
+    "estimates": "bounds of the lowest natural frequency by Rayleigh and Dunkerley beside its exact value; in numbers, "
+                 "only where it is asked for",
 }
 
 COMPARED = [
