@@ -6,7 +6,8 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.naming import check, cyclic
-from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
+from vibcli.parameters import independent
+from vibcli.questions import ASKED, BARE, STATE_FUNCTIONS, dimension
 from vibcli.signals import near_signals, signal_dimension
 
 
@@ -22,7 +23,8 @@ def asked_dimension(spec, tree):
     indices = [coordinate_name(spec, index) or index for index in tree[5]]
 
     def of(name):
-        return spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
+        known = name in spec.coordinates or name in spec.parameters
+        return spec.dimensions.of(name) if known else signal_dimension(spec, name)
 
     return dimension(tree[4], indices, of)
 
@@ -39,7 +41,7 @@ def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable") and not tree[4]:
+    if tree[0] == "name" and tree[3] in BARE and not tree[4]:
         tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
         asked.tree = tree
     whole = tree[0] == "quantity"
@@ -127,6 +129,11 @@ def _index(spec, reader, place, head, kind, index):
     elif kind == "signal":
         good = coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
         valid = near_signals(spec, index)
+    elif kind == "parameter":
+        good, valid = index in independent(spec.parameters), independent(spec.parameters)
+        if not good and index in spec.parameters:
+            reader.report(place, f"'{index}' is defined by other parameters", nearest(index, valid))
+            return False
     elif kind == "body":
         good, valid = index in bodies, list(bodies)
     else:
@@ -138,7 +145,7 @@ def _index(spec, reader, place, head, kind, index):
 
 def _cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
-    angular = head in ("omega", "omega_d", "decay", "growth_rate")
+    angular = head in ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
     if angular and counts_cycles(expected.tree, cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")

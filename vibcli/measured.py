@@ -114,6 +114,27 @@ def _of_damped(attribute_name, words):
     return value
 
 
+def _sensitivity(problem, indices, attribute):
+    mode, name = _oscillating(problem, indices[:1], "sensitivity"), indices[1]
+    if mode.rigid:
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: its frequency has no sensitivity",
+                           "ask for that of a mode which oscillates")
+    found = problem.sensitivities
+    if name in found.refused:
+        raise PhysicsError(found.refused[name], "see `vibcli solve --insight`")
+    rate = found.omega[name][mode.index]
+    if rate is None:
+        raise PhysicsError(f"mode {indices[0]} coincides with another one, and they are gyroscopic",
+                           "derivatives of such modes are not found")
+    return rate, ROUNDING
+
+
+def _estimate(which):
+    def value(problem, indices, attribute):
+        return getattr(problem.estimates, which), ROUNDING
+    return value
+
+
 def _equilibrium(problem, indices, attribute):
     signal = coordinate_name(problem.spec, indices[0]) or indices[0]
     node = displacement(problem.scene, signal)
@@ -166,6 +187,7 @@ def _centre(problem, indices, attribute):
 _MEASURES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
-    "decay": _of_damped("decay", "decay"), "equilibrium": _equilibrium, "stable": _stable,
+    "decay": _of_damped("decay", "decay"), "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
+    "dunkerley": _estimate("dunkerley"), "equilibrium": _equilibrium, "stable": _stable,
     "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
 }

@@ -221,7 +221,8 @@ def check(spec, reader, expression, names, expected, local=None):
             spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
-        if not spec.asked_dimension and expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree)):
+        in_cycles = expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree))
+        if in_cycles and not spec.asked_dimension:
             reader.report(expression.where, "expected an angular frequency (rad/s), found Hz", "write 2*pi*f")
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)

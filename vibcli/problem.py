@@ -10,13 +10,14 @@ from fractions import Fraction
 from functools import cached_property
 
 from vibcli.errors import defined_as_drawn
+from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "reactions", "energies", "equations",
-          "closed_forms")
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
+          "reactions", "shares", "sensitivities", "estimates")
 
 
-class Problem:
+class Problem(OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
     def __init__(self, spec, given=None):
@@ -313,13 +314,6 @@ class Problem:
         from vibcli.analyses.spectrum import damped_modes
 
         return self._named(damped_modes, elements, lambda: self.modes, self.precise_elements, self.exact_elements)
-
-    @Stage
-    def reactions(self):
-        """Forces in constraints and supports in equilibrium, by multipliers."""
-        from vibcli.mechanics.reactions import reactions
-
-        return reactions(self)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""

@@ -244,7 +244,8 @@ def in_numbers(form, arithmetic, values, rational=None):
     for part in form.residual:
         for i, node in part.items():
             _gather(residual, residual_size, i, known[node])
-    _even_out(K, size)
+    if arithmetic.ordered:
+        _even_out(K, size)
     elements = OscillatorElements(
         n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
         C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form, known),

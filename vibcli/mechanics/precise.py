@@ -1,6 +1,6 @@
 """Equilibrium and element data to any number of digits, by Newton's method in mpmath from the float solution."""
 
-from vibcli.algebra.evaluate import multiprecision
+from vibcli.algebra.evaluate import evaluate, multiprecision
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.linearise import in_numbers
@@ -15,10 +15,17 @@ def elements_to(problem, digits):
     with mpmath.workdps(digits + 10):
         arithmetic = multiprecision()
         values = problem.values(arithmetic)
-        if problem.equilibrium.drawn:
-            return in_numbers(problem.drawn_form, arithmetic, values, problem.rational).elements
-        return in_numbers(problem.form, arithmetic, {**values, **equilibrium_to(problem, values, arithmetic)},
-                          problem.rational).elements
+        form = problem.drawn_form if problem.equilibrium.drawn else problem.form
+        return in_numbers(form, arithmetic, values | place_to(problem, values, arithmetic), problem.rational).elements
+
+
+def place_to(problem, values, arithmetic):
+    """{coordinate: number} of the equilibrium at the working precision; of a linear scene in floats, where it is of no
+    matter."""
+    if problem.equilibrium.drawn:
+        drawn = problem.scene.drawn
+        return dict(zip((q.name for q in drawn), evaluate(list(drawn.values()), arithmetic, values), strict=True))
+    return problem.equilibrium.values if problem.is_linear else equilibrium_to(problem, values, arithmetic)
 
 
 def equilibrium_to(problem, values, arithmetic):

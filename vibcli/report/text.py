@@ -5,6 +5,7 @@ from vibcli import units
 from vibcli.algebra.parse import plain_name
 from vibcli.analyses.shapes import WORDS
 from vibcli.errors import PhysicsError
+from vibcli.questions import INSIGHT
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
@@ -52,7 +53,12 @@ class Report:
     def add(self, name):
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are printed."""
         try:
-            getattr(self, "_" + name)()
+            if name in INSIGHT:
+                from vibcli.report.insight import add
+
+                add(self, name)
+            else:
+                getattr(self, "_" + name)()
         except PhysicsError as error:
             self.refusal = self.refusal or error
 
