@@ -144,8 +144,11 @@ def _equilibrium(problem, indices, attribute):
 
 
 def is_stable(problem):
-    """Does K have no negative eigenvalue, and does V not fall along a direction in which it vanishes?"""
-    return all(mode.growth_rate is None for mode in problem.modes) and "falling" not in problem.zero_modes.values()
+    """Does no mode grow, undamped or by damping that feeds energy in, and does V not fall where K vanishes?"""
+    modes = list(problem.modes)
+    if problem.elements.C or any(c < 0 for c, _ in problem.elements.dampers):
+        modes += problem.damped or ()
+    return all(mode.growth_rate is None for mode in modes) and "falling" not in problem.zero_modes.values()
 
 
 def _stable(problem, indices, attribute):

@@ -225,6 +225,14 @@ class Problem(OnRequest):
         return self.closed(self.drawn_floats, target)
 
     @property
+    def dependent_values(self):
+        """{name: float} of the dependent coordinates in equilibrium."""
+        from vibcli.algebra.evaluate import evaluate
+
+        nodes = self.scene.dependent
+        return dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
+
+    @property
     def at_rest(self):
         """{symbol: float} of everything in equilibrium, at t = 0."""
         return {**self.floats, self.scene.time.name: 0.0, **self.equilibrium.values,

@@ -265,6 +265,8 @@ class Table:
     def is_positive(self, node):
         if node.op == "number":
             return node.coefficient > 0
+        if node.op == "sum":
+            return node.coefficient >= 0 and all(c > 0 and part in self.positive for part, c in node.args)
         return node in self.positive or node.name in ("exp", "cosh")
 
     def power(self, base, exponent):

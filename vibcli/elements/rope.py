@@ -41,6 +41,12 @@ class Stop:
         self.centre, self.radius, self.side, self.turn, self.sense = centre, radius, side, turn, 0
 
     @property
+    def contact(self):
+        """Where the rope about passes."""
+        nx, ny = self.side or (0, 0)
+        return self.centre[0] + self.radius * nx, self.centre[1] + self.radius * ny
+
+    @property
     def reach(self):
         """σ r."""
         return self.radius * self.sense
@@ -85,7 +91,10 @@ def _sense(record, scene, stops, i):
     if not scene.number(stops[i].radius):
         return 0
     before, after = stops[max(i - 1, 0)], stops[min(i + 1, len(stops) - 1)]
-    dx, dy = (scene.number(b - a) for a, b in zip(before.centre, after.centre, strict=True))
+    if stops[i] in (before, after):
+        dx, dy = (scene.number(b - a) for a, b in zip(before.centre, after.centre, strict=True))
+    else:
+        dx, dy = (scene.number(b - a) for a, b in zip(before.contact, after.contact, strict=True))
     nx, ny = stops[i].side
     across = nx * dy - ny * dx
     if abs(across) <= 1e-9 * (abs(dx) + abs(dy)):
@@ -104,7 +113,7 @@ def _piece(record, scene, one, two):
         scene.report(record.where, f"the rope '{record.name}' has no free piece between two of its stops as drawn",
                      "draw them farther apart, or mind the radii")
         return scene.table.zero
-    drawn = _root(textbook(square - offset * offset))
+    drawn = _root(scene, textbook(square - offset * offset))
     ex, ey = _direction(scene, textbook(drawn * x0 - offset * y0) / square, textbook(drawn * y0 + offset * x0) / square)
     if scene.vanishes(wx * ey - wy * ex - offset):
         along = textbook(wx * ex + wy * ey)
@@ -113,7 +122,7 @@ def _piece(record, scene, one, two):
         change = scene.distance(wx, wy) - drawn
     else:
         table = scene.table
-        length = _root(textbook(wx * wx + wy * wy - offset * offset))
+        length = _root(scene, textbook(wx * wx + wy * wy - offset * offset))
         turned = table.call("atan2", x0 * wy - y0 * wx, x0 * wx + y0 * wy)
         change = length - drawn + offset * (turned + table.call("atan2", offset, length)
                                             - table.call("atan2", offset, drawn))
@@ -133,6 +142,9 @@ def _direction(scene, ex, ey):
     return ex, ey
 
 
-def _root(square):
+def _root(scene, square):
+    """√square, without a root where it is a perfect square."""
     root = root_of_square(square)
-    return square.table.sqrt(square) if root is None else root
+    if root is None:
+        return square.table.sqrt(square)
+    return root if scene.sign(root) > 0 else -root

@@ -34,6 +34,8 @@ FIND = {
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
+    "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
+    "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
     "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
               "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
     "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "

@@ -8,7 +8,8 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
 
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
 C is the symmetric, G the skew part of what multiplies the velocities. Driven displacements that oscillate are small
-like the coordinates: springs and dampers are linear in them too, which leaves them to the excitation.
+like the coordinates: springs and dampers are linear in them too, which leaves them to the excitation; and so are loads
+that depend on the time, which add nothing to Σ P ∇²s.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
@@ -62,7 +63,9 @@ def _loaded(scene, found, number, term, slips):
     """A force F with the virtual work F δs."""
     rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
     force, row = substitute([term.weight], rest)[0], _row(term.s, number)
-    found.curved.append((-force, _curvature(row, number), row))
+    at_once = scene.table.sum(*((part, c) for part, c in _parts(force) if part.mask & scene.time.mask))
+    found.curved.append((at_once - force, _curvature(row, number), row))
+    found.residual.append({i: -(at_once * slope) for i, slope in row.items() if not at_once.is_zero})
     slopes = gradient(term.weight)
     by_place = {number[q]: slope for q, slope in slopes.items() if q in number}
     by_speed = {speeds[v]: slope for v, slope in slopes.items() if v in speeds}
@@ -70,6 +73,10 @@ def _loaded(scene, found, number, term, slips):
     for (i, j), node in _at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_speed.items()},
                                  rest).items():
         slips.setdefault((i, j), []).append(node)
+
+
+def _parts(node):
+    return node.args if node.op == "sum" else ((node, ONE),)
 
 
 def _driven(scene, found, number, term, kind, slips):

@@ -155,5 +155,5 @@ def _steady_slope(released, node):
 def slack(problem):
     """[(rope's signal, tension)] of ropes that equilibrium would have to push."""
     forces = [reaction for reaction in problem.reactions if reaction.form == "rope" and reaction.value is not None]
-    largest = max((abs(reaction.value) for reaction in forces), default=0.0)
+    largest = max((abs(reaction.value) for reaction in problem.reactions if reaction.value is not None), default=0.0)
     return [(reaction.signal, reaction.value) for reaction in forces if reaction.value < -1e-9 * largest]

@@ -112,8 +112,10 @@ class Report:
         shown, lengths = abbreviated(scene.table, generalised_forces(scene), self.roots)
         lines = ["δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names)]
         for name, node in zip(names, shown, strict=True):
-            lines += wrapped(f"Q_{name} = {short(node)}" + ("" if scene.constraints else " = 0"), indent=4)
-        self.section("Virtual work of weights, springs and steady loads", lines)
+            rests = scene.constraints or node.is_zero
+            lines += wrapped(f"Q_{name} = {short(node)}" + ("" if rests else " = 0"), indent=4)
+        driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
+        self.section("Virtual work of weights, springs and steady loads" + driven, lines)
         self.lines += self._lengths(lengths)
 
     def _equilibrium(self):
@@ -133,7 +135,9 @@ class Report:
         elif stable == "stable" and kinds:
             stable = "stable, but only terms beyond the linear ones hold it"
         where = "the drawn position" if found.drawn else "shifted from the drawn position"
-        lines = [f"{', '.join(values)}   ({where})",
+        values += [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
+                   for name, value in problem.dependent_values.items() if name not in found.values]
+        lines = [*wrapped(f"{', '.join(values)}   ({where})", indent=2),
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
@@ -159,8 +163,8 @@ class Report:
 
         problem = self.problem
         values = equilibrium_in_letters(problem)
-        lines = [", ".join(f"{plain.symbol(name)} = {plain(node)}" for name, node in values.items())
-                 + ("   (the drawn position)" if problem.balanced_as_drawn else "")]
+        lines = wrapped(", ".join(f"{plain.symbol(name)} = {plain(node)}" for name, node in values.items())
+                        + ("   (the drawn position)" if problem.balanced_as_drawn else ""), indent=2)
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
@@ -208,8 +212,9 @@ class Report:
             self.section("Equations of motion", lines)
             self.lines += self._lengths(lengths)
             if equations.multipliers:
-                self.lines.append("  " + ", ".join(f"{plain(symbol)}: the multiplier of '{name}'"
-                                                   for symbol, name in equations.multipliers.items()))
+                told = ", ".join(f"{plain(symbol)}: the multiplier of '{name}'"
+                                 for symbol, name in equations.multipliers.items())
+                self.lines += wrapped(told, indent=6, first=2)
         else:
             self.section("Equations of motion", [f"not written out for {len(scene.coordinates)} coordinates"])
         if equations.refusal:

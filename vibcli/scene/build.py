@@ -238,7 +238,8 @@ class Scene(Terms, Ends):
     def change(self, expression):
         """How much an expression has changed since the drawn position."""
         node = self.lower(expression)
-        return node - self.at_drawn(node)[0]
+        change = node - self.at_drawn(node)[0]
+        return self.driven_by(change) if change.mask == self.time.mask else change
 
     def pair(self, expressions):
         return self.lower(expressions[0]), self.lower(expressions[1])
