@@ -45,6 +45,7 @@ def find_equilibrium(problem, start):
     step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
     steps = 0
     while not search.flat(numbers):
+        search.blocked = False
         steps += 1
         if steps > STEPS or search.far(q):
             raise search.unbounded(q)
@@ -71,19 +72,23 @@ class _Search:
         self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
         self.first_radius = 0.5 if size else math.inf
         self.met = [0.0] * len(self.names)
-        self.here = dict(start)
+        self.here, self.blocked = dict(start), False
 
     def vector(self, values):
         return self.np.array([values[name] for name in self.names], dtype=float)
 
+    def named_plainly(self, q):
+        return {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
+
     def named(self, q):
         """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
         cannot be."""
-        target = {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
+        target = self.named_plainly(q)
         if self.scene.loops is None:
             return target
         loops, floats = self.scene.loops, {**self.problem.floats, self.scene.time.name: 0.0}
         found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
+        self.blocked |= found is None
         return None if found is None else {name: found[name] for name in self.here}
 
     def at(self, q):
@@ -207,6 +212,11 @@ class _Search:
         np = self.np
         start = self.vector(self.problem.drawn_floats)
         name = self.names[int(np.argmax(np.abs(q - start) / self.scale))]
+        if self.blocked:
+            place = ", ".join(f"{other} = {value:.6g}" for other, value in self.named_plainly(q).items())
+            return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
+                                f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, or draw "
+                                "the scene nearer to its equilibrium")
         return PhysicsError(f"no equilibrium is reached from the drawn position: nothing holds '{name}', "
                             "the potential energy keeps falling along it",
                             "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",

@@ -147,6 +147,8 @@ class Scene(Terms, Ends):
         return node
 
     def _symbol(self, name, primes, tree):
+        if name in self.parameters.in_letters:
+            return self.parameters.in_letters[name]
         return self.parameters.nodes[name] if name in self.parameters.nodes else self.symbol(name, primes)
 
     def symbol(self, name, primes=0):

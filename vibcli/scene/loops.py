@@ -1,7 +1,7 @@
 """Closed loops in numbers: the dependent coordinates z(q) of G(q, z, t) = 0, by Newton's method along a path.
 
-A step from a known position is taken whole where Newton's steps contract fast, and halved where they do not: so that
-a linkage does not jump from one way of closing to another.
+A step from a known position is taken whole where Newton's steps contract fast, and halved where they do not; det ∂G/∂z
+keeps its sign. So a linkage does not jump from one way of closing to another, nor pass a dead centre.
 """
 
 from vibcli.algebra.evaluate import Floats, evaluate
@@ -24,19 +24,27 @@ class Loops:
         None where the loops cannot follow."""
         n = len(self.names)
         moving = [name for name in target if name not in self.names and target[name] != start.get(name, target[name])]
-        here, done, step = dict(start), 0.0, 1.0
+        here, done, step, sense = dict(start), 0.0, 1.0, self._sense(start)
         while done < 1.0:
             reach = min(1.0, done + step)
             trial = {**target, **{name: here[name] for name in self.names}}
             for name in moving:
                 trial[name] = target[name] if reach == 1.0 else (1 - reach) * start[name] + reach * target[name]
-            if self._closed(trial, n):
+            if self._closed(trial, n) and self._sense(trial) == sense:
                 here, done, step = trial, reach, 2 * step
             else:
                 step *= 0.5
                 if step < SHORTEST:
                     return None
         return here if moving or not n else self._polished(here, target)
+
+    def _sense(self, values):
+        """The sign of det ∂G/∂z: it changes where the loops are singular."""
+        import numpy as np
+
+        n = len(self.names)
+        flat = evaluate(self.slopes, Floats, values)
+        return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
 
     def _polished(self, here, target):
         trial = {**target, **{name: here[name] for name in self.names}}
