@@ -14,8 +14,9 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.asking import coordinate_name
 from vibcli.draws import Draws, at_states, reach, states
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.measured import measure
+from vibcli.measured import measure, number_of
 from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.virtual_work import generalised_force_at_rest
 
 EXACT, WIDEST, ROUNDING = 1e-9, 0.005, 1e-13
 
@@ -75,7 +76,7 @@ def _compare(problem, answer):
     head = tree[4] if tree[0] == "quantity" else None
     if head in ("equation", "motion"):
         return _compare_equation(problem, answer, head)
-    if head in ("T", "V", "Phi"):
+    if head in ("T", "V", "Phi", "Q"):
         return _compare_energy(problem, answer, head)
     if head == "stable":
         stable = measure(problem, tree)[0]
@@ -160,17 +161,19 @@ def _small(problem, answer):
 
 def _expected_node(problem, expression):
     scene = problem.scene
-    symbols = dict(zip(scene.coordinates, zip(scene.q, scene.v, scene.a, strict=True), strict=True))
 
     def symbol(name, primes, part):
-        return symbols[name][primes] if name in symbols else scene.parameters.nodes[name]
+        return scene.parameters.nodes[name] if name in scene.parameters.nodes else scene.symbol(name, primes)
 
     return _lowered(expression, scene.table, symbol)
 
 
 def _compare_energy(problem, answer, head):
     scene = problem.scene
-    ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
+    if head == "Q":
+        ours = generalised_force_at_rest(problem, number_of(problem, answer.asked.tree[5][0]))
+    else:
+        ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     wanted, found = at_states(problem, [expected, ours], at)
@@ -188,13 +191,14 @@ def _compare_energy(problem, answer, head):
 def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
-    i = scene.coordinates.index(coordinate_name(problem.spec, answer.asked.tree[5][0]))
+    i = number_of(problem, answer.asked.tree[5][0])
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":
         at = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in at.items()}
-        wanted, = at_states(problem, [expected], at)
-        found = _small_oscillation(problem, i, at)
+        drive = problem.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
+        wanted, load = at_states(problem, [expected, drive], at)
+        found = _small_oscillation(problem, i, at) - load
     else:
         from vibcli.mechanics.lagrange import equation_of
 

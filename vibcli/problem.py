@@ -10,12 +10,14 @@ from fractions import Fraction
 from functools import cached_property
 
 from vibcli.errors import defined_as_drawn
+from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
+          "reactions", "shares", "sensitivities", "estimates")
 
 
-class Problem:
+class Problem(OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
     def __init__(self, spec, given=None):
@@ -59,6 +61,15 @@ class Problem:
             self.preloads = defined_as_drawn(settle_static_preloads, scene)
         return scene
 
+    @cached_property
+    def loose(self):
+        """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
+        if self.scene.loops is None:
+            return self.scene
+        from vibcli.scene.build import build_scene
+
+        return build_scene(self.spec, self.given, self.scene.attempt, loose=True)
+
     @property
     def symbolic(self):
         """Are there parameters without value?"""
@@ -72,17 +83,25 @@ class Problem:
         from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import linearise
 
+        if not self.scene.q and self.scene.dependent:
+            raise PhysicsError(locked(self.scene), "take a constraint out, or let one more body move")
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
-        return defined_as_drawn(linearise, self.scene)
+        found = defined_as_drawn(linearise, self.scene)
+        if not self.scene.timed:
+            return found
+        from vibcli.mechanics.steady import steady
+
+        self.timed_form = found
+        return steady(self.scene, found)
 
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
         from vibcli.mechanics.linearise import at_position
 
-        return defined_as_drawn(at_position, self.form, self.scene.drawn)
+        return defined_as_drawn(at_position, self.form, self.scene.drawn_position)
 
     @cached_property
     def is_linear(self):
@@ -105,6 +124,11 @@ class Problem:
         """M, C, G, K of the small oscillations in letters."""
         from vibcli.mechanics.lagrange import matrices_in_letters
 
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+            from vibcli.scene.loops import drawn_values
+
+            require_autonomous(self, drawn_values(self.scene))
         return matrices_in_letters(self.letters_form)
 
     @cached_property
@@ -150,8 +174,9 @@ class Problem:
     def drawn_floats(self):
         from vibcli.algebra.evaluate import evaluate
 
-        nodes = list(self.scene.drawn.values())
-        return dict(zip(self.scene.coordinates, evaluate(nodes, _floats(), self.floats), strict=True))
+        drawn = {q.name: node for q, node in self.scene.drawn.items()}
+        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        return dict(zip(drawn, evaluate(list(drawn.values()), _floats(), self.floats), strict=True))
 
     @cached_property
     def rational(self):
@@ -164,6 +189,24 @@ class Problem:
         from vibcli.mechanics.energies import effective_potential
 
         return defined_as_drawn(effective_potential, self.scene)
+
+    @cached_property
+    def excitation(self):
+        """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
+        equilibrium that is not the drawn one."""
+        from vibcli.mechanics.steady import excitation
+
+        scene = self.scene
+        if self.linear_in_letters or self.symbolic:
+            return excitation(scene, self.timed_form, scene.drawn_position)
+        place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        return excitation(scene, self.timed_form, place)
+
+    @cached_property
+    def conservative(self):
+        """Have all loads a potential: constant forces alone, and no driven motion?"""
+        scene = self.scene
+        return not scene.timed and not any(term.weight.mask for term in scene.forces)
 
     @Stage
     def equilibrium(self):
@@ -178,7 +221,36 @@ class Problem:
         from vibcli.algebra.evaluate import evaluate
 
         nodes = [self.scene.lower(expression) for expression in start.values()]
-        return {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        return self.closed(self.drawn_floats, target)
+
+    @property
+    def dependent_values(self):
+        """{name: float} of the dependent coordinates in equilibrium."""
+        from vibcli.algebra.evaluate import evaluate
+
+        nodes = self.scene.dependent
+        return dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
+
+    @property
+    def at_rest(self):
+        """{symbol: float} of everything in equilibrium, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **self.equilibrium.values,
+                **{v.name: 0.0 for v in self.scene.v}}
+
+    def closed(self, start, target):
+        """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
+        `start`; PhysicsError where its loops cannot close there."""
+        if self.scene.loops is None:
+            return target
+        floats = {**self.floats, self.scene.time.name: 0.0}
+        found = self.scene.loops.followed({**floats, **start}, {**floats, **target})
+        if found is None:
+            from vibcli.errors import PhysicsError
+
+            raise PhysicsError("the loops of this scene cannot close in the position asked for",
+                               "start nearer to the drawn position, or make the links longer")
+        return {name: found[name] for name in self.drawn_floats}
 
     @cached_property
     def drawn_numbers(self):
@@ -195,6 +267,10 @@ class Problem:
         """The element data at the equilibrium, in floats that are correct but for their own rounding."""
         from vibcli.mechanics.linearise import in_numbers
 
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+
+            require_autonomous(self, self.at_rest)
         if self.equilibrium.drawn:
             return self.drawn_numbers.elements
         if self.is_linear:
@@ -282,7 +358,7 @@ class Problem:
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
-        return textbook_energies(self.scene)
+        return textbook_energies(self.loose)
 
     @Stage
     def equations(self):
@@ -297,6 +373,16 @@ class Problem:
         from vibcli.analyses.closed import closed_forms
 
         return closed_forms(self)
+
+
+def locked(scene):
+    """What is said of a scene whose constraints leave no freedom."""
+    if scene.timed:
+        return "nothing moves freely: all motion is prescribed as a function of the time"
+    bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
+    names = ", ".join(dict.fromkeys(f"'{constraint.name.partition('.')[0]}'" for constraint in scene.constraints))
+    return (f"the constraints {names} lock the scene: {bodies} cannot move, as {scene.freedom.coordinates} coordinates "
+            f"are tied by as many independent conditions")
 
 
 def _floats():

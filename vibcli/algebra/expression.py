@@ -109,6 +109,10 @@ class Table:
         self.variables.append(node)
         return node
 
+    def dependent(self, name, mask):
+        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved."""
+        return self._make("symbol", (self.one,), ONE, mask, name)
+
     def scaled(self, node, factor):
         """factor·node, the factor rational; over a sum it is distributed."""
         if factor == 1:
@@ -261,6 +265,8 @@ class Table:
     def is_positive(self, node):
         if node.op == "number":
             return node.coefficient > 0
+        if node.op == "sum":
+            return node.coefficient >= 0 and all(c > 0 and part in self.positive for part, c in node.args)
         return node in self.positive or node.name in ("exp", "cosh")
 
     def power(self, base, exponent):

@@ -1,6 +1,6 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.fields import Element, Lazy, Many, Motion
+from vibcli.fields import Element, Equation, Lazy, Load, Many, Motion
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
@@ -12,7 +12,9 @@ def expects(kind):
     if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
         return f"{kind.wants}, each a {opened(kind.kind)[0]}"
     if isinstance(kind, Motion):
-        return kind.wants + ", in coordinates"
+        return kind.wants + ", in coordinates and time"
+    if isinstance(kind, Load) and not isinstance(kind, Equation):
+        return kind.wants + ", in coordinates, velocities and time"
     if not isinstance(kind, (Element, Lazy)):
         return kind.wants
     _, element, _ = opened(kind)
@@ -37,7 +39,9 @@ def element_page(catalogue, word, scene=True):
         return blocks(head, paragraph(sentence(declared.about)), example)
     rows = [(key, expects(field.kind) + (" (required)" if field.required else ""), sentence(field.about))
             for key, field in declared.fields.items()]
-    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind), example)
+    remarks = [paragraph(part) if isinstance(part, str) else table(part) for part in topics.REMARKS.get(word, ())]
+    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind), *remarks,
+                  example)
 
 
 def _scene_using(catalogue, word):

@@ -23,11 +23,13 @@ def _along(problem, shape):
     sizes = [1.0 if not problem.dimension(name) else problem.figure_size or 1.0 for name in scene.coordinates]
     largest = max(abs(x) / size for x, size in zip(shape, sizes, strict=True))
     terms = [term.force * term.s + term.weight * term.s * term.s * HALF for term in scene.springs]
+    terms += [-term.weight * term.s for term in scene.forces]
     terms += [term.weight * term.s for term in scene.weights] + [scene.energies["V"], -scene.energies["T"]]
     rest = dict.fromkeys((node.name for node in scene.v), 0.0)
 
     def energies(step):
         moved = {name: at[name] + step * x / largest for name, x in zip(scene.coordinates, shape, strict=True)}
+        moved = problem.closed(at, {**at, **moved})
         return evaluate(terms, Floats, {**problem.floats, **rest, **moved})
 
     start = energies(0.0)
