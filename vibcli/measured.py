@@ -144,11 +144,15 @@ def _equilibrium(problem, indices, attribute):
 
 
 def is_stable(problem):
-    """Does no mode grow, undamped or by damping that feeds energy in, and does V not fall where K vanishes?"""
-    modes = list(problem.modes)
-    if problem.elements.C or any(c < 0 for c, _ in problem.elements.dampers):
-        modes += problem.damped or ()
-    return all(mode.growth_rate is None for mode in modes) and "falling" not in problem.zero_modes.values()
+    """Does no small motion grow, and does V not fall along a direction in which K vanishes?
+
+    Dampers decide nothing there (Thomson & Tait 1879) unless they push, or K is not symmetric, or there is G.
+    """
+    elements = problem.elements
+    pushed = any(elements.C.values()) or any(elements.G.values()) or any(c < 0 for c, _ in elements.dampers)
+    modes = (problem.damped if pushed or elements.circulatory else None) or problem.modes
+    grows = any(mode.kind in ("flutter", "divergence") for mode in modes)
+    return not grows and "falling" not in problem.zero_modes.values()
 
 
 def _stable(problem, indices, attribute):

@@ -173,10 +173,11 @@ def _shape(scene, M, K, i, squares):
     """Amplitudes of mode i of two degrees: the first is 1, or it rests. A double root has both coordinates alone."""
     one, zero = scene.table.one, scene.table.zero
     alone = [[one, zero], [zero, one]]
+    coupled = any(pair in matrix for matrix in (M, K) for pair in ((0, 1), (1, 0)))
     if squares[0] is squares[1]:
-        return alone[i]
+        return alone[i] if all(matrix.get((0, 1)) is matrix.get((1, 0)) for matrix in (M, K)) else None
     entry = {pair: K.get(pair, zero) - squares[i] * M.get(pair, zero) for pair in ((0, 0), (0, 1))}
-    if not any((0, 1) in matrix for matrix in (M, K)):
+    if not coupled:
         x, = evaluate([entry[0, 0]], Floats, scene.sample)
         y, = evaluate([K.get((0, 0), zero)], Floats, scene.sample)
         return alone[0] if abs(x) <= 1e-9 * abs(y) or entry[0, 0].is_zero else alone[1]

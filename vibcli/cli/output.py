@@ -89,8 +89,9 @@ def _digits(report, problem, digits):
     found = frequencies_data(problem, digits=digits)
     lines = []
     for mode in found["modes"]:
-        value = f"ω = {mode['omega']} rad/s" if mode["omega"] is not None else f"growth rate {mode['growth_rate']} 1/s"
-        lines.append(f"mode {mode['index']}:  {value}")
+        values = [f"ω = {mode['omega']} rad/s"] if mode["omega"] is not None else []
+        values += [f"growth rate {mode['growth_rate']} 1/s"] if mode["growth_rate"] is not None else []
+        lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
     report.section(f"With {digits} digits", lines)

@@ -106,8 +106,8 @@ CONVENTIONS = [
          "Frequencies are those of small oscillations about it. What depends on the time is left out of both."),
         ("omega, f, T", "omega is the angular frequency in rad/s, f = omega/(2 pi) the frequency in Hz, T = 1/f the "
          "period. They belong to the system without its dampers; gyroscopic terms stay."),
-        ("modes", "Numbered from 1 by ascending omega². Unstable modes come first (a growth rate instead of omega), "
-         "then rigid ones (omega = 0 exactly)."),
+        ("modes", "Numbered from 1 by ascending omega². Unstable modes come first (a growth rate instead of omega, "
+         "in flutter besides it), then rigid ones (omega = 0 exactly)."),
         ("mode shapes", "Normalised so that the first coordinate that moves is 1; `--normalise largest` or `mass` "
          "(shapeᵀ M shape = 1) on the command line. A shape of a damped mode is complex: its argument is the phase "
          "by which a coordinate leads the first one."),

@@ -5,8 +5,11 @@ Every element acts through a scalar function s(q); at the equilibrium it leaves 
     M = Σ w ∇s ∇sᵀ + M₊      C = Σ c ∇s ∇sᵀ + C₊      K = Σ k ∇s ∇sᵀ + K₊
 
 K₊ holds the geometric terms Σ V′∇²s and Σ m g ∇²y and whatever a scene gives as a matrix. Assembling the
-sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long as the method allows.
+sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long as the method allows. Forces that no potential
+gives (follower forces) make K₊, and with it K, a matrix that is not symmetric.
 """
+
+ROUNDING = 2.0 ** -51
 
 
 class OscillatorElements:
@@ -28,6 +31,13 @@ class OscillatorElements:
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
         self.K_size = K_size or {}
         self.rational_rows, self.massless = rational_rows, tuple(massless)
+
+    @property
+    def circulatory(self):
+        """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""
+        size = self.K_size
+        return any(abs(x - self.K.get((j, i), 0)) > ROUNDING * (size.get((i, j), 0) + size.get((j, i), 0))
+                   for (i, j), x in self.K.items() if i != j)
 
     def matrices(self):
         """M, C, G, K assembled, each {(i, j): number}: for printing and for what needs no last digit."""

@@ -28,12 +28,15 @@ KEYS = {
     "matrices.K": "stiffness matrix",
     "modes": "a list: modes of the system without its dampers, by ascending omega, unstable ones first",
     "modes[].index": "number of the mode, from 1",
-    "modes[].omega": "natural angular frequency; exactly 0 of a rigid mode, null of an unstable one",
+    "modes[].omega": "natural angular frequency; exactly 0 of a rigid mode, null of one that grows without "
+                     "oscillating",
     "modes[].frequency": "omega/(2 pi), in Hz",
-    "modes[].period": "2 pi/omega; null of a rigid or unstable mode",
-    "modes[].growth_rate": "of an unstable mode, which grows as exp(growth_rate t); else null",
+    "modes[].period": "2 pi/omega; null of a rigid mode and where omega is null",
+    "modes[].growth_rate": "of an unstable mode, which grows as exp(growth_rate t), oscillating where omega is given "
+                           "too (flutter); negative of one that decays where there is G and K is not symmetric; else "
+                           "null",
     "modes[].shape": "{coordinate: amplitude}, the first one that moves being 1 (see --normalise)",
-    "modes[].error": "bound of the relative error of omega or growth_rate",
+    "modes[].error": "bound of the relative error of omega and of growth_rate",
     "damped": "a list by ascending |eigenvalue|, one entry to a conjugate pair; null where nothing damps",
     "damped[].index": "number of the mode, from 1; two real eigenvalues of one over-damped mode share it",
     "damped[].eigenvalue": "[re, im] of the eigenvalue, im ≥ 0: motion as exp(eigenvalue t)",
