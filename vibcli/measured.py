@@ -149,7 +149,8 @@ def is_stable(problem):
     Dampers decide nothing there (Thomson & Tait 1879) unless they push, or K is not symmetric, or there is G.
     """
     elements = problem.elements
-    pushed = any(elements.C.values()) or any(elements.G.values()) or any(c < 0 for c, _ in elements.dampers)
+    pushed = (any(any(part.values()) for part in (elements.C, elements.drag, elements.G))
+              or any(c < 0 for c, _ in elements.dampers))
     modes = (problem.damped if pushed or elements.circulatory else None) or problem.modes
     grows = any(mode.kind in ("flutter", "divergence") for mode in modes)
     return not grows and "falling" not in problem.zero_modes.values()

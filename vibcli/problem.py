@@ -109,7 +109,7 @@ class Problem(OnRequest):
         form = self.form
         terms = (*form.inertias, *form.springs, *form.dampers)
         rows = [node for _, row in terms for node in row.values()]
-        parts = [node for part in (form.M, form.C, form.G, *form.K) for node in part.values()]
+        parts = [node for part in (form.M, form.C, form.G, form.drag, *form.K) for node in part.values()]
         return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
 
     @cached_property

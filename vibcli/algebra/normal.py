@@ -203,11 +203,12 @@ def textbook(node):
 
 
 def _unnested(node):
-    """The node with 1/(a/b + 1) written as b/(a + b)."""
+    """The node with 1/(a/b + 1) written as b/(a + b), and sin² + cos² as 1 below the line."""
     table, simpler = node.table, {}
     for base in _denominators(node):
-        factors = factors_of(table, reduced(expanded(base, ())))
-        if len(factors) > 2:
+        terms = reduced(expanded(base, ()))
+        factors = factors_of(table, terms)
+        if len(factors) > 2 or len(terms) < len(base.args):
             simpler[base] = table.product(*factors)
     return substitute([node], simpler)[0] if simpler else node
 

@@ -23,6 +23,9 @@ def sharp_modes(problem):
 def sharp_damped(problem):
     """The damped modes as precisely, None where nothing damps."""
     elements = problem.elements
+    if elements.drag or elements.circulatory:
+        raise PhysicsError("shares and sensitivities of damped modes are found where C and K are symmetric",
+                           "see `vibcli frequencies` for the modes themselves")
     _require_quick(elements.n, True)
     return damped_modes(elements, lambda: problem.sharp_modes, problem.precise_elements, problem.exact_elements,
                         digits=DIGITS)

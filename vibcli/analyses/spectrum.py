@@ -7,7 +7,7 @@ zero twice.
 """
 
 from vibcli.analyses.modal import Mode, undamped
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.mechanics.elements import OscillatorElements, summed
 
 
 def natural_modes(elements, precise=None, exact=None, digits=None):
@@ -15,6 +15,8 @@ def natural_modes(elements, precise=None, exact=None, digits=None):
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
     """
+    if elements.drag:
+        return natural_modes(_without(elements, "drag"), _following(precise, "drag"), _following(exact, "drag"), digits)
     turning, follows = any(elements.G.values()), elements.circulatory
     if not turning and not follows:
         return undamped(elements, precise=precise, digits=digits)
@@ -35,9 +37,12 @@ def natural_modes(elements, precise=None, exact=None, digits=None):
 
 def damped_modes(elements, natural, precise=None, exact=None, digits=None):
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
-    if not any(c for c, _ in elements.dampers) and not any(elements.C.values()):
+    if not any(c for c, _ in elements.dampers) and not any(elements.C.values()) and not any(elements.drag.values()):
         return None
     from vibcli.analyses.damped import damped
+
+    if elements.drag:
+        elements, precise, exact = _dragged(elements), _then(_dragged, precise), _then(_dragged, exact)
 
     found = damped(elements, precise=precise, exact=exact, digits=digits)
     return _one_each(found, natural()) if any(not mode.omega for mode in found) else found
@@ -49,15 +54,26 @@ def _without(elements, *kinds):
     return OscillatorElements(**parts)
 
 
+def _dragged(elements):
+    """The same elements, the skew part of what loads add to C among the gyroscopic terms."""
+    parts = {kind: getattr(elements, kind) for kind in OscillatorElements.__slots__}
+    return OscillatorElements(**parts | {"G": summed(elements.G, elements.drag), "drag": {}})
+
+
 def _following(evaluate, *kinds):
     """The same re-evaluation of the elements, without some kinds."""
+    return _then(lambda elements: _without(elements, *kinds), evaluate)
+
+
+def _then(change, evaluate):
+    """A re-evaluation of the elements with a change; None where there is none."""
     if evaluate is None:
         return None
 
-    def reduced(*args):
+    def changed(*args):
         elements = evaluate(*args)
-        return None if elements is None else _without(elements, *kinds)
-    return reduced
+        return None if elements is None else change(elements)
+    return changed
 
 
 def _one_each(found, natural):

@@ -17,19 +17,21 @@ class OscillatorElements:
 
     n: number of coordinates. inertias, springs, dampers: tuples of (weight, row), where a row is a
     dict {coordinate index: component}. M, C, G, K: what is not of that form, dicts {(i, j): value} with both
-    triangles written, empty where absent (G skew). K_size: for each entry of K, the sum of the magnitudes of the terms
-    it was added from, the scale of its rounding error. rational_rows: the spring rows as Fractions where they
-    are rational, else None. massless: indices of coordinates which no inertia moves, exactly.
+    triangles written, empty where absent (G skew); drag: the skew part of what loads add to C. K_size: for each entry
+    of K, the sum of the magnitudes of the terms it was added from, the scale of its rounding error. rational_rows: the
+    spring rows as Fractions where they are rational, else None. massless: indices of coordinates which no inertia
+    moves, exactly.
     """
 
-    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "inertias", "massless", "n", "rational_rows", "springs")
+    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "rational_rows",
+                 "springs")
 
     def __init__(self, n, inertias=(), springs=(), dampers=(), M=None, C=None, G=None, K=None,
-                 K_size=None, rational_rows=None, massless=()):
+                 K_size=None, rational_rows=None, massless=(), drag=None):
         self.n = n
         self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
-        self.K_size = K_size or {}
+        self.K_size, self.drag = K_size or {}, drag or {}
         self.rational_rows, self.massless = rational_rows, tuple(massless)
 
     @property
@@ -42,11 +44,19 @@ class OscillatorElements:
     def matrices(self):
         """M, C, G, K assembled, each {(i, j): number}: for printing and for what needs no last digit."""
         return [_assembled(rows, extra) for rows, extra in (
-            (self.inertias, self.M), (self.dampers, self.C), ((), self.G), (self.springs, self.K))]
+            (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G), (self.springs, self.K))]
 
     def stiffness(self):
         """K assembled, {(i, j): number}."""
         return _assembled(self.springs, self.K)
+
+
+def summed(one, two):
+    """The sum of two matrices {(i, j): entry}."""
+    found = dict(one)
+    for pair, x in two.items():
+        found[pair] = found[pair] + x if pair in found else x
+    return found
 
 
 def _assembled(terms, extra):

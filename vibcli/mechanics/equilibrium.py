@@ -215,8 +215,8 @@ class _Search:
         if self.blocked:
             place = ", ".join(f"{other} = {value:.6g}" for other, value in self.named_plainly(q).items())
             return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
-                                f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, or draw "
-                                "the scene nearer to its equilibrium")
+                                f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, "
+                                "or draw the scene nearer to its equilibrium")
         return PhysicsError(f"no equilibrium is reached from the drawn position: nothing holds '{name}', "
                             "the potential energy keeps falling along it",
                             "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",

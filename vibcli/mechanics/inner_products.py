@@ -33,4 +33,4 @@ def only(elements, kept):
 
     return OscillatorElements(
         elements.n, terms(elements.inertias), terms(elements.springs), terms(elements.dampers), M=entries(elements.M),
-        C=entries(elements.C), G=entries(elements.G), K=entries(elements.K))
+        C=entries(elements.C), G=entries(elements.G), K=entries(elements.K), drag=entries(elements.drag))

@@ -94,7 +94,7 @@ def equations(problem):
 def matrices_in_letters(form):
     """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
     M = _assembled(form.table, form.inertias, [form.M])
-    C = _assembled(form.table, form.dampers, [form.C])
+    C = _assembled(form.table, form.dampers, [form.C, form.drag])
     geometric = [{pair: force * second for pair, second in curvature.items()} for force, curvature, _ in form.curved]
     K = _assembled(form.table, form.springs, geometric + form.K)
     return M, C, _simplified({pair: [node] for pair, node in form.G.items()}, form.table), K

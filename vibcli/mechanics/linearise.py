@@ -7,9 +7,9 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
     K = ∂r/∂q = Σ k ∇s ∇sᵀ + Σ P ∇²s + Σ w ∇s (∂ₜₜ∇s)ᵀ + Σ c ∇s (∂ₜ∇s)ᵀ − Σ ∇s (∂F/∂q)ᵀ + …
 
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
-C is the symmetric, G the skew part of what multiplies the velocities. Driven displacements that oscillate are small
-like the coordinates: springs and dampers are linear in them too, which leaves them to the excitation; and so are loads
-that depend on the time, which add nothing to Σ P ∇²s.
+G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements that
+oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
+excitation; and so are loads that depend on the time, which add nothing to Σ P ∇²s.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
@@ -28,14 +28,14 @@ class Linearisation:
     being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}.
     """
 
-    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "inertias", "n", "residual", "springs", "table")
+    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "drag", "inertias", "n", "residual", "springs", "table")
 
 
 def linearise(scene):
     """The Linearisation of a scene as functions of the coordinates."""
     number = {node: i for i, node in enumerate(scene.q)}
     found = Linearisation()
-    found.n, found.table = len(scene.q), scene.table
+    found.n, found.table, found.drag = len(scene.q), scene.table, {}
     found.inertias = [(term.weight, _row(term.s, number)) for term in scene.inertias]
     dampers = scene.at_still("dampers")
     found.dampers = [(term.weight, _row(term.s, number)) for term in dampers]
@@ -51,11 +51,13 @@ def linearise(scene):
     slips = {}
     for term in scene.forces:
         _loaded(scene, found, number, term, slips)
+    _split(found, slips, found.drag)
+    slips = {}
     if scene.timed:
         for kind, terms in (("inertias", scene.inertias), ("dampers", dampers)):
             for term in terms:
                 _driven(scene, found, number, term, kind, slips)
-    _split(found, slips)
+    _split(found, slips, found.G)
     return found
 
 
@@ -98,14 +100,14 @@ def _driven(scene, found, number, term, kind, slips):
     found.K.append({(i, j): weight * x * slope for i, x in row.items() for j, slope in bend.items()})
 
 
-def _split(found, slips):
-    """Adds the symmetric part of {(i, j): [terms]} to C, the skew part to G."""
+def _split(found, slips, skew_parts):
+    """Adds the symmetric part of {(i, j): [terms]} to C, the skew part to `skew_parts`."""
     total = {pair: found.table.sum(*((node, ONE) for node in terms)) for pair, terms in slips.items()}
     zero = found.table.zero
     for i, j in {tuple(sorted(pair)) for pair in total}:
         one, two = total.get((i, j), zero), total.get((j, i), zero)
         same, skew = textbook((one + two) / 2), textbook((one - two) / 2)
-        for matrix, pairs in ((found.C, {(i, j): same, (j, i): same}), (found.G, {(i, j): skew, (j, i): -skew})):
+        for matrix, pairs in ((found.C, {(i, j): same, (j, i): same}), (skew_parts, {(i, j): skew, (j, i): -skew})):
             for pair, node in pairs.items():
                 if not node.is_zero:
                     matrix[pair] = matrix.get(pair, zero) + node
@@ -201,7 +203,7 @@ def _each(form, change):
     for kind in ("inertias", "springs", "dampers"):
         setattr(found, kind, [(change(weight), entries(row)) for weight, row in getattr(form, kind)])
     found.curved = [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved]
-    for kind in ("M", "C", "G"):
+    for kind in ("M", "C", "G", "drag"):
         setattr(found, kind, entries(getattr(form, kind)))
     found.K = [entries(part) for part in form.K]
     found.residual = [entries(part) for part in form.residual]
@@ -255,8 +257,8 @@ def in_numbers(form, arithmetic, values, rational=None):
         _even_out(K, size)
     elements = OscillatorElements(
         n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
-        C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form, known),
-        rational_rows=_rational_rows(form, rational))
+        C=data.entries(form.C), G=data.entries(form.G), drag=data.entries(form.drag), K=K, K_size=size,
+        massless=massless(form, known), rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
 

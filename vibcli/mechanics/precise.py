@@ -69,7 +69,7 @@ def rounded_elements(problem):
     exact = elements_to(problem, ROUNDED)
     return OscillatorElements(
         exact.n, _rows(exact.inertias), _rows(exact.springs), _rows(exact.dampers), M=_floats(exact.M),
-        C=_floats(exact.C), G=_floats(exact.G), K=_floats(exact.K),
+        C=_floats(exact.C), G=_floats(exact.G), drag=_floats(exact.drag), K=_floats(exact.K),
         K_size={pair: abs(float(x)) for pair, x in exact.K.items()},
         rational_rows=exact.rational_rows, massless=exact.massless)
 

@@ -67,7 +67,7 @@ def steady(scene, form):
     found.K.append(_summed(scene, stiffness))
     start = {scene.time: table.zero}
     found.inertias, found.dampers = (_at(form.inertias, start), _at(form.dampers, start))
-    for kind in ("M", "C", "G"):
+    for kind in ("M", "C", "G", "drag"):
         entries = getattr(form, kind)
         setattr(found, kind, dict(zip(entries, substitute(list(entries.values()), start), strict=True)))
     return found
