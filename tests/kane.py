@@ -4,17 +4,13 @@ Each function of ALL is named after the problem that it describes. It gets a Mod
 adds bodies and loads; vectors are places from the fixed origin. Coordinates mean what those of the file mean.
 """
 
-from types import SimpleNamespace
-
-import mpmath
-import sympy
-from sympy import cos, sin
-from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
+from sympy import cos, sin, sqrt
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
 
 class Model:
     """What goes into KanesMethod. `tied`: conditions of the dependent coordinates; `rolling`: those between velocities
-    alone. Gravity is that of the parameter g."""
+    alone; g: gravity, None without it."""
 
     def __init__(self, g):
         self.N, self.O, self.t, self.g = ReferenceFrame("N"), Point("O"), dynamicsymbols._t, g
@@ -33,7 +29,7 @@ class Model:
 
     def turned(self, angle):
         """A frame turned by an angle, counter-clockwise."""
-        return self.N.orientnew(f"A{id(angle)}{len(self.bodies)}", "Axis", [angle, self.N.z])
+        return self.N.orientnew("A", "Axis", [angle, self.N.z])
 
     def point(self, place):
         point = self.O.locatenew("P", place)
@@ -72,57 +68,6 @@ class Model:
         size = tension(length, reach.dt(self.N).dot(reach) / length)
         self.force(one, size / length * reach)
         self.force(two, -size / length * reach)
-
-
-class Kane:
-    """The residual −(Fr + Fr*) of a model in numbers, in mpmath at the working precision."""
-
-    def __init__(self, build, names):
-        symbols = {name: sympy.Symbol(name, positive=True) for name in names}
-        model = Model(symbols.get("g"))
-        build(model, SimpleNamespace(**symbols))
-        t, N = model.t, model.N
-        q_ind, q_dep = model.independent + model.rolled, model.dependent
-        u = [dynamicsymbols(f"u{i}") for i in range(len(q_ind + q_dep))]
-        self.free, self.untied, self.names = len(model.independent), len(q_ind), [q.name for q in q_ind + q_dep]
-        method = KanesMethod(
-            N, q_ind, u[:self.free], [speed - q.diff(t) for q, speed in zip(q_ind + q_dep, u, strict=True)],
-            q_dependent=q_dep, configuration_constraints=model.tied, u_dependent=u[self.free:],
-            velocity_constraints=[*model.rolling, *(condition.diff(t) for condition in model.tied)])
-        method.kanes_equations(model.bodies, model.loads)
-        speeds = sympy.Matrix([condition.xreplace(method.kindiffdict()) for condition in
-                               (*model.rolling, *(condition.diff(t) for condition in model.tied))])
-        tied = sympy.Matrix(model.tied)
-        parts = {"motion": [method.mass_matrix, method.forcing], "closing": [tied, tied.jacobian(q_dep)],
-                 "speeds": [speeds.jacobian(u), speeds.subs(dict.fromkeys(u, 0))]} if speeds else {
-                 "motion": [method.mass_matrix, method.forcing]}
-        self.used = {str(symbol) for part in parts.values() for matrix in part for symbol in matrix.free_symbols}
-        given = [*q_ind, *q_dep, *u, t, *symbols.values()]
-        self.numbers = {name: sympy.lambdify(given, part, "mpmath", cse=True) for name, part in parts.items()}
-
-    def closed(self, p, q, t):
-        """All coordinates of the free ones in `q`, by Newton's method on those that are tied."""
-        q, tied = list(q), len(q) - self.untied
-        for _ in range(60 if tied else 0):
-            left, slopes = self.numbers["closing"](*q, *[0] * len(q), t, *p)
-            step = mpmath.lu_solve(slopes, -left)
-            q[self.untied:] = [x + dx for x, dx in zip(q[self.untied:], step, strict=True)]
-            if mpmath.norm(step) < 1e3 * mpmath.eps:
-                return q
-        assert not tied, "the loops do not close"
-        return q
-
-    def residual(self, p, q, v, a, t):
-        """The left sides of the equations of motion; q: all coordinates, v and a: rates of the free ones."""
-        count, free = len(q), self.free
-        v, a = mpmath.matrix(v), mpmath.matrix(a)
-        if count > free:
-            ties, rest = self.numbers["speeds"](*q, *[0] * count, t, *p)
-            v = mpmath.matrix([*v, *mpmath.lu_solve(ties[:, free:], -rest - ties[:, :free] * v)])
-        mass, force = self.numbers["motion"](*q, *v, t, *p)
-        if count > free:
-            a = mpmath.matrix([*a, *mpmath.lu_solve(mass[free:, free:], force[free:, :] - mass[free:, :free] * a)])
-        return list(mass[:free, :] * a - force[:free, :])
 
 
 def pendulum_on_sprung_cart(k, p):
@@ -192,7 +137,7 @@ def four_bar_with_springs(k, p):
     k.particle(p.m, A + along / 2)
     k.rod(p.mu * p.c, p.c, C, rocker.y, rocker)
     k.moment(crank, -p.kt * phi)
-    k.pull(B, E, lambda length, rate: p.N + p.k * (length - sympy.sqrt(p.c**2 + p.f**2)))
+    k.pull(B, E, lambda length, rate: p.N + p.k * (length - sqrt(p.c**2 + p.f**2)))
     k.tied = [(A + along - B).dot(axis) for axis in (k.N.x, k.N.y)]
 
 

@@ -139,6 +139,7 @@ def _index(spec, reader, place, head, kind, index):
     else:
         good, valid = index in points or index in bodies, [*points, *bodies]
     if not good:
+        kind = "coordinate or signal" if kind == "signal" else kind
         reader.report(place, f"this scene has no {kind} {quoted(index)}", nearest(index, valid) or "it has none at all")
     return good
 

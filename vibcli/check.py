@@ -17,6 +17,8 @@ from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.measured import measure, number_of
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.signals import signal_dimension
+from vibcli.units import LENGTH
 
 EXACT, WIDEST, ROUNDING = 1e-9, 0.005, 1e-13
 
@@ -146,7 +148,7 @@ def _small(problem, answer):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":
-        return 1e-12 * reach(problem, coordinate_name(problem.spec, tree[5][0]))
+        return _small_signal(problem, tree[5][0])
     if head in ("mode", "zeta"):
         return 1e-11
     if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
@@ -157,6 +159,17 @@ def _small(problem, answer):
         mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
         return 1e-12 * (mass * size * size if head == "J" else size)
     return 1e-12 * max((abs(float(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
+
+
+def _small_signal(problem, text):
+    """What counts as zero of a coordinate, place, turn or force in equilibrium."""
+    name = coordinate_name(problem.spec, text)
+    if name is not None:
+        return 1e-12 * reach(problem, name)
+    dimension = signal_dimension(problem.spec, text)
+    if dimension in ({}, LENGTH):
+        return 1e-12 * (problem.figure_size or 1.0) if dimension else 1e-12
+    return 1e-11 * max((abs(reaction.value) for reaction in problem.reactions if reaction.value), default=0.0)
 
 
 def _expected_node(problem, expression):

@@ -44,6 +44,8 @@ def resolve(spec, reader):
         spec.dimensions.equate(spec.dimensions.unknown("t"), units.TIME)
     parameters = {id(p.get("value")) for p in spec.parameters.values()}
     moving = _moving(spec, reader)
+    if "t" in spec.parameters:
+        _time_is_taken(spec, reader)
     for expression in reader.expressions:
         if id(expression) not in apart and id(expression) not in parameters:
             names = known if id(expression) in moving else spec.parameters
@@ -54,6 +56,15 @@ def resolve(spec, reader):
         from vibcli.asking import check_answers
 
         check_answers(spec, reader)
+
+
+def _time_is_taken(spec, reader):
+    """Where loads and motions are written, t is the time."""
+    for expression in (*reader.motions, *reader.loads):
+        for name, _, start, end in names_in(expression.tree):
+            if name == "t":
+                reader.report(expression.scalar.place(start, end - start), "'t' would be the time here, and is a "
+                              "parameter of this scene", "give the parameter another name")
 
 
 def _moving(spec, reader):
@@ -79,7 +90,7 @@ def _coordinates(spec, reader):
     energies = spec.get("energies")
     for expression in energies.values.values() if energies else ():
         for name, primes, start, end in names_in(expression.tree):
-            if primes == 1 and name not in spec.parameters:
+            if primes == 1 and name not in spec.parameters and name != "t":
                 found.setdefault(name, Record(None, name, expression.scalar.place(start, end - start), {}, {}))
     matrices = spec.get("matrices")
     if matrices is not None and not declared and not found:
@@ -111,7 +122,7 @@ def _references(spec, reader):
             reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
                           nearest(name.text, valid))
             continue
-        if name.text == "ground" and "points" in namespaces:
+        if name.text == "ground" and "points" in namespaces and "place" in wants:
             reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
             continue
         kind = _KINDS.get(namespaces[0] if len(namespaces) == 1 else None, "point or body")
@@ -295,9 +306,10 @@ def _primes(spec, reader, expression, name, primes, start, end):
         what = "a parameter" if name in spec.parameters else "the time"
         reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
     elif primes > 1 and any(expression is load for load in reader.loads):
-        reader.report(place, "accelerations cannot stand here", "a load depends on coordinates and velocities")
+        reader.report(place, "accelerations cannot stand here",
+                      "loads depend on coordinates and velocities, constraints on positions")
     elif reader.sound and id(expression) not in spec.velocities:
-        reader.report(place, "velocities cannot stand here", "they stand in energies and in expected equations")
+        reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
 def _unknown(spec, name, names):

@@ -82,9 +82,10 @@ class Problem(OnRequest):
     def form(self):
         from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import linearise
+        from vibcli.scene.closing import words_of_locked
 
-        if not self.scene.q and self.scene.dependent:
-            raise PhysicsError(locked(self.scene), "take a constraint out, or let one more body move")
+        if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
+            raise PhysicsError(words_of_locked(self.scene), "take a constraint out, or let one more body move")
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
@@ -219,7 +220,12 @@ class Problem(OnRequest):
 
     def _start(self, start):
         from vibcli.algebra.evaluate import evaluate
+        from vibcli.errors import PhysicsError
 
+        for name, expression in start.items():
+            if name not in self.scene.coordinates:
+                raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints", "start "
+                                   + " or ".join(f"'{other}'" for other in self.scene.coordinates), expression.where)
         nodes = [self.scene.lower(expression) for expression in start.values()]
         target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
         return self.closed(self.drawn_floats, target)
@@ -230,7 +236,8 @@ class Problem(OnRequest):
         from vibcli.algebra.evaluate import evaluate
 
         nodes = self.scene.dependent
-        return dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
+        values = dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
+        return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
 
     @property
     def at_rest(self):
@@ -265,13 +272,16 @@ class Problem(OnRequest):
     @Stage
     def elements(self):
         """The element data at the equilibrium, in floats that are correct but for their own rounding."""
+        from vibcli.mechanics.kinks import require_smooth
         from vibcli.mechanics.linearise import in_numbers
 
+        require_smooth(self)
         if self.scene.timed:
             from vibcli.mechanics.steady import require_autonomous
 
             require_autonomous(self, self.at_rest)
-        if self.equilibrium.drawn:
+        closed = self.scene.loops is not None or "atan2" in self.scene.table.called
+        if self.equilibrium.drawn and not closed:
             return self.drawn_numbers.elements
         if self.is_linear:
             return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
@@ -373,16 +383,6 @@ class Problem(OnRequest):
         from vibcli.analyses.closed import closed_forms
 
         return closed_forms(self)
-
-
-def locked(scene):
-    """What is said of a scene whose constraints leave no freedom."""
-    if scene.timed:
-        return "nothing moves freely: all motion is prescribed as a function of the time"
-    bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
-    names = ", ".join(dict.fromkeys(f"'{constraint.name.partition('.')[0]}'" for constraint in scene.constraints))
-    return (f"the constraints {names} lock the scene: {bodies} cannot move, as {scene.freedom.coordinates} coordinates "
-            f"are tied by as many independent conditions")
 
 
 def _floats():

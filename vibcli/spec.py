@@ -49,7 +49,7 @@ SECTIONS = {
     "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
     "gravity": (gravity.KIND, gravity.ABOUT),
     "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
-    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll on"),
+    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll, slide or lie on"),
     "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
     "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
     "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),

@@ -68,7 +68,7 @@ class Table:
     def __init__(self):
         self._nodes = {}
         self._count = 0
-        self.variables = []
+        self.variables, self.called = [], set()
         self.sample, self._signs = None, {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
@@ -295,6 +295,7 @@ class Table:
         mask = 0
         for arg in args:
             mask |= arg.mask
+        self.called.add(name)
         return self._make("call", tuple(args), ONE, mask, name)
 
 

@@ -31,7 +31,7 @@ ELEMENT = Element(
     {
         "at": Field(_AT, "the point or body that it acts on"),
         "force": Field(OneOf("a force, or its components [Fx, Fy]", scalar=Load("N"),
-                             sequence=vector("N", "components [Fx, Fy]", Load)), "the force, fixed in direction"),
+                             sequence=vector("N", "components [Fx, Fy]", Load)), "the force"),
         "carrier": Field(BODY, "the body with which the force turns (a follower force); fixed without it"),
         "body": Field(BODY, "the body that a moment acts on"),
         "moment": Field(Load("N*m"), "the moment, counter-clockwise"),

@@ -21,5 +21,8 @@ def build(point, scene):
     """(drawn place, present place) of a point."""
     x, y = drawn = scene.pair(point["at"])
     if "moves" in point:
+        if not any(scene.lower(part).mask for part in point["moves"]):
+            scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
+                         "let `at` say where it is")
         x, y = (place + scene.driven_by(scene.lower(part)) for place, part in zip(drawn, point["moves"], strict=True))
     return drawn, scene.frame(point["body"]).point(x, y) if "body" in point else (x, y)

@@ -51,6 +51,7 @@ def _on_surface(slide, body, scene):
         off, x = y0 - scene.height_of(surface, x0), x0 + u
         y = scene.height_of(surface, x)
         normal = scene.unit_normal(y, u)
+    off = off if scene.sign(off) > 0 else -off
     scene.require_equal(off, scene.table.zero, slide.where, f"'{body.name}' is {{}} m off its surface as drawn",
                         "draw it on the surface", size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
     body.normal = carrier.turned(*normal)

@@ -159,8 +159,8 @@ TIME = [
     "`t` is the time, in seconds. The scene is drawn at t = 0, and driven motions are counted from there. The time may "
     "stand in",
     [
-        ("motions", "`pin: {at: O, by: Omega*t}`, `slide: Y*sin(Omega*t)`: a motion that is prescribed. Where all of it "
-         "is, the body needs no mass."),
+        ("motions", "`pin: {at: O, by: Omega*t}`, `slide: Y*sin(Omega*t)`: a motion that is prescribed. Where all of "
+         "it is, the body needs no mass."),
         ("points", "`S: {at: [0, 0], moves: [0, Y*sin(Omega*t)]}`: a support that is shaken"),
         ("forces", "`{at: block, force: F0*sin(Omega*t)}`, and any other load"),
         ("constraints", "`x2 = x1 + Y*sin(Omega*t)`"),
@@ -175,8 +175,8 @@ TIME = [
 ]
 
 SIGNALS = [
-    "Beside coordinates these can be asked for, as in `equilibrium[hoist.force]` or `mode[1][P.y]`. Forces are those in "
-    "equilibrium: only `equilibrium` takes them.",
+    "Beside coordinates these can be asked for, as in `equilibrium[hoist.force]` or `mode[1][P.y]`. Forces are those "
+    "in equilibrium: only `equilibrium` takes them.",
     list(signals.ABOUT),
 ]
 
@@ -188,15 +188,16 @@ SHAPES = [
 
 REMARKS = {
     "constraint": [
-        "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as far "
-        "as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from the "
-        "others is allowed and told; one that contradicts them, or leaves nothing that moves, is an error.",
+        "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as "
+        "far as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from "
+        "the others is allowed and told; one that contradicts them, or leaves nothing that moves, is an error.",
         [
             ("x2 = 2*x1", "an equation between coordinates, which may hold the time"),
             ("{rope: [A, {over: wheel}, B]}", "a rope of constant length: see `vibcli explain pulley`"),
             ("{gear: [a, b], radii: [r1, r2]}", "wheels that mesh and turn against each other, with `inside: true` in "
              "one sense; `carrier: arm` where an arm carries their axes (planetary gears)"),
-            ("{belt: [a, b], radii: [r1, r2]}", "pulleys that turn in one sense, with `crossed: true` against each other"),
+            ("{belt: [a, b], radii: [r1, r2]}", "pulleys that turn in one sense, with `crossed: true` against each "
+             "other"),
             ("{join: [P, Q]}", "two points pinned together: closes a loop"),
             ("{link: [P, Q]}", "two points at a constant distance"),
             ("{point: P, surface: track}", "a point on a line, circle or curve"),
@@ -206,13 +207,15 @@ REMARKS = {
         "ones, and `equilibrium[q]` gives the dependent ones too.",
     ],
     "pulley of a rope": [
-        "Sides are those seen along +y: a rope passes `over` the top of a wheel, `under` its bottom. The first or last "
-        "stop may be a drum that the rope is wound on: `{rope: [{right_of: drum}, load]}`.",
+        "The side is that where the rope touches: the upper one (+y) for `over`, the lower one for `under`, the one at "
+        "−x for `left_of` and at +x for `right_of`. The first or last stop may be a drum that the rope is wound on: "
+        "`{rope: [{right_of: drum}, load]}`.",
         "On a body that turns the rope does not slip; round a place, or a body that does not turn, it slides freely. "
         "Ropes are taken to be taut: one that would have to push in equilibrium is told.",
     ],
     "force": [
-        "Components are those along the fixed axes; with `carrier` they turn with that body from the drawn position on.",
+        "Components are those along the fixed axes; with `carrier` they turn with that body, from the drawn position "
+        "on.",
         "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
         "coordinates, shift it. A load of velocities damps: `value: -c*x'`.",
     ],

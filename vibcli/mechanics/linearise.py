@@ -7,8 +7,8 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
     K = ∂r/∂q = Σ k ∇s ∇sᵀ + Σ P ∇²s + Σ w ∇s (∂ₜₜ∇s)ᵀ + Σ c ∇s (∂ₜ∇s)ᵀ − Σ ∇s (∂F/∂q)ᵀ + …
 
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
-G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements that
-oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
+G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements
+that oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
 excitation; and so are loads that depend on the time, which add nothing to Σ P ∇²s.
 """
 

@@ -5,7 +5,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.linearise import in_numbers
 
-ROUNDED = 40
+ROUNDED, NOTHING = 40, 1e-20
 
 
 def elements_to(problem, digits):
@@ -65,8 +65,15 @@ def _newton_step(numbers, mpmath):
 
 
 def rounded_elements(problem):
-    """The element data at an equilibrium that was searched for, each number correctly rounded."""
+    """The element data at an equilibrium that was searched for, each number correctly rounded.
+
+    What falls with the digits is rounding of what cancels, and zero.
+    """
     exact = elements_to(problem, ROUNDED)
+    largest = max((abs(x) for x in exact.K_size.values()), default=0)
+    if any(abs(x) < NOTHING * largest for x in exact.K.values()) or all(abs(x) < NOTHING for x in exact.K.values()):
+        sharper = elements_to(problem, 2 * ROUNDED)
+        exact.K = {pair: x for pair, x in exact.K.items() if abs(sharper.K.get(pair, 0)) > NOTHING * abs(x)}
     return OscillatorElements(
         exact.n, _rows(exact.inertias), _rows(exact.springs), _rows(exact.dampers), M=_floats(exact.M),
         C=_floats(exact.C), G=_floats(exact.G), drag=_floats(exact.drag), K=_floats(exact.K),

@@ -68,6 +68,7 @@ def reactions(problem):
     values = _at_rest(problem, released)
     terms = residual_terms(steady(scene, linearise(scene)))
     nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
+    sizes = evaluate([term for row in terms for term in row], Floats, values)
     flat = evaluate([*nodes, *(node for row in released.slopes() for node in row)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
@@ -80,9 +81,9 @@ def reactions(problem):
         unknown = np.abs(loose[:, k]).max(initial=0.0) > OPEN
         found.append(Reaction(signal_of(constraint), None if unknown else sign * float(multipliers[k]) + 0.0,
                               constraint.form))
-    size = float(np.abs(held).max(initial=0.0))
+    size = float(max(np.abs(held).max(initial=0.0), np.abs(sizes).max(initial=0.0)))
     for symbol, force, unknown in zip(released.held, held, left_open, strict=True):
-        value = 0.0 if abs(force) <= 1e-12 * size else float(force)
+        value = 0.0 if abs(force) <= 1e-13 * size else float(force)
         found.append(Reaction(symbol.name, None if unknown else value, "support"))
     return found
 

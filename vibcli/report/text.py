@@ -104,7 +104,8 @@ class Report:
 
     def _virtual_work(self):
         scene = self.problem.loose
-        if not scene.forces or len(scene.q) > 16:
+        asked = "virtual_work" in self.problem.spec.get("find", ())
+        if not (scene.forces or asked) or not 0 < len(scene.q) <= 16:
             return
         from vibcli.mechanics.virtual_work import generalised_forces
 
@@ -115,7 +116,7 @@ class Report:
             rests = scene.constraints or node.is_zero
             lines += wrapped(f"Q_{name} = {short(node)}" + ("" if rests else " = 0"), indent=4)
         driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
-        self.section("Virtual work of weights, springs and steady loads" + driven, lines)
+        self.section("Virtual work of weights, springs and steady loads" + driven + ", at rest in equilibrium", lines)
         self.lines += self._lengths(lengths)
 
     def _equilibrium(self):

@@ -24,6 +24,11 @@ class Constraint(NamedTuple):
     where: object
     form: str
 
+    @property
+    def whole(self):
+        """The name of the constraint that this is a part of."""
+        return self.name.partition(".")[0]
+
 
 class Freedom(NamedTuple):
     """How many coordinates and independent conditions a scene has, and which constraints follow from others."""
@@ -196,11 +201,37 @@ def _redundant(scene, numbers, nodes):
         if is_zero(node):
             continue
         terms = [scene.table.scaled(part, c) for part, c in node.args] if node.op == "sum" else [node]
+        if not all(abs(size) <= 1e-9 for size in _rates(scene, node)):
+            constraint = scene.constraints[k]
+            scene.report(constraint.where, f"the constraint '{constraint.whole}' contradicts the others: they prescribe "
+                         "different motions in time", "take one of them out")
+            continue
         for values in (nearby(scene, attempt) for attempt in range(4)):
             sizes = evaluate([node, *terms], Floats, values) if values is not None else (0.0,)
             if not abs(sizes[0]) <= 1e-9 * sum(map(abs, sizes[1:])):
                 constraint = scene.constraints[k]
-                scene.report(constraint.where, f"the constraint '{constraint.name}' locks the scene in the drawn "
+                scene.report(constraint.where, f"the constraint '{constraint.whole}' locks the scene in the drawn "
                              "position: it contradicts the other constraints as soon as anything moves",
                              "take it out, or draw the position so that all constraints can hold while it moves")
                 break
+
+
+def _rates(scene, node):
+    """∂G/∂t as drawn of a condition that follows from the others there, relative to the terms it is summed from."""
+    slope = gradient(node).get(scene.time)
+    if slope is None:
+        return []
+    terms = [scene.table.scaled(part, c) for part, c in slope.args] if slope.op == "sum" else [slope]
+    sizes = evaluate(scene.at_drawn(slope, *terms), Floats, scene.sample)
+    return [sizes[0] / (sum(map(abs, sizes[1:])) or 1.0)]
+
+
+def words_of_locked(scene):
+    """What is said of a scene whose constraints leave no freedom."""
+    if any(node.mask & scene.time.mask for node in scene.dependent.values()) or not scene.dependent:
+        return "nothing moves freely: all motion is prescribed as a function of the time"
+    bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
+    names = list(dict.fromkeys(f"'{constraint.whole}'" for constraint in scene.constraints))
+    verb = "the constraint {} locks" if len(names) == 1 else "the constraints {} lock"
+    return (f"{verb.format(', '.join(names))} the scene: {bodies} cannot move, as {scene.freedom.coordinates} coordinates "
+            "are tied by as many independent conditions")
