@@ -203,8 +203,8 @@ def _redundant(scene, numbers, nodes):
         terms = [scene.table.scaled(part, c) for part, c in node.args] if node.op == "sum" else [node]
         if not all(abs(size) <= 1e-9 for size in _rates(scene, node)):
             constraint = scene.constraints[k]
-            scene.report(constraint.where, f"the constraint '{constraint.whole}' contradicts the others: they prescribe "
-                         "different motions in time", "take one of them out")
+            scene.report(constraint.where, f"the constraint '{constraint.whole}' contradicts the others: they "
+                         "prescribe different motions in time", "take one of them out")
             continue
         for values in (nearby(scene, attempt) for attempt in range(4)):
             sizes = evaluate([node, *terms], Floats, values) if values is not None else (0.0,)
@@ -233,5 +233,5 @@ def words_of_locked(scene):
     bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
     names = list(dict.fromkeys(f"'{constraint.whole}'" for constraint in scene.constraints))
     verb = "the constraint {} locks" if len(names) == 1 else "the constraints {} lock"
-    return (f"{verb.format(', '.join(names))} the scene: {bodies} cannot move, as {scene.freedom.coordinates} coordinates "
-            "are tied by as many independent conditions")
+    return (f"{verb.format(', '.join(names))} the scene: {bodies} cannot move, as {scene.freedom.coordinates} "
+            "coordinates are tied by as many independent conditions")
