@@ -23,7 +23,7 @@ def command(file, settings, case, as_json, timings, digits, normalise):
         if wanted is None:
             return EVERYTHING
         asked = {section for word in wanted for section in FOUND_BY[word]}
-        return [s for s in EVERYTHING if s in asked or s in ("given", "coordinates")]
+        return [s for s in EVERYTHING if s in asked or s in ("given", "chosen", "coordinates")]
 
     return print_scenes(problems, sections, as_json, timings, digits, normalise, ("equations", "frequencies"),
                         question=True)
