@@ -114,7 +114,8 @@ def sampled(problem, answer, head, found):
     names = problem.scene.coordinates
     pairs = []
     for q, v, a in states(names, problem.drawn_floats, head == "equation"):
-        symbols = q | problem.floats | {name: q[name] for name in names} | {f"{n}'": v[n] for n in names} | {f"{n}''": a[n] for n in names}
+        symbols = q | problem.floats | {name: q[name] for name in names}
+        symbols |= {f"{n}'": v[n] for n in names} | {f"{n}''": a[n] for n in names}
         arguments = {"V": (q,), "T": (q, v), "Phi": (q, v)}.get(head, (q, v, a))
         pairs.append((float(number(answer.expected.tree, symbols)), float(found(*arguments))))
     return pairs

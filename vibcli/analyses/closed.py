@@ -115,7 +115,7 @@ def _several(scene, M, K, n):
         elif degree:
             whole = sympy.Poly(factor, unknown).all_coeffs()
             coefficients = [textbook(from_sympy(scene.table, c, back)) for c in whole]
-            roots += _roots(coefficients, scene.sample) * power
+            roots += quadratic_roots(coefficients, scene.sample) * power
     if left:
         return ClosedForms([], polynomial=_polynomial(scene, left, unknown, back))
     found = sorted(((evaluate([node], Floats, scene.sample)[0], node) for node in roots), key=lambda pair: pair[0])
@@ -135,7 +135,7 @@ def _several(scene, M, K, n):
     return ClosedForms(modes, ratio=ratio_of_omega)
 
 
-def _roots(coefficients, sample):
+def quadratic_roots(coefficients, sample):
     """The roots of a λ² + b λ + c or a λ + b, over one denominator, the common rational factor cancelled."""
     if len(coefficients) == 2:
         a, b = coefficients
@@ -193,7 +193,7 @@ def _by_cofactors(scene, M, K, n, square):
     entry = [[K.get((i, j), zero) - square * M.get((i, j), zero) for j in range(n)] for i in range(n)]
     for row in range(n):
         rest = [line for i, line in enumerate(entry) if i != row]
-        found = [textbook(table.scaled(_determinant([line[:j] + line[j + 1:] for line in rest]), (-1) ** (row + j)))
+        found = [textbook(table.scaled(determinant([line[:j] + line[j + 1:] for line in rest]), (-1) ** (row + j)))
                  for j in range(n)]
         sizes = evaluate(found, Floats, scene.sample)
         largest = max(map(abs, sizes))
@@ -206,14 +206,14 @@ def _by_cofactors(scene, M, K, n, square):
     return None
 
 
-def _determinant(rows):
+def determinant(rows):
     """By expansion along the first row."""
     if len(rows) == 1:
         return rows[0][0]
     total = rows[0][0].table.zero
     for j, entry in enumerate(rows[0]):
         if not entry.is_zero:
-            minor = _determinant([line[:j] + line[j + 1:] for line in rows[1:]])
+            minor = determinant([line[:j] + line[j + 1:] for line in rows[1:]])
             total = total + entry * minor * (-1) ** j
     return total
 
