@@ -7,6 +7,7 @@ from vibcli.analyses.shapes import WORDS
 from vibcli.errors import PhysicsError
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
+from vibcli.report.letters import damping_lines, equilibrium_lines, frequency_lines, shape_lines
 from vibcli.report.notation import plain
 from vibcli.report.results import joined, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
@@ -115,8 +116,8 @@ class Report:
 
         problem = self.problem
         values = equilibrium_in_letters(problem)
-        lines = [", ".join(f"{plain.symbol(name)} = {plain(node)}" for name, node in values.items())
-                 + ("   (the drawn position)" if problem.balanced_as_drawn else "")]
+        lines = equilibrium_lines(values)
+        lines[0] += "   (the drawn position)" if problem.balanced_as_drawn else ""
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
@@ -192,23 +193,8 @@ class Report:
 
         equilibrium_in_letters(self.problem)  # refused where there is none
         forms = self.problem.closed_forms
-        if forms is None:
-            lines = ["no closed form that is readable; give the parameters values with --set"]
-        elif forms.polynomial:
-            lines = ["λ = ω² are the roots of"] + [f"{plain(node)} = 0" for node in forms.polynomial]
-        else:
-            lines = [f"ω{sub(i)} = {plain(mode.omega)}" for i, mode in enumerate(forms.modes, 1)]
-            if len(forms.modes) > 1:
-                lines.append("(numbered as at sample values of the letters; f = ω/(2π), T = 2π/ω)")
-            else:
-                lines.append("f = ω/(2π), T = 2π/ω")
-        if self.problem.scene.dampers and (forms is None or forms.zeta is None):
-            lines.append("the damped modes are found in numbers only; give the parameters values with --set")
-        self.section("Natural frequencies [rad/s]", lines)
-        if forms is not None and forms.zeta is not None:
-            self.section("Damping", [f"ζ = {plain(forms.zeta)}",
-                                     f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
-                                     "decay δ = ζ·ω"])
+        self.section("Natural frequencies [rad/s]", frequency_lines(self.problem, forms))
+        self.section("Damping", damping_lines(forms) if forms is not None else [])
 
     def _damping(self):
         if self.problem.symbolic or self.problem.damped is None:
@@ -243,14 +229,7 @@ class Report:
         names = self.problem.scene.coordinates
         if forms is None or len(names) < 2:
             return
-        lines = [f"mode {i}:  " + ",  ".join(f"{plain.symbol(name)} = {plain(value)}"
-                                            for name, value in zip(names, mode.shape, strict=True))
-                 for i, mode in enumerate(forms.modes, 1) if mode.shape and mode.readable]
-        if not lines and forms.ratio is not None:
-            lines = [f"{plain.symbol(names[1])}/{plain.symbol(names[0])} = {plain(forms.ratio)}   for ω = ω₁, ω₂"]
-        if not lines:
-            lines = ["no closed form that is readable; give the parameters values with --set"]
-        self.section("Mode shapes (the first coordinate that moves is 1)", lines)
+        self.section("Mode shapes (the first coordinate that moves is 1)", shape_lines(names, forms))
 
     def text(self):
         return "\n".join(self.lines).replace("\u00a0", " ")
@@ -270,10 +249,6 @@ def _moves(problem, name):
                 words = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}[key]
                 return f"{words} of {body_name}"
     return ""
-
-
-def sub(number):
-    return str(number).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
 
 
 def short(node):
