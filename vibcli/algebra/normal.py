@@ -203,12 +203,12 @@ def textbook(node):
 
 
 def _unnested(node):
-    """The node with 1/(a/b + 1) written as b/(a + b)."""
+    """The node with 1/(a/b + 1) written as b/(a + b), and 1/((a − b)² + 2ab) as 1/(a² + b²)."""
     table, simpler = node.table, {}
     for base in _denominators(node):
-        factors = factors_of(table, reduced(expanded(base, ())))
-        if len(factors) > 2:
-            simpler[base] = table.product(*factors)
+        shorter = table.product(*factors_of(table, reduced(expanded(base, ()))))
+        if shorter is not base:
+            simpler[base] = shorter
     return substitute([node], simpler)[0] if simpler else node
 
 

@@ -1,6 +1,6 @@
 """Expressions as quotients of polynomials over ℚ in their atoms, by SymPy's sparse rings: cancelled and factored.
 
-Atoms are symbols, functions and roots. The square of a root is put in place of it by `settled`.
+Atoms are symbols, functions and roots. Squares of roots and of sines are replaced by what they are (`settled`).
 """
 
 from fractions import Fraction
@@ -44,10 +44,11 @@ class Quotients:
         return self.settled(done[node])
 
     def settled(self, element):
-        """The element with what stands under a root in place of the root's square."""
+        """The element with what stands under a root in place of the root's square, and 1 − cos² in place of sin²."""
         for (base, e), gen in self._gens.items():
-            if e == HALF and max(part.degree(gen.numer) for part in (element.numer, element.denom)) > 1:
-                inner = self(base)
+            if (e == HALF or base.name == "sin") and max(
+                    part.degree(gen.numer) for part in (element.numer, element.denom)) > 1:
+                inner = self(base) if e == HALF else 1 - self(base.table.call("cos", *base.args)) ** 2
                 element = self._reduced(element.numer, gen, inner) / self._reduced(element.denom, gen, inner)
         return element
 
@@ -118,7 +119,8 @@ class Quotients:
 def _atoms(nodes):
     """{(base, e)}: symbols and functions with e = 1, bases of roots with e = 1/2 and the like."""
     found = set()
-    for part in reachable(nodes):
+    cosines = [part.table.call("cos", *part.args) for part in reachable(nodes) if part.name == "sin"]
+    for part in reachable([*nodes, *cosines]):
         if part.op in ("symbol", "call", "pi"):
             found.add((part, ONE))
         elif part.op == "product":

@@ -129,6 +129,8 @@ class _Condition:
         table = self.table
         if u.is_zero:
             return [Solution(table.zero, u, table.one), *(Solution(sign * table.pi, u, -table.one) for sign in (1, -1))]
+        if u.op == "number" and abs(u.coefficient) == 1:
+            return [Solution(table.pi * (u.coefficient * turn), u, table.zero) for turn in (HALF, HALF - 2)]
         inner, across = table.call("asin", u), self._beside(u)
         return [Solution(inner, u, across), Solution(table.pi - inner, u, -across),
                 Solution(-table.pi - inner, u, -across)]
@@ -137,6 +139,9 @@ class _Condition:
         table = self.table
         if u.is_zero:
             return [Solution(sign * table.pi / 2, sign * table.one, u) for sign in (1, -1)]
+        if u.op == "number" and abs(u.coefficient) == 1:
+            turns = (0, 2, -2) if u.coefficient == 1 else (1, -1)
+            return [Solution(table.pi * turn, table.zero, u) for turn in turns]
         inner, across = table.call("acos", u), self._beside(u)
         return [Solution(inner, across, u), Solution(-inner, -across, u)]
 

@@ -15,25 +15,32 @@ class Pair:
     def __init__(self, quotients, modulus, sample):
         c, b, a = quotients.cleared(modulus)[0]
         self.quotients, self.sample, field = quotients, sample, quotients.field
+        self.parts = [field(part) for part in (a, b, c)]
         outside, inside = _square_and_rest(quotients, quotients.settled(field(b * b - 4 * a * c)).numer)
         self.rational, self.factor = field(-b) / field(2 * a), field(outside) / field(2 * a)
-        self.inside = self._shortest(inside, (b, a, c), outside)
+        self.inside = self._shortest(inside, outside)
         self.root, self.in_letters = self._root(), not inside.is_ground
 
-    def _shortest(self, inside, coefficients, outside):
+    def _shortest(self, inside, outside):
         """D factored, or as b² − 4ac, whichever is shorter."""
         quotients, table = self.quotients, self.quotients.table
         node = quotients.node(quotients.field(inside))
         if not outside.is_ground:
             return node
         scale = quotients.rational(outside.LC) ** -2
-        b, a, c = (quotients.node(quotients.field(part)) for part in coefficients)
-        whole = table.sum((table.product((b, ONE + ONE)), scale), (a * c, -4 * scale))
+        a, b, c = self.parts
+        half = table.product((quotients.node(b / quotients.field(outside)), ONE + ONE))
+        whole = table.sum((half, ONE), (quotients.node(a * c), -4 * scale))
         return min((node, whole), key=letters)
 
     def _root(self):
         turned = self.inside.op == "product" and self.inside.coefficient < 0
         return root(self.inside) if turned else self.quotients.table.sqrt(self.inside)
+
+    def equation(self):
+        """The coefficients as nodes, from the highest, which is positive."""
+        found = [self.quotients.node(part) for part in self.parts]
+        return [-node for node in found] if self._negative(found[0]) else found
 
     def both(self, surd):
         """The root with `surd` in place of √D."""

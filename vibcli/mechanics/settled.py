@@ -5,7 +5,7 @@ sets of values of the letters. Where these lie in different regimes (a rotating 
 speed) the position that depends on letters is preferred.
 """
 
-from fractions import Fraction
+import math
 from itertools import islice
 
 from vibcli.algebra.angles import opened, openings
@@ -18,9 +18,9 @@ from vibcli.algebra.rationals import ONE
 from vibcli.algebra.solving import Solution, solutions
 from vibcli.errors import PhysicsError, SpecError
 from vibcli.mechanics.linearise import at_position, nodes_of, residual_terms
-from vibcli.scene.build import sample_values
+from vibcli.scene.sampling import given_values
 
-ATTEMPTS, START, ENOUGH, LEAST, FIRST, CLOSE = 12, 300, 4, 2, 3, 1e-8
+ATTEMPTS, ENOUGH, LEAST, FIRST, CLOSE = 16, 4, 2, 3, 1e-8
 
 
 class Settled:
@@ -85,9 +85,7 @@ class _Tried:
     def __iter__(self):
         yield from self.known
         for attempt in self.left:
-            values = sample_values(self.free, START + attempt)
-            given = {name: Fraction(x).limit_denominator(1000) for name, x in values.items()}
-            candidate = self.problem.with_values(given)
+            candidate = self.problem.with_values(given_values(self.problem.scene, self.free, attempt))
             try:
                 if any(mode.growth_rate is not None for mode in candidate.modes):
                     continue
@@ -142,7 +140,7 @@ def _reached(problem, q, solution):
     wanted, at = problem.equilibrium.values[q.name], problem.floats
     value, *turned = evaluate([part for part in (solution.value, solution.sine, solution.cosine) if part is not None],
                               Floats, at)
-    if turned and not abs(turned[0] * turned[0] + turned[1] * turned[1] - 1.0) <= CLOSE:
+    if turned and not max(abs(turned[0] - math.sin(value)), abs(turned[1] - math.cos(value))) <= CLOSE:
         return False
     return abs(value - wanted) <= CLOSE * max(_size(problem, q.name), abs(wanted))
 

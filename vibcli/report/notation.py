@@ -70,7 +70,7 @@ class Notation:
         text += "".join((" − " if negative is not turned else " + ") + piece for negative, piece in pieces[1:])
         if below > 1:
             text = self.minus("−" * turned) + self.over(self.minus(text), below)
-            return self.brackets(text) if tightness > 1 or (tightness and turned) else text
+            return self.brackets(text) if tightness else text
         return self.brackets(self.minus(text)) if tightness else self.minus(text)
 
     def over(self, text, below):
@@ -245,7 +245,7 @@ def _factor_rank(pair):
     """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
     base = pair[0]
     if base.op == "number" or (base.op == "sum" and is_constant(base)):
-        kind = 0
+        kind = -1 if base.op == "number" else 0
     elif base.op in ("symbol", "pi") and not base.mask:
         kind = 1
     elif base.op in ("sum", "call"):

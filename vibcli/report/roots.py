@@ -5,7 +5,7 @@ from math import gcd, lcm
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
-from vibcli.algebra.rationals import HALF, ONE
+from vibcli.algebra.rationals import HALF, ONE, square_part
 
 LARGEST = 48        # denominators up to here are written as fractions
 
@@ -35,6 +35,8 @@ def split(value, factors):
         d = lcm(*(e.denominator for _, e in powers))
         power = powers[0][0].table.product(*((base, e * d) for base, e in powers)), Fraction(1, d)
         above.insert(place(above, [power]), power)
+    outside, inside = square_part(inside)
+    value, inside = value * outside, Fraction(inside)
     if root_above or root_below:
         value, inside = _shared(value, inside)
         if value.numerator == 1 and root_above and root_below and not above and _joins(value, below):

@@ -7,7 +7,6 @@ from vibcli.analyses.shapes import WORDS
 from vibcli.errors import PhysicsError
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
-from vibcli.report.letters import damping_lines, equilibrium_lines, frequency_lines, shape_lines
 from vibcli.report.notation import plain
 from vibcli.report.results import joined, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
@@ -113,6 +112,7 @@ class Report:
 
     def _equilibrium_in_letters(self):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
+        from vibcli.report.letters import equilibrium_lines
 
         problem = self.problem
         values = equilibrium_in_letters(problem)
@@ -157,7 +157,8 @@ class Report:
         numbers = not problem.symbolic and len(scene.coordinates) <= 16
         if numbers:
             lines += [""] * bool(lines) + ["in numbers (SI units):"] * bool(lines) + self._numeric_equations(equations)
-        where = "" if problem.symbolic or problem.equilibrium.drawn else ", the coordinates counted from it"
+        drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+        where = "" if drawn else ", the coordinates counted from it"
         if lines:
             self.section(f"Small oscillations about the equilibrium{where}", lines)
 
@@ -190,6 +191,7 @@ class Report:
 
     def _frequencies_in_letters(self):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
+        from vibcli.report.letters import damping_lines, frequency_lines
 
         equilibrium_in_letters(self.problem)  # refused where there is none
         forms = self.problem.closed_forms
@@ -225,6 +227,8 @@ class Report:
             self.section(title, shape_rows(names, shapes))
 
     def _modes_in_letters(self):
+        from vibcli.report.letters import shape_lines
+
         forms = self.problem.closed_forms
         names = self.problem.scene.coordinates
         if forms is None or len(names) < 2:

@@ -3,25 +3,26 @@
 A set of values is admissible where the figure fits together and as many modes are unstable as at the first.
 """
 
-from fractions import Fraction
-
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError, SpecError
-from vibcli.scene.build import sample_values
+from vibcli.scene.sampling import given_values
 
-WANTED, ATTEMPTS, ELSEWHERE = 4, 24, 100
-CLOSE = 1e-7
+WANTED, ATTEMPTS, FAILURES = 4, 24, 6
+CLOSE, ROUNDING = 1e-7, 1e-10
 
 
 def samples(problem, wanted=WANTED):
     """Numeric Problems at admissible values, the first at those by which the scene is drawn."""
     if not problem.symbolic:
         return [problem]
-    found = []
+    found, failures = [], 0
     for candidate in _candidates(problem):
         try:
             kind = _unstable(candidate)
         except (SpecError, PhysicsError):
+            failures += 1
+            if failures > FAILURES and not found:
+                break
             continue
         if not found:
             first = kind
@@ -36,17 +37,8 @@ def _candidates(problem):
     """Numeric Problems: those that reach the equilibrium found in letters, or others at random values."""
     if problem.equilibrium_letters is not None:
         return problem.equilibrium_letters.reached
-    scene = problem.scene
-    free = [name for name in scene.parameters.free if name not in problem.given]
-    drawn = {name: Fraction(scene.sample[name]) for name in free}
-    return map(problem.with_values, (drawn, *(_values(scene, free, attempt) for attempt in range(ATTEMPTS))))
-
-
-def _values(scene, free, attempt):
-    """Random values; those of letters of any sign are negative every second time."""
-    values = sample_values(free, ELSEWHERE + attempt)
-    signs = {name: -1 if attempt % 2 and scene.parameters.records[name].get("sign") == "any" else 1 for name in free}
-    return {name: signs[name] * Fraction(value).limit_denominator(1000) for name, value in values.items()}
+    free = [name for name in problem.scene.parameters.free if name not in problem.given]
+    return (problem.with_values(given_values(problem.scene, free, attempt)) for attempt in range(ATTEMPTS))
 
 
 def _unstable(candidate):
@@ -101,10 +93,12 @@ def _balanced(mode, amplitudes, candidate):
     x = [value * (1j if mode.turns and i else 1) for i, value in enumerate(x)]
     M, _, G, K = candidate.elements.matrices()
     n, none = len(x), 0.0
+    size = [(abs(K.get((i, i), none)) + abs(square * M.get((i, i), none))) ** 0.5 for i in range(n)]
+    rounding = ROUNDING * sum(s * abs(value) for s, value in zip(size, x, strict=True))
     for i in range(n):
         terms = [part * x[j] for j in range(n) for part in (
             K.get((i, j), none), -square * M.get((i, j), none), 1j * omega * G.get((i, j), none))]
-        if not abs(sum(terms)) <= CLOSE * sum(map(abs, terms)):
+        if not abs(sum(terms)) <= CLOSE * sum(map(abs, terms)) + rounding * size[i]:
             return False
     return True
 
