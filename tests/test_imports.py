@@ -191,7 +191,7 @@ LOADED = RUN.replace("{name.partition('.')[0] for name in sys.modules}", "sys.mo
 
 @pytest.mark.parametrize(("args", "expected"), [
     (["solve"], set()), (["solve", "--json"], set()), (["frequencies"], set()), (["check"], set()),
-    (["solve", "--insight"], INSIGHT)], ids=str)
+    (["solve", "--insight"], INSIGHT)], ids=["solve", "json", "frequencies", "check", "insight"])
 def test_insight_is_imported_only_where_it_is_asked_for(two_degrees, args, expected):
     done = subprocess.run([sys.executable, "-c", LOADED, *args, str(two_degrees)], capture_output=True, text=True,
                           timeout=60)

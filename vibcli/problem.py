@@ -144,16 +144,28 @@ class Problem(OnRequest):
             from vibcli.scene.loops import drawn_values
 
             require_autonomous(self, drawn_values(self.scene))
-        return matrices_in_letters(self.letters_form)
+        found = matrices_in_letters(self.letters_form)
+        return found if self.equilibrium_letters is None else self.equilibrium_letters.factored(found)
 
     @cached_property
     def linear_in_letters(self):
-        """Can the small oscillations be written in letters: is the equilibrium drawn, or does its place not matter?"""
-        return self.is_linear or self.balanced_as_drawn
+        """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
+        return self.is_linear or self.balanced_as_drawn or self.equilibrium_letters is not None
 
     @property
     def letters_form(self):
-        return self.drawn_form if self.balanced_as_drawn else self.form
+        if self.balanced_as_drawn or self.is_linear:
+            return self.drawn_form if self.balanced_as_drawn else self.form
+        return self.equilibrium_letters.form(self.form)
+
+    @cached_property
+    def equilibrium_letters(self):
+        """The Settled equilibrium of a nonlinear scene with letters, not drawn in it; None where none is found."""
+        if not self.symbolic or self.balanced_as_drawn or self.is_linear:
+            return None
+        from vibcli.mechanics.settled import settled
+
+        return settled(self)
 
     @cached_property
     def balanced_as_drawn(self):

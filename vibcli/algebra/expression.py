@@ -250,6 +250,10 @@ class Table:
             return self._signs[total]
         return (total.coefficient or total.args[0][1]) < 0
 
+    def resample(self, sample):
+        """Decide by other values of the parameters from now on how R − r is written."""
+        self.sample, self._signs = sample, {}
+
     def _sample_sign(self, total):
         from vibcli.algebra.evaluate import Floats, evaluate
 

@@ -8,8 +8,9 @@ from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import quantities_in
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.quadratic import determinant
 from vibcli.algebra.rationals import ONE, ZERO
-from vibcli.analyses.closed import determinant, root_of
+from vibcli.algebra.roots import root
 from vibcli.analyses.elimination import solve_equations
 from vibcli.analyses.solving import depends, polynomial, solve_equation
 from vibcli.asking import coordinate_name
@@ -184,7 +185,7 @@ def _quantity(problem, tree):
 def _of_one_mode(problem, head):
     """Frequencies and damping of a scene with one coordinate."""
     m, c, k = _one_degree(problem)
-    omega, table = root_of(textbook(k / m)), problem.scene.table
+    omega, table = root(textbook(k / m), [problem.scene.sample]), problem.scene.table
     forms = {"omega": lambda: omega, "frequency": lambda: omega / (2 * table.pi),
              "period": lambda: 2 * table.pi / omega, "zeta": lambda: c / (2 * m * omega),
              "omega_d": lambda: table.sqrt(textbook(k / m - c * c / (4 * m * m)))}

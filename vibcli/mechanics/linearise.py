@@ -309,3 +309,10 @@ def _rational_rows(form, rational):
         return None
     known = dict(zip(nodes, values, strict=True))
     return [{i: known[node] for i, node in row.items()} for _, row in form.springs]
+
+
+def nodes_of(form):
+    """Every expression of a Linearisation."""
+    nodes = []
+    _each(form, lambda node: nodes.append(node) or node)
+    return nodes

@@ -29,6 +29,8 @@ def equilibrium_in_letters(problem):
     scene = problem.scene
     if problem.balanced_as_drawn:
         return scene.drawn_coordinates
+    if problem.equilibrium_letters is not None:
+        return {q.name: node for q, node in problem.equilibrium_letters.values.items()}
     if not problem.is_linear:
         raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",
@@ -49,8 +51,12 @@ def equilibrium_in_letters(problem):
     except ZeroDivisionError:
         raise PhysicsError("the equilibrium of this scene is not unique in letters",
                            "give numbers with --set") from None
+    if n == 1:
+        from vibcli.algebra.quotient import single as simplest
+    else:
+        from vibcli.algebra.polynomials import factored as simplest
     drawn = list(scene.drawn_coordinates.values())
-    return {name: textbook(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}
+    return {name: simplest(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}
 
 
 def drawn_stable(spec, given, scene):

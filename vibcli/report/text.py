@@ -171,11 +171,12 @@ class Report:
 
     def _equilibrium_in_letters(self):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
+        from vibcli.report.letters import equilibrium_lines
 
         problem = self.problem
         values = equilibrium_in_letters(problem)
-        lines = wrapped(", ".join(f"{plain.symbol(name)} = {plain(node)}" for name, node in values.items())
-                        + ("   (the drawn position)" if problem.balanced_as_drawn else ""), indent=2)
+        lines = equilibrium_lines(values)
+        lines[0] += "   (the drawn position)" if problem.balanced_as_drawn else ""
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
@@ -238,7 +239,8 @@ class Report:
         numbers = not problem.symbolic and len(scene.coordinates) <= 16
         if numbers:
             lines += [""] * bool(lines) + ["in numbers (SI units):"] * bool(lines) + self._numeric_equations(equations)
-        where = "" if problem.symbolic or problem.equilibrium.drawn else ", the coordinates counted from it"
+        drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+        where = "" if drawn else ", the coordinates counted from it"
         if lines:
             self.section(f"Small oscillations about the equilibrium{where}", lines)
 
@@ -272,26 +274,12 @@ class Report:
 
     def _frequencies_in_letters(self):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
+        from vibcli.report.letters import damping_lines, frequency_lines
 
         equilibrium_in_letters(self.problem)  # refused where there is none
         forms = self.problem.closed_forms
-        if forms is None:
-            lines = ["no closed form that is readable; give the parameters values with --set"]
-        elif forms.polynomial:
-            lines = ["λ = ω² are the roots of"] + [f"{plain(node)} = 0" for node in forms.polynomial]
-        else:
-            lines = [f"ω{sub(i)} = {plain(mode.omega)}" for i, mode in enumerate(forms.modes, 1)]
-            if len(forms.modes) > 1:
-                lines.append("(numbered as at sample values of the letters; f = ω/(2π), T = 2π/ω)")
-            else:
-                lines.append("f = ω/(2π), T = 2π/ω")
-        if self.problem.scene.dampers and (forms is None or forms.zeta is None):
-            lines.append("the damped modes are found in numbers only; give the parameters values with --set")
-        self.section("Natural frequencies [rad/s]", lines)
-        if forms is not None and forms.zeta is not None:
-            self.section("Damping", [f"ζ = {plain(forms.zeta)}",
-                                     f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
-                                     "decay δ = ζ·ω"])
+        self.section("Natural frequencies [rad/s]", frequency_lines(self.problem, forms))
+        self.section("Damping", damping_lines(forms) if forms is not None else [])
 
     def _damping(self):
         if self.problem.symbolic or self.problem.damped is None:
@@ -322,18 +310,13 @@ class Report:
             self.section(title, shape_rows(names, shapes))
 
     def _modes_in_letters(self):
+        from vibcli.report.letters import shape_lines
+
         forms = self.problem.closed_forms
         names = self.problem.scene.coordinates
         if forms is None or len(names) < 2:
             return
-        lines = [f"mode {i}:  " + ",  ".join(f"{plain.symbol(name)} = {plain(value)}"
-                                            for name, value in zip(names, mode.shape, strict=True))
-                 for i, mode in enumerate(forms.modes, 1) if mode.shape and mode.readable]
-        if not lines and forms.ratio is not None:
-            lines = [f"{plain.symbol(names[1])}/{plain.symbol(names[0])} = {plain(forms.ratio)}   for ω = ω₁, ω₂"]
-        if not lines:
-            lines = ["no closed form that is readable; give the parameters values with --set"]
-        self.section("Mode shapes (the first coordinate that moves is 1)", lines)
+        self.section("Mode shapes (the first coordinate that moves is 1)", shape_lines(names, forms))
 
     def text(self):
         return "\n".join(self.lines).replace("\u00a0", " ")
@@ -353,10 +336,6 @@ def _moves(problem, name):
                 words = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}[key]
                 return f"{words} of {body_name}"
     return ""
-
-
-def sub(number):
-    return str(number).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
 
 
 def short(node):
