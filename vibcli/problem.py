@@ -40,7 +40,8 @@ class Problem(OnRequest):
     def case(self, name):
         """The problem of a case of the file."""
         if name not in self._cases:
-            self._cases[name] = Problem(self.spec.cases[name], self.given)
+            given = {key: value for key, value in self.given.items() if key not in self.spec.choices}
+            self._cases[name] = Problem(self.spec.cases[name], given)
         return self._cases[name]
 
     def draw(self):

@@ -17,13 +17,13 @@ def chosen_lines(problem):
     lines = wrapped(f"{', '.join(map(plain.symbol, chosen.conditions))} so that {', '.join(texts)}")
     several = len(chosen.solutions) > 1
     for number, solution in enumerate(chosen.solutions, 1):
-        mark = f"{number}.  " if several else "  "
-        for name in chosen.conditions:
-            lines += wrapped(mark + _equation(problem, name, solution), indent=len(mark) + 2)
-            mark = " " * len(mark)
+        mark, inset = (f"{number}.  ", 4) if several else ("", 0)
+        for i, name in enumerate(chosen.conditions):
+            text = _equation(problem, name, solution)
+            lines += wrapped(mark + text, indent=inset + 2) if not i else wrapped(text, indent=inset + 2, first=inset)
     residual = figure(max(solution.residual for solution in chosen.solutions), digits=2)
     where = " at several values of the letters" if problem.letters else ""
-    checked = f"checked by substitution{where}: relative residual {'at most ' * several}{residual}"
+    checked = f"checked by substitution{where}: relative residual {residual}" + " at most" * several
     if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(chosen):
         checked += "; closed forms in SI units"
     return [*lines, checked] + ["what follows is with the first solution"] * several
