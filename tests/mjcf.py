@@ -9,8 +9,9 @@ coordinate is Bᵀ f. The figure lies in the plane z = 0; joints and coordinates
 import numpy as np
 
 TINY = 1e-14            # inertia of a particle; MuJoCo refuses none
-STEPS, STENCIL = 4, ((1, 45 / 60), (2, -9 / 60), (3, 1 / 60))
-NEAR, ALONG, DEPENDENT = 1e-3, 1e-2, 1e-9
+SHARES, CLOSED, DEPENDENT = (0.25, 0.5, 0.75, 1.0), 1e-14, 1e-9
+STENCIL = ((1, 45 / 60), (2, -9 / 60), (3, 1 / 60))     # first derivative, of the sixth order
+NEAR, ALONG = 1e-3, 1e-2
 
 
 # MJCF
@@ -109,13 +110,14 @@ class Machine:
         self.data = mujoco.MjData(self.model)
         self.joints = [self.model.joint(i).name for i in range(self.model.njnt)]
         self.rows, self.drawn, self.driven, self.loads = rows or {}, drawn or {}, driven or {}, loads
-        self.names = []
 
     def choose(self, names):
         """Take these coordinates as the independent ones."""
         self.names = list(names)
         self.S = np.array([self.row(name) for name in (*names, *self.driven)])
         self.offset = np.array([self.drawn.get(name, 0.0) for name in names])
+        rows = np.vstack([self._constraints(np.zeros(self.model.nv))[1], self.S])
+        assert np.linalg.matrix_rank(rows, DEPENDENT * np.linalg.norm(rows, 2)) == self.model.nv, "q does not fix p"
         return self
 
     def row(self, name):
@@ -134,7 +136,7 @@ class Machine:
 
     def _place(self, p, held):
         """MuJoCo at rest in the position p, with (`held`) or without its constraints."""
-        flag = self.mj.mjtDisableBit.mjDSBL_EQUALITY
+        flag = int(self.mj.mjtDisableBit.mjDSBL_EQUALITY)
         self.model.opt.disableflags = self.model.opt.disableflags & ~flag | (0 if held else flag)
         self.data.qpos[:], self.data.qvel[:], self.data.qacc[:] = p, 0, 0
         self.mj.mj_fwdPosition(self.model, self.data)
@@ -146,24 +148,22 @@ class Machine:
         return self.data.efc_pos[:n].copy(), self.data.efc_J[:n * self.model.nv].reshape(n, self.model.nv).copy()
 
     def _inverse(self, p):
-        """The rate of p as [J; S]⁻¹; redundant constraints do no harm."""
+        """G, and [J; S]⁻¹ in its columns of J and of S; redundant constraints do no harm."""
         G, J = self._constraints(p)
-        rows = np.vstack([J, self.S])
-        found = np.linalg.pinv(rows, rcond=DEPENDENT)
-        assert np.linalg.matrix_rank(rows, tol=DEPENDENT * np.linalg.norm(rows, 2)) == self.model.nv
+        found = np.linalg.pinv(np.vstack([J, self.S]), rcond=DEPENDENT)
         return G, found[:, :len(G)], found[:, len(G):]
 
     def position(self, q, t=0.0):
-        """The joint positions p(q, t), followed from the drawn position."""
-        target, p = self._extended([np.asarray(q) - self.offset], t)[0], np.zeros(self.model.nv)
-        for step in range(1, STEPS + 1):
+        """The joint positions p(q, t), by Newton's method from the drawn position on."""
+        target, p = self._extended([q - self.offset], t)[0], np.zeros(self.model.nv)
+        for share in SHARES if self.model.neq else (1.0,):
             for _ in range(20):
                 G, of_ties, of_rows = self._inverse(p)
-                change = of_ties @ -G + of_rows @ (target * step / STEPS - self.S @ p)
+                change = of_rows @ (share * target - self.S @ p) - of_ties @ G
                 p = p + change
-                if abs(change).max() < 1e-15:
+                if abs(change).max() <= CLOSED:
                     break
-        assert abs(change).max() < 1e-12, "the loops do not close"
+            assert abs(change).max() <= CLOSED, "the loops do not close"
         return p
 
     def residual(self, q, v, a, t=0.0):
@@ -180,7 +180,9 @@ class Machine:
         return B.T @ (self.data.qfrc_inverse - self._loads())
 
     def _slope(self, p, u):
-        """dJ/dt along ṗ = u, by central differences of the sixth order."""
+        """dJ/dt along ṗ = u, by central differences."""
+        if not self.model.neq:
+            return self._constraints(p)[1]
         h = ALONG / max(abs(u).max(), 1e-9)
         return sum(weight / h * (self._constraints(p + i * h * u)[1] - self._constraints(p - i * h * u)[1])
                    for i, weight in STENCIL)
@@ -200,12 +202,10 @@ class Machine:
         p = self.position(q, t)
         B = self._inverse(p)[2][:, :len(self.names)]
         self._place(p, held=False)
-        product = np.zeros(self.model.nv)
-        columns = []
-        for column in B.T:
-            self.mj.mj_mulM(self.model, self.data, product, column)
-            columns.append(B.T @ product)
-        return np.array(columns).T
+        found = np.zeros((len(B), len(B)))
+        for column, result in zip(np.eye(len(B)), found, strict=True):
+            self.mj.mj_mulM(self.model, self.data, result, column)
+        return B.T @ found @ B
 
     def small_oscillations(self, q):
         """M, C (with gyroscopic terms) and K about a position of rest, by central differences of the residual."""

@@ -38,7 +38,7 @@ from vibcli.mechanics.lagrange import equation_of
 pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install -e '.[test]'")
 
 PROBLEMS = {path.stem: path for path in (Path(__file__).parent.parent / "problems").rglob("*.yaml")}
-EXACT, ROUNDING, FREQUENCY, AT_REST = 1e-9, 1e-13, 1e-6, 1e-9
+EXACT, ROUNDING, FREQUENCY, ZERO, STATES = 1e-9, 1e-13, 1e-6, 1e-5, 4
 
 
 # pendulums
@@ -87,6 +87,10 @@ def column_under_follower_force(p):
     upper = body(0, p.L, hinge("bend", k=p.k), mass(p.m, y=p.L), site("tip", 0, p.L), name="upper")
     return Machine([body(0, 0, hinge("alpha", k=p.k), mass(2 * p.m, y=p.L), upper)],
                    rows={"beta": {"alpha": 1, "bend": 1}}, loads=[("upper", "tip", (0, -p.P), 0, True)])
+
+
+def column_under_follower_force__twice_the_force(p):
+    return column_under_follower_force(p)
 
 
 # springs and dampers between points
@@ -184,6 +188,10 @@ def disc_on_seesaw(p):
     return Machine([plank], [spring("post", "centre", p.k, p.L / 2)], [geared("spin", "s", -1 / p.r)], g=p.g)
 
 
+def disc_on_seesaw__soft_torsion_spring(p):
+    return disc_on_seesaw(p)
+
+
 def disc_in_track_with_rod(p):
     """The line of centres turns about the centre of the track and carries the disc."""
     hanging = body(0, 0, hinge("bend"), rod(p.m2, 0, -p.L))
@@ -230,13 +238,17 @@ def scissor_lift_on_spring(p, load=0.0):
                    rows={"psi4": {"theta": 1, "bend4": 1}, "psi3": {"psi2": 1, "bend3": 1}})
 
 
+def scissor_lift_on_spring__loaded(p):
+    return scissor_lift_on_spring(p, p.mc)
+
+
 def platform_on_three_rods(p):
     """The spring is tightened so far that moving all lower ends by dφ (H, X) does no work."""
     N = (p.M + p.m1 + 3 * p.m / 2) * p.g * p.X / p.H
     ends = [0, p.a, p.a + p.b]
     rods = [body(x, 0, hinge(name), rod(p.m, p.X, -p.H), site(f"A{i}", p.X, -p.H))
             for i, (x, name) in enumerate(zip(ends, ("phi", "phi2", "phi3"), strict=True))]
-    platform = body(p.X, -p.H, slide("x0", 1, 0), slide("y0", 0, 1), hinge("psi"), rod(p.M, ends[2], 0),
+    platform = body(p.X, -p.H, slide("x", 1, 0), slide("y", 0, 1), hinge("psi"), rod(p.M, ends[2], 0),
                     body(p.e, 0, mass(p.m1)), *(site(f"B{i}", x) for i, x in enumerate(ends)))
     return Machine([site("wall", p.X + ends[2] + p.w, -p.H), *rods, platform], [spring("B2", "wall", p.k, p.w - N / p.k)],
                    [joined(f"A{i}", f"B{i}") for i in range(3)], g=p.g)
@@ -268,3 +280,156 @@ def rod_in_bowl_with_end_masses(p):
     bar = body(0, -p.d, slide("x", 1, 0), slide("y", 0, 1), hinge("phi"), mass(p.m, p.m * p.a**2 / 3),
                body(-p.a, 0, mass(p.m1), site("A")), body(p.a, 0, mass(p.m2), site("B")))
     return Machine([site("O"), bar], [rope("left", "O", "A"), rope("right", "O", "B")], [keep("left"), keep("right")], g=p.g)
+
+
+MODELS = [double_pendulum_rods, cart_with_pendulum, cart_with_pendulum__tied, rods_on_shaken_pivot, bead_in_swinging_tube,
+          two_link_arm_under_load, column_under_follower_force,
+          column_under_follower_force__twice_the_force, rod_with_inclined_spring, disc_on_three_tight_springs,
+          quarter_car_damped, overdamped_flap_gate, particle_on_turning_disc, bead_on_eccentric_hoop,
+          hoist_with_moving_pulley, stepped_drum_with_block_and_pulley, geared_pendulums,
+          epicyclic_gear_with_sprung_ring, disc_on_seesaw, disc_on_seesaw__soft_torsion_spring, disc_in_track_with_rod, four_bar_with_springs,
+          slider_crank_on_spring, slider_crank_on_spring__held, scissor_lift_on_spring, scissor_lift_on_spring__loaded,
+          platform_on_three_rods, governor_linkage_at_rest, cam_and_follower_at_rest, rod_in_bowl_with_end_masses]
+
+
+# what the equations do not depend on: lengths of the drawing, and what follows from other parameters or cancels
+FREE_OF = {
+    "cart_with_pendulum__tied": "w", "bead_in_swinging_tube": "w", "hoist_with_moving_pulley": "r1 r2 H",
+    "stepped_drum_with_block_and_pulley": "rho", "geared_pendulums": "c", "slider_crank_on_spring": "l",
+    "slider_crank_on_spring__held": "l M0", "scissor_lift_on_spring": "L mc N0", "scissor_lift_on_spring__loaded": "L N0",
+    "platform_on_three_rods": "a b e", "governor_linkage_at_rest": "b g x1 y1", "cam_and_follower_at_rest": "rho b"}
+
+
+class Compared:
+    """A problem in numbers, random states of it in groups, and vibcli's left sides and mass matrices there."""
+
+    def __init__(self, build):
+        stem, _, case = build.__name__.partition("__")
+        problem = problem_of(PROBLEMS[stem])
+        self.build = build
+        self.problem = next(iter(Draws(problem.case(case.replace("_", " ")) if case else problem)))
+        scene = self.problem.scene
+        self.names, n = scene.coordinates, len(scene.q)
+        found, groups = states(self.problem)
+        chosen = [i for group in groups for i in range(group.start, group.start + STATES)]
+        self.groups = [slice(i, i + STATES) for i in range(0, len(chosen), STATES)]
+        self.states = {name: values[chosen] for name, values in found.items()}
+        left = [equation_of(scene, i) for i in range(n)]
+        slopes = [gradient(node).get(a, scene.table.zero) for node in left for a in scene.a]
+        self.left, self.M = self.values(left), self.values(slopes).reshape(-1, n, n)
+
+    def values(self, nodes):
+        """A row of the values of expressions for each state."""
+        return np.array(at_states(self.problem, nodes, self.states)).T
+
+    def machine(self, **wrong):
+        """The model with the file's parameters, but for those that are given."""
+        machine = self.build(SimpleNamespace(**self.problem.floats | wrong))
+        machine.drawn = {name: value for name, value in self.problem.drawn_floats.items() if value}
+        return machine.choose(self.names)
+
+    def state(self, i):
+        """(q, q', q'', t)."""
+        parts = [np.array([self.states[name + "'" * primes][i] for name in self.names]) for primes in range(3)]
+        return *parts, self.states[self.problem.scene.time.name][i] if self.problem.scene.timed else 0.0
+
+    def equilibrium(self):
+        return np.array([self.problem.equilibrium.values[name] for name in self.names])
+
+    def agrees(self, machine, groups):
+        """Do the left sides agree in each group, measured by their size there?"""
+        size = abs(self.left).max(axis=0)
+        for group in groups:
+            ours = self.left[group]
+            theirs = [machine.residual(*self.state(i)) for i in range(group.start, group.stop)]
+            if (abs(theirs - ours).max(axis=0) > EXACT * abs(ours).max(axis=0) + ROUNDING * size).any():
+                return False
+        return True
+
+
+@cache
+def compared(build):
+    return Compared(build)
+
+
+@pytest.fixture(params=MODELS, ids=lambda build: build.__name__)
+def both(request):
+    return compared(request.param)
+
+
+def test_equations_of_motion(both):
+    assert both.agrees(both.machine(), both.groups)
+
+
+def test_mass_matrix(both):
+    machine = both.machine()
+    for i, M in enumerate(both.M[both.groups[0]]):
+        q, _, _, t = both.state(i)
+        assert abs(machine.mass_matrix(q, t) - M).max() <= EXACT * abs(M).max()
+
+
+def test_dependent_coordinates(both):
+    machine, dependent = both.machine(), both.problem.scene.dependent
+    values = both.values(dependent.values()) if dependent else []
+    for i, found in enumerate(values):
+        q, _, _, t = both.state(i)
+        p = machine.position(q, t)
+        assert [machine.value(name, p) for name in dependent] == pytest.approx(found, rel=EXACT, abs=EXACT)
+
+
+def test_rest(both):
+    """A step of Newton's method from the equilibrium leads nowhere."""
+    q, zero = both.equilibrium(), np.zeros(len(both.names))
+    machine = both.machine()
+    _, _, K = machine.small_oscillations(q)
+    step = np.linalg.pinv(K, rcond=EXACT) @ machine.residual(q, zero, zero)
+    assert abs(step).max() <= EXACT
+
+
+def test_frequencies_and_damping(both):
+    M, C, K = both.machine().small_oscillations(both.equilibrium())
+    modes, damped = both.problem.modes, both.problem.damped
+    undamped = [complex(mode.growth_rate or 0, mode.omega or 0) for mode in modes]
+    assert same_poles([w for z in undamped for w in (z, -z, z.conjugate(), -z.conjugate())],
+                      poles(M, 0 * C if damped else C, K))
+    if damped:
+        assert same_poles([w for mode in damped for w in (mode.eigenvalue, mode.eigenvalue.conjugate())], poles(M, C, K))
+
+
+def poles(M, C, K):
+    """The λ of (M λ² + C λ + K) q = 0."""
+    n = len(M)
+    return np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]]))
+
+
+def same_poles(expected, found):
+    """Does each of either list lie next to one of the other; a double zero is found to the root of the rounding."""
+    off = abs(np.subtract.outer(np.array(expected), found))
+    near = FREQUENCY * abs(np.array(expected))[:, None] + ZERO * abs(found).max() * (np.array(expected) == 0)[:, None]
+    return (off <= near).any(axis=0).all() and (off <= near).any(axis=1).all()
+
+
+# wrong models
+
+def test_a_wrong_number_is_detected(both):
+    """One part in a million of any parameter that the equations depend on."""
+    unseen = [name for name, value in both.problem.floats.items()
+              if both.agrees(both.machine(**{name: value * (1 + 1e-6)}), both.groups[:1])]
+    assert sorted(unseen) == sorted(FREE_OF.get(both.build.__name__, "").split())
+
+
+def test_a_wrong_figure_is_detected():
+    """The angle of the second rod relative to the first; a hinge at the wrong end; wheels that turn the same way."""
+    for build, rows in ((double_pendulum_rods, {"phi2": {"bend": 1}}), (two_link_arm_under_load, {"beta": {"bend": 1}})):
+        wrong = compared(build).machine()
+        wrong.rows = rows
+        assert not compared(build).agrees(wrong.choose(wrong.names), compared(build).groups)
+    pendulums = compared(geared_pendulums)
+    assert not pendulums.agrees(pendulums.machine(r1=-pendulums.problem.floats["r1"]), pendulums.groups)
+
+
+def test_wrong_poles_are_detected():
+    assert same_poles([2j, -2j, 0], np.array([2j, -2j, 1e-8]))
+    assert not same_poles([2j, -2j], np.array([2.00001j, -2.00001j]))
+    assert not same_poles([2j, -2j], np.array([2j, -2j, 3j, -3j]))
+    assert not same_poles([2j, -2j, 3j, -3j], np.array([2j, -2j]))
