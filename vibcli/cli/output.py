@@ -6,6 +6,7 @@ import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.errors import PhysicsError
+from vibcli.questions import INSIGHT
 
 
 def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=(),
@@ -21,7 +22,7 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
     for case, problem in problems:
         try:
             if as_json:
-                found[case] = _data(problem, data, normalise, digits)
+                found[case] = _data(problem, data, normalise, digits, sections(problem))
             else:
                 report = _report(case, problem, sections(problem), normalise, digits, question)
                 click.echo(("\n\n" if found else "") + report.text())
@@ -48,7 +49,7 @@ def _print_json(found):
     click.echo(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1))
 
 
-def _data(problem, parts, normalise, digits):
+def _data(problem, parts, normalise, digits, sections):
     from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
@@ -61,6 +62,10 @@ def _data(problem, parts, normalise, digits):
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)
+    if words := [word for word in sections if word in INSIGHT]:
+        from vibcli.report.insight_data import insight_data
+
+        found["insight"] = insight_data(problem, words)
     return found
 
 
@@ -84,8 +89,9 @@ def _digits(report, problem, digits):
     found = frequencies_data(problem, digits=digits)
     lines = []
     for mode in found["modes"]:
-        value = f"ω = {mode['omega']} rad/s" if mode["omega"] is not None else f"growth rate {mode['growth_rate']} 1/s"
-        lines.append(f"mode {mode['index']}:  {value}")
+        values = [f"ω = {mode['omega']} rad/s"] if mode["omega"] is not None else []
+        values += [f"growth rate {mode['growth_rate']} 1/s"] if mode["growth_rate"] is not None else []
+        lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
     report.section(f"With {digits} digits", lines)

@@ -99,6 +99,8 @@ class Notation:
         return split(value, sorted(args, key=_factor_rank))
 
     def powered(self, base, exponent, alone):
+        if base.op == "call" and base.name in ("abs", "sign") and exponent != 1:
+            return self.power(self.brackets(self.write(base, 0)), self.number(exponent))
         if base.op == "call" and base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh") and exponent != 1:
             return self.call(base.name, base.args[0], exponent)
         if exponent == 1:
