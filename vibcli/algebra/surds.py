@@ -7,7 +7,7 @@ from vibcli.algebra.roots import root
 
 
 class Pair:
-    """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors.
+    """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
 
     `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter.
     """
@@ -18,6 +18,8 @@ class Pair:
         self.parts = [field(part) for part in (a, b, c)]
         outside, inside = _square_and_rest(quotients, quotients.settled(field(b * b - 4 * a * c)).numer)
         self.rational, self.factor = field(-b) / field(2 * a), field(outside) / field(2 * a)
+        if self._negative(quotients.node(self.factor)):
+            self.factor = -self.factor
         self.inside = self._shortest(inside, outside)
         self.root, self.in_letters = self._root(), not inside.is_ground
 

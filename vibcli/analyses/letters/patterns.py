@@ -29,7 +29,7 @@ def two_coordinates(table, modes, M, G, K):
     """Give the modes of two coordinates their patterns."""
     for mode in modes:
         if mode.pattern and not G:
-            mode.pattern = [table.one, min((mode.pattern[1], ratio(table, M, K)), key=letters)]
+            mode.pattern = [table.one, min((ratio(table, M, K), mode.pattern[1]), key=letters)]
         elif G and not mode.square.is_zero and (0, 1) not in M and (0, 1) not in K:
             mode.turns = True
             mode.pattern = [table.one, _quarter_period_apart(table, mode, M, G, K)]
