@@ -63,7 +63,7 @@ def numbers(data):
 
 
 def well_formed(data, command):
-    assert set(data) - {"cases", "characteristic_polynomial", "closed_forms"} == KEYS[command]
+    assert set(data) - {"cases", "characteristic_polynomial", "chosen", "closed_forms"} == KEYS[command]
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
     assert all(math.isfinite(x) for x in numbers(data))

@@ -6,15 +6,12 @@ checked at several sets of random values of its symbols.
 """
 
 import re
-from math import isfinite
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.meaning import lower, quantities_in, whole_literal
-from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.meaning import quantities_in, whole_literal
 from vibcli.asking import coordinate_name
 from vibcli.draws import Draws, at_states, reach, states
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.measured import measure, number_of
+from vibcli.measured import lowered, measure, number_of, value_of
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.virtual_work import generalised_force_at_rest
 from vibcli.signals import signal_dimension
@@ -92,32 +89,6 @@ def _compare(problem, answer):
     return Verdict(answer, agrees, expected, found, remark)
 
 
-def value_of(problem, expression):
-    """(value, relative error bound) of an expression of parameters and quantities."""
-    scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
-    for quantity in quantities_in(tree):
-        values[quantity[3]], error = measure(problem, quantity)
-        worst = max(worst, error)
-    table = scene.table
-
-    def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
-
-    value = evaluate([_lowered(expression, table, symbol)], Floats, values)[0]
-    if not isfinite(value):
-        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
-                           expression.where)
-    return value, worst
-
-
-def _lowered(expression, table, symbol):
-    try:
-        return lower(expression.tree, table, symbol)
-    except ExpressionError as error:
-        place = expression.scalar.place(error.offset, error.width)
-        raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
-
-
 def _tolerance(problem, answer, expected, error):
     """The absolute tolerance: that given, that of the digits written, or rounding."""
     rounding = (EXACT + 4 * error) * abs(expected) + 1e-300
@@ -178,7 +149,7 @@ def _expected_node(problem, expression):
     def symbol(name, primes, part):
         return scene.parameters.nodes[name] if name in scene.parameters.nodes else scene.symbol(name, primes)
 
-    return _lowered(expression, scene.table, symbol)
+    return lowered(expression, scene.table, symbol)
 
 
 def _compare_energy(problem, answer, head):

@@ -14,15 +14,16 @@ STATES, NEAR, SEPARATE, MOST_HALVINGS = 5, 1e-4, 12, 30
 
 
 class Draws:
-    """Numeric Problems of a scene: itself, or with random values for its symbols for which the drawing fits together.
+    """Numeric Problems of a scene: itself, or with random values for its symbols for which the drawing fits together;
+    with values for what it chooses.
 
     Made when they are asked for and kept; `wanted` is how many of them a comparison takes.
     """
 
     def __init__(self, problem):
-        symbolic = problem.symbolic
+        symbolic = bool(problem.letters)
         self.wanted = DRAWS if symbolic else 1
-        self._known = [] if symbolic else [problem]
+        self._known = [] if symbolic else [_settled(problem)]
         self._candidates = _candidates(problem) if symbolic else iter(())
 
     def __iter__(self):
@@ -32,18 +33,32 @@ class Draws:
             yield problem
 
 
+def _settled(problem):
+    if not problem.spec.choices:
+        return problem
+    from vibcli.inverse import settled
+
+    return settled(problem)
+
+
 def _candidates(problem):
     from vibcli.scene.build import sample_values
 
+    drawn, refusal = 0, None
     for attempt in range(CANDIDATES):
-        values = sample_values(problem.scene.parameters.free, attempt)
+        values = sample_values(problem.letters, attempt)
         given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
         candidate = problem.with_values(given)
         try:
             candidate.draw()
-        except (SpecError, PhysicsError):
+            candidate = _settled(candidate)
+        except (SpecError, PhysicsError) as error:
+            refusal = refusal or error
             continue
+        drawn += 1
         yield candidate
+    if not drawn and problem.spec.choices:
+        raise refusal
 
 
 def states(problem):

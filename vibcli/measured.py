@@ -1,9 +1,13 @@
 """The value of a quantity — omega[1], J[disc, O], K[x, phi] — of a numeric problem, with its error bound."""
 
+from math import isfinite
+
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.asking import coordinate_name
-from vibcli.errors import PhysicsError
+from vibcli.algebra.meaning import lower, quantities_in
+from vibcli.algebra.parse import ExpressionError
+from vibcli.asking import coordinate_name, is_choice
+from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.mechanics.signals import displacement, force
 
 ROUNDING = 1e-14
@@ -12,7 +16,36 @@ ROUNDING = 1e-14
 def measure(problem, tree):
     """(value, relative error bound) of a quantity tree."""
     head, indices, attribute = tree[4], tree[5], tree[6]
+    if is_choice(problem.spec, tree) and problem.chosen is not None:
+        return problem.chosen.value(head, int(indices[0])), ROUNDING
     return _MEASURES[head](problem, indices, attribute)
+
+
+def value_of(problem, expression):
+    """(value, relative error bound) of an expression of parameters and quantities."""
+    scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
+    for quantity in quantities_in(tree):
+        values[quantity[3]], error = measure(problem, quantity)
+        worst = max(worst, error)
+    table = scene.table
+
+    def symbol(name, primes, part):
+        return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
+
+    value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
+    if not isfinite(value):
+        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
+                           expression.where)
+    return value, worst
+
+
+def lowered(expression, table, symbol):
+    """The node of a parsed expression; SpecError where it divides by zero."""
+    try:
+        return lower(expression.tree, table, symbol)
+    except ExpressionError as error:
+        place = expression.scalar.place(error.offset, error.width)
+        raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
 
 
 def _mode(problem, indices):
@@ -168,16 +201,19 @@ def _matrix(which):
     return value
 
 
-def _inertia(problem, indices, attribute):
+def inertia_node(scene, indices):
     """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
-    scene = problem.scene
     body = scene.bodies[indices[0]]
     node = body.inertia if body.inertia is not None else scene.table.zero
     if len(indices) == 2:
         x, y = _drawn(scene, indices[1])
         mass = body.mass if body.mass is not None else scene.table.zero
         node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
-    return evaluate(scene.at_drawn(node), Floats, problem.floats)[0], ROUNDING
+    return scene.at_drawn(node)[0]
+
+
+def _inertia(problem, indices, attribute):
+    return evaluate([inertia_node(problem.scene, indices)], Floats, problem.floats)[0], ROUNDING
 
 
 def _drawn(scene, name):
@@ -186,10 +222,12 @@ def _drawn(scene, name):
     return scene.pair(scene.spec.get("points")[name]["at"])
 
 
+def centre_node(scene, indices, attribute):
+    return scene.bodies[indices[0]].centre["xy".index(attribute)]
+
+
 def _centre(problem, indices, attribute):
-    scene = problem.scene
-    node = scene.bodies[indices[0]].centre["xy".index(attribute)]
-    return evaluate([node], Floats, problem.floats)[0], ROUNDING
+    return evaluate([centre_node(problem.scene, indices, attribute)], Floats, problem.floats)[0], ROUNDING
 
 
 _MEASURES = {

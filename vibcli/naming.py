@@ -33,6 +33,7 @@ def resolve(spec, reader):
     _units_of_symbols(spec, reader)
     expected = [answer.expected for answer in spec.answers] + [answer.asked for answer in spec.answers]
     apart = set(map(id, expected)) | {id(a.rtol) for a in spec.answers}
+    apart |= {id(side) for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
     spec.free_numbers = not any(part[4] for e in reader.expressions for part in literals_in(e.tree)) and not any(
         "unit" in p for p in spec.parameters.values())
     _parameters(spec, reader)
@@ -52,6 +53,10 @@ def resolve(spec, reader):
             local = reader.local_names.get(id(expression))
             check(spec, reader, expression, names if local is None else {**names, local: None}, expression.dimension,
                   local)
+    if spec.choices and reader.sound and len(reader.diagnostics) == before:
+        from vibcli.choosing import check_choices
+
+        check_choices(spec, reader)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
         from vibcli.asking import check_answers
 
@@ -196,6 +201,9 @@ def _start(spec, reader):
                                                     spec.dimensions.unknown(record["coordinate"].text), -1)
     for name, value in (spec.get("equilibrium") or {}).items():
         value.dimension = spec.dimensions.unknown(name)
+    for name, record in (spec.get("choose") or {}).items():
+        for bound in {"from", "to"} & set(record.values):
+            record[bound].dimension = spec.dimensions.unknown(name)
     for name, record in spec.coordinates.items():
         if "drawn" in record:
             record["drawn"].dimension = spec.dimensions.unknown(name)
@@ -333,6 +341,8 @@ def _ambiguous(spec, reader, expression):
     if whole_literal(expression.tree):
         return
     for literal in literals_in(expression.tree):
+        if _in_brackets(expression.text, literal):
+            continue
         for unit, _, start, end in literal[4][1:]:
             if unit in spec.parameters or unit in spec.coordinates:
                 text = expression.text
@@ -340,3 +350,8 @@ def _ambiguous(spec, reader, expression):
                 reader.report(expression.scalar.place(start, end - start),
                               f"'{unit}' is a unit and a name of this scene",
                               f"write ({joined}) for the unit or ({head})*{unit} for the name")
+
+
+def _in_brackets(text, literal):
+    """Does a literal stand alone in round brackets?"""
+    return text[:literal[1]].rstrip().endswith("(") and text[literal[2]:].lstrip().startswith(")")

@@ -13,6 +13,7 @@ from vibcli.errors import defined_as_drawn
 from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
+SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
           "reactions", "shares", "sensitivities", "estimates")
 
@@ -23,15 +24,24 @@ class Problem(OnRequest):
     def __init__(self, spec, given=None):
         self.spec, self.given = spec, dict(given or {})
         self.costs, self.inner, self._cases = {}, 0.0, {}
+        self.chosen = None      # what was chosen (inverse), where this is the scene with its solution
 
     def with_values(self, given):
         """The same scene with values for its symbols."""
         return Problem(self.spec, {**self.given, **given})
 
+    def sharing(self, given):
+        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
+        found = self.with_values(given)
+        self.scene, self.form, self.drawn_form  # noqa: B018
+        vars(found).update({stage: value for stage, value in vars(self).items() if stage in SHARED})
+        return found
+
     def case(self, name):
         """The problem of a case of the file."""
         if name not in self._cases:
-            self._cases[name] = Problem(self.spec.cases[name], self.given)
+            given = {key: value for key, value in self.given.items() if key not in self.spec.choices}
+            self._cases[name] = Problem(self.spec.cases[name], given)
         return self._cases[name]
 
     def draw(self):
@@ -74,6 +84,11 @@ class Problem(OnRequest):
     def symbolic(self):
         """Are there parameters without value?"""
         return self.symbolic_parameters(self.scene)
+
+    @property
+    def letters(self):
+        """The parameters that have neither a value nor a condition."""
+        return [name for name in self.scene.parameters.free if name not in self.given and name not in self.spec.choices]
 
     def symbolic_parameters(self, scene):
         return any(name not in self.given for name in scene.parameters.free)

@@ -56,7 +56,7 @@ class Pair:
             return quotients.node(rational), table.one
         above, below = quotients.cleared([rational, factor])
         common = above[0].gcd(above[1])
-        x, y = (quotients.polynomial(part.quo(common)) for part in above)
+        x, y = (quotients.node(quotients.field(part.quo(common))) for part in above)
         front = quotients.node(quotients.field(common) / quotients.field(below))
         if self._negative(x) and self._negative(y):
             x, y, front = -x, -y, -front

@@ -1,12 +1,14 @@
 """Damped modes as they are handed on: numbered, two real eigenvalues of one over-damped mode as a pair."""
 
 import math
+from itertools import pairwise
 
 from vibcli.analyses import fixed as fx
 from vibcli.analyses.modal import kind
 
 ULP = 2.0 ** -52
 PROPORTIONAL = 1e-12
+SAME = 45
 
 
 class DampedMode:
@@ -41,8 +43,7 @@ def collected(answer, numbers, shapes):
     system, found, scale = answer.system, answer.found, answer.scale
     bits, index, out = system.bits, {}, []
     partner = pairs(system, found)
-    order = sorted(range(len(found)), key=lambda i: (found[i].re ** 2 + found[i].im ** 2, -found[i].re))
-    for i in order:
+    for i in _by_size(found):
         d = found[i]
         size = fx.magnitude(math.isqrt(d.re * d.re + d.im * d.im), bits)
         re = 0 if _imaginary(d, size, answer) else d.re
@@ -62,6 +63,16 @@ def collected(answer, numbers, shapes):
         omega = numbers.number(square, bits - scale.time)
         out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
     return out
+
+
+def _by_size(found):
+    """Places by ascending |λ|; of eigenvalues of one size, to SAME bits, that which decays least comes first."""
+    squares = [d.re ** 2 + d.im ** 2 for d in found]
+    order = sorted(range(len(found)), key=squares.__getitem__)
+    first = [k for k, i in enumerate(order) if not k or squares[i] - squares[order[k - 1]] > squares[i] >> SAME]
+    for a, b in pairwise([*first, len(order)]):
+        order[a:b] = sorted(order[a:b], key=lambda i: -found[i].re)
+    return order
 
 
 def _imaginary(d, size, answer):

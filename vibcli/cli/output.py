@@ -8,6 +8,8 @@ from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.errors import PhysicsError
 from vibcli.questions import INSIGHT
 
+FLOAT_DIGITS = 12
+
 
 def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=(),
                  question=False):
@@ -18,9 +20,12 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
     for _, problem in problems:
         require_quick(problem, digits)
     refused = False
-    found = {}
+    found, solved = {}, []
     for case, problem in problems:
         try:
+            if problem.spec.choices:
+                problem = _settled(problem, question, digits)
+            solved.append((case, problem))
             if as_json:
                 found[case] = _data(problem, data, normalise, digits, sections(problem))
             else:
@@ -38,8 +43,19 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
     if as_json:
         _print_json(found)
     if timings:
-        show_timings(problems)
+        show_timings(solved)
     return 4 if refused else 0
+
+
+def _settled(problem, thorough, digits):
+    """The problem with what it chooses, known in closed form where more digits are asked for."""
+    from vibcli.inverse import settled
+
+    found = settled(problem, thorough)
+    if digits is not None and digits > FLOAT_DIGITS and not found.chosen.exact:
+        raise PhysicsError(f"--digits {digits} needs a closed form of what is chosen, and none was found",
+                           f"ask for at most {FLOAT_DIGITS} digits")
+    return found
 
 
 def _print_json(found):
@@ -53,6 +69,10 @@ def _data(problem, parts, normalise, digits, sections):
     from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
+    if problem.chosen is not None:
+        from vibcli.report.chosen import chosen_data
+
+        found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
         found |= frequencies_data(problem, normalise, digits)
     if "equations" in parts:

@@ -144,7 +144,8 @@ LUMPED = [
 CASES = [
     "Each case is a part of a scene, merged over the scene: mappings are merged key by key, anything else is "
     "replaced. `answers` and `find` are the case's own. A case may add parameters, bodies and springs, and it "
-    "cannot hold cases itself. `vibcli solve FILE --case NAME` solves one alone.",
+    "cannot hold cases itself. A parameter that the scene chooses and the case gives a value is not chosen there. "
+    "`vibcli solve FILE --case NAME` solves one alone.",
 ]
 
 MOTIONS = [

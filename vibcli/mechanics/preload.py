@@ -26,7 +26,7 @@ def settle_static_preloads(scene):
     sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
-    rows, picked = _pivots([row[:-1] for row in numbers])
+    rows, picked = pivots([row[:-1] for row in numbers])
     tensions = solve_linear([[columns[j][i] for j in picked] + [-rest[i]] for i in rows], scene.table.zero)
     values = dict.fromkeys(unknowns, scene.table.zero)
     values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
@@ -61,7 +61,7 @@ def _floats(scene, rows):
     return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
 
 
-def _pivots(rows):
+def pivots(rows):
     """(rows, columns) of a largest regular block, by elimination with full pivoting on scaled rows."""
     work = [[x / (max(map(abs, row)) or 1.0) for x in row] for row in rows]
     left, open_columns, pivots = set(range(len(work))), set(range(len(work[0]) if work else 0)), []

@@ -6,6 +6,12 @@ ABOUT = ("What `vibcli solve`, `frequencies` and `equations` print with --json: 
 KEYS = {
     "title": "the title of the scene, or null",
     "coordinates": "names of the generalised coordinates, in the order of all rows and columns",
+    "chosen": "only where the scene chooses: a list, one entry to each chosen parameter",
+    "chosen[].parameter": "its name",
+    "chosen[].condition": "the condition as written",
+    "chosen[].values": "its value in each solution, ascending; all else is of the first",
+    "chosen[].closed_forms": "the same as expressions of the language of scenes, null where none was found",
+    "chosen[].residuals": "what is left of the conditions after substitution, relative to their terms",
     "equilibrium": "the equilibrium reached from the drawn position",
     "equilibrium.coordinates": "{name: value}",
     "equilibrium.stable": "true or false (motion that costs no energy counts as stable); null where symbols leave it "

@@ -14,8 +14,8 @@ from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
 from vibcli.report.sides import equation
 from vibcli.spec import QUOTE
 
-EVERYTHING = ("given", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies", "damping",
-              "modes")
+EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
+              "damping", "modes")
 LONGEST = 2400
 
 
@@ -41,7 +41,8 @@ class Report:
         def value(quote):
             name = plain_name(quote.group(1))
             record = self.problem.spec.parameters[name]
-            return record["value"].text if "value" in record else plain.symbol(name)
+            known = "value" in record and name not in self.problem.spec.choices
+            return record["value"].text if known else plain.symbol(name)
 
         text = QUOTE.sub(value, text)
         return " ".join(text.split())
@@ -65,6 +66,8 @@ class Report:
     def _given(self):
         lines, symbols = [], []
         for name, record in self.problem.spec.parameters.items():
+            if name in self.problem.spec.choices:
+                continue
             about = "   " + record["about"] if "about" in record else ""
             if "value" in record:
                 lines.append(f"{plain.symbol(name)} = {record['value'].text}{about}")
@@ -75,6 +78,13 @@ class Report:
         if not any("   " in line for line in lines):
             lines = wrapped("   ".join(lines), gap="   ")
         self.section("Given", lines + ([", ".join(symbols) + "  (in letters)"] if symbols else []))
+
+    def _chosen(self):
+        if self.problem.chosen is None:
+            return
+        from vibcli.report.chosen import chosen_lines
+
+        self.section("Chosen", chosen_lines(self.problem))
 
     def _coordinates(self):
         problem, rows = self.problem, []
