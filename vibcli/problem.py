@@ -146,7 +146,11 @@ class Problem(OnRequest):
 
             require_autonomous(self, drawn_values(self.scene))
         found = matrices_in_letters(self.letters_form)
-        return found if self.equilibrium_letters is None else self.equilibrium_letters.factored(found)
+        if self.equilibrium_letters is not None:
+            from vibcli.algebra.polynomials import factored as shorter
+        else:
+            from vibcli.algebra.quotient import shorter
+        return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
 
     @cached_property
     def linear_in_letters(self):

@@ -27,12 +27,10 @@ class Pair:
         """D factored, or as b² − 4ac, whichever is shorter."""
         quotients, table = self.quotients, self.quotients.table
         node = quotients.node(quotients.field(inside))
-        if not outside.is_ground:
+        a, b, c = (part / quotients.field(outside) for part in self.parts)
+        if not all(part.denom.is_ground for part in (b, a * c)):
             return node
-        scale = quotients.rational(outside.LC) ** -2
-        a, b, c = self.parts
-        half = table.product((quotients.node(b / quotients.field(outside)), ONE + ONE))
-        whole = table.sum((half, ONE), (quotients.node(a * c), -4 * scale))
+        whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
         return min((node, whole), key=letters)
 
     def _root(self):
@@ -58,6 +56,8 @@ class Pair:
         common = above[0].gcd(above[1])
         x, y = (quotients.node(quotients.field(part.quo(common))) for part in above)
         front = quotients.node(quotients.field(common) / quotients.field(below))
+        if self._negative(front):
+            x, y, front = -x, -y, -front
         if self._negative(x) and self._negative(y):
             x, y, front = -x, -y, -front
         surd = self.root if surd is None else surd

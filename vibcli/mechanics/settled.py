@@ -13,7 +13,6 @@ from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import textbook
-from vibcli.algebra.polynomials import factored
 from vibcli.algebra.rationals import ONE
 from vibcli.algebra.solving import Solution, solutions
 from vibcli.errors import PhysicsError, SpecError
@@ -48,12 +47,6 @@ class Settled:
         nodes = nodes_of(form)
         sums = {call: node for q in self.values for call, node in openings(nodes, q).items()}
         return {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **self.values, **self.calls}
-
-    @staticmethod
-    def factored(matrices):
-        """The matrices with each entry as one fraction, factored."""
-        return tuple({pair: factored(node) for pair, node in matrix.items()} for matrix in matrices)
-
 
 def settled(problem):
     """The Settled equilibrium of a nonlinear scene, None where it is not found."""
