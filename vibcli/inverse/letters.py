@@ -116,7 +116,7 @@ def _vanishing(problem, condition):
     if "equilibrium" in problem.spec.sections or not problem.linear_in_letters:
         require_no_modes(condition)
     if condition.word:
-        return [_characteristic(problem, problem.scene.table.zero)]
+        return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
         head = one.tree[4] if one.tree[0] == "quantity" else None
         if head in SQUARES:
@@ -129,6 +129,22 @@ def _vanishing(problem, condition):
             value, (m, c, k) = _side(problem, other), _one_degree(problem)
             return [(c - 2 * m * value) * (m * value * value - c * value + k)]
     return [_side(problem, condition.left) - _side(problem, condition.right)]
+
+
+def _limit(problem):
+    """det K, and of two degrees under follower forces also the discriminant of det(K − λM), which vanishes where
+    flutter begins."""
+    M, C, _, K = problem.matrices_in_letters
+    still = _characteristic(problem, problem.scene.table.zero)
+    follows = any(K.get(pair[::-1]) is not node for pair, node in K.items())
+    if not follows and not any(term.weight.mask for term in problem.scene.forces):
+        return still
+    if C or len(problem.scene.q) != 2:
+        raise NotInLetters
+    zero = problem.scene.table.zero
+    (a, b), (c, d) = ([[matrix.get((i, j), zero) for matrix in (M, K)] for i in (0, 1)] for j in (0, 1))
+    mixed = a[0] * d[1] + a[1] * d[0] - b[0] * c[1] - b[1] * c[0]
+    return still * textbook(mixed * mixed - 4 * (a[0] * d[0] - b[0] * c[0]) * still)
 
 
 def require_no_modes(condition):
