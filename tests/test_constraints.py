@@ -123,6 +123,27 @@ EQUATIONS = """
       round: (L + z)^2 + x^2 = L^2
       screw: s = L*tan(phi)
     """
+CARRIED_SURFACES = """
+    parameters: {e: 0.1 m, R: 0.5 m}
+    points: {P: {body: crank, at: [0, 0.2 m]}}
+    surfaces:
+      slot: {line: [[0, -0.4 m], [0, 0.5 m]], body: lever}
+      groove: {circle: [e, 0], radius: R, body: crank}
+    bodies:
+      crank: {inertia: 1 kg*m^2, at: [0, 0], pin: phi}
+      lever: {inertia: 1 kg*m^2, at: [0, -0.4 m], pin: psi}
+      follower: {mass: 1 kg, at: [0, sqrt(R^2 - e^2)], slide: {along: [0, 1], by: y}}
+    constraints:
+      sliding: {point: P, surface: slot}
+      cam: {point: follower, surface: groove}
+    """
+DRIVEN_LINK = """
+    parameters: {X: 0.2 m, Y: 0.1 m, Omega: 3 rad/s}
+    points: {S: {at: [0, 0], moves: [X*sin(Omega*t), Y*t*Omega]}}
+    bodies: {bob: {mass: 2 kg, at: [0, -1 m], move: [x, y, 0]}}
+    springs: {s: {k: 30 N/m, between: [bob, [1 m, -1 m]]}}
+    constraints: {tie: {link: [bob, S]}}
+    """
 CLOSED = {
     "atwood": (ATWOOD, {"y": lambda x, **_: -x, "phi": lambda x, **_: -x / 0.2}),
     "moving pulley": (MOVING_PULLEY, {"psi": lambda y, **_: y / 0.1, "z": lambda y, **_: -2 * y,
@@ -140,6 +161,10 @@ CLOSED = {
                       "y": lambda phi, **_: -0.3 * sin(phi) - sqrt(0.25 - 0.09 * cos(phi) ** 2) + 0.4}),
     "surfaces": (SURFACES, {"v": lambda u, **_: 0.75 * u, "q": lambda p, **_: sqrt(0.25 - p**2) - 0.5,
                             "s": lambda r, x, **_: (0.1 + r - x) ** 2 / 0.5 - 0.02, "d": lambda x, **_: x}),
+    "carried surfaces": (CARRIED_SURFACES, {
+        "psi": lambda phi, **_: mpmath.atan2(0.2 * sin(phi), 0.2 * cos(phi) + 0.4),
+        "y": lambda phi, **_: 0.1 * sin(phi) + sqrt(0.01 * sin(phi) ** 2 + 0.24) - sqrt(0.24)}),
+    "driven link": (DRIVEN_LINK, {"y": lambda x, t, **_: 0.3 * t + 1 - sqrt(1 - (x - 0.2 * sin(3 * t)) ** 2)}),
     "equations": (EQUATIONS, {"y": lambda x, t, **_: (0.1 * sin(3 * t) - x) / 2,
                               "z": lambda x, **_: sqrt(0.64 - x**2) - 0.8, "s": lambda phi, **_: 0.8 * tan(phi)}),
 }
@@ -384,15 +409,33 @@ def test_lazy_tongs():
         inertia = sum(4 * (i + 0.5) ** 2 * sin(theta) ** 2 + cos(theta) ** 2 for i in range(n)) + n / mpmath.mpf(3)
         exact = {"equilibrium[phi0]": phi, "equilibrium[psi9]": -phi, "M[phi0, phi0]": inertia,
                  "omega[1]": sqrt(mpmath.diff(V, phi, 2) / inertia)}
-    assert scene.scene.freedom == (39, 38, ())
+    assert scene.scene.freedom == (38, 37, ())
     assert {name: value(scene, name) for name in exact} == pytest.approx(
         {name: float(x) for name, x in exact.items()}, rel=1e-12)
 
 
-@pytest.mark.parametrize("name", ["atwood", "crank", "four-bar", "inversor"])
+OBLIQUE_ROPE = """
+    gravity: 10 m/s^2
+    bodies:
+      bob: {mass: 1 kg, at: [-1 m, -0.5 m], move: [x, y, 0]}
+      wheel: {shape: disc, radius: 0.2 m, mass: 1 kg, at: [0.2 m, 0.3 m], move: [a, b, c]}
+      weight: {mass: 1 kg, at: [1.5 m, -0.3 m], move: [u, v, 0]}
+    springs:
+      s1: {k: 500 N/m, between: [bob, [-2 m, -1 m]]}
+      s2: {k: 600 N/m, between: [bob, [-1 m, -2 m]], preload: 20 N}
+      s3: {k: 900 N/m, between: [wheel, [0.2 m, 2 m]]}
+      s4: {k: 700 N/m, between: [wheel, [-1 m, 0.5 m]]}
+      s5: {k: 400 N/m, between: [weight, [1.6 m, -1 m]], preload: 20 N}
+      s6: {k: 450 N/m, between: [weight, [2 m, -0.2 m]]}
+    constraints: {cord: {rope: [bob, {over: wheel}, {under: [0.9 m, -0.1 m], radius: 0.1 m}, weight]}}
+    """
+
+
+@pytest.mark.parametrize("name", ["atwood", "crank", "four-bar", "inversor", "oblique rope"])
 def test_the_reduction_against_multipliers(name):
     """M = NᵀTN and K = Nᵀ(V″ + Σ λ G″)N with the null space N of ∂G/∂q and λ from V′ + λ ∂G/∂q = 0."""
-    scene = problem({"atwood": ATWOOD, "crank": CRANK, "four-bar": FOUR_BAR, "inversor": PEAUCELLIER}[name])
+    scene = problem({"atwood": ATWOOD, "crank": CRANK, "four-bar": FOUR_BAR, "inversor": PEAUCELLIER,
+                     "oblique rope": OBLIQUE_ROPE}[name])
     loose, own = scene.loose, scene.scene.coordinates
     state = scene.at_rest | scene.dependent_values
     zero = loose.table.zero
@@ -420,6 +463,40 @@ def test_the_reduction_against_multipliers(name):
     for found, exact in ((M, N.T @ hessian(kinetic(loose), loose.v) @ N), (K, N.T @ bent @ N)):
         assert [found.get((i, j), 0) for i in range(len(own)) for j in range(len(own))] == pytest.approx(
             list(exact.flat), rel=1e-11, abs=1e-11 * abs(exact).max())
+
+
+# driven supports
+
+@pytest.mark.xfail(strict=True, reason="what is tied to a driven support does not count its motion as small")
+@pytest.mark.parametrize(("turn", "tie"), [("phi", "join: [A, S]"), ("0", "link: [rod, S]")])
+def test_a_pendulum_tied_to_a_shaken_support(turn, tie):
+    """As one pinned to it: about the drawn position ω² = g/L + k/m."""
+    scene = problem(f"""
+        gravity: 10 m/s^2
+        parameters: {{X: 0.2 m, Omega: 3 rad/s}}
+        points: {{S: {{at: [0, 0], moves: [X*sin(Omega*t), 0]}}, A: {{body: rod, at: [0, 0]}}}}
+        bodies: {{rod: {{mass: 2 kg, at: [0, -1 m], move: [x, y, {turn}]}}}}
+        springs: {{s: {{k: 30 N/m, between: [rod, [1 m, -1 m]]}}}}
+        constraints: {{tie: {{{tie}}}}}
+        """)
+    assert value(scene, "equilibrium[rod.x]") == pytest.approx(0, abs=1e-12)
+    assert value(scene, "omega[1]") == pytest.approx(5, rel=1e-12)
+
+
+@pytest.mark.xfail(strict=True, raises=pytest.fail.Exception, reason="what oscillates is left out of the residual")
+def test_no_equilibrium_where_a_spring_is_pulled_round():
+    scene = problem("""
+        parameters: {Omega: 3 rad/s}
+        points: {T: {body: rotor, at: [0.5 m, 0]}}
+        bodies:
+          rotor: {at: [0, 0], pin: Omega*t}
+          bob: {mass: 2 kg, at: [1 m, 0], slide: x}
+        springs:
+          s: {k: 30 N/m, between: [bob, T], free_length: 0.3 m}
+          u: {k: 20 N/m, between: [bob, [2 m, 0]]}
+        """)
+    with pytest.raises(PhysicsError):
+        value(scene, "equilibrium[x]")
 
 
 # freedom: redundant, locked and contradictory constraints, the choice of coordinates
@@ -660,6 +737,17 @@ def test_pins_of_a_four_bar():
     signals = [f"{name}.{axis}" for name in ("crank.reaction", "coupler.reaction", "hinge.force", "rocker.reaction")
                for axis in "xy"]
     assert [value(scene, f"equilibrium[{signal}]") for signal in signals] == pytest.approx(list(forces), rel=1e-10)
+
+
+def test_the_tension_of_an_oblique_rope():
+    """It balances springs and weight of the bob, and is the same on both sides of a wheel that nothing holds."""
+    scene = problem(OBLIQUE_ROPE)
+    x, y = -1 + value(scene, "equilibrium[x]"), -0.5 + value(scene, "equilibrium[y]")
+    pull = -10j
+    for end, k, preload, length in ((-2 - 1j, 500, 0, math.sqrt(1.25)), (-1 - 2j, 600, 20, 1.5)):
+        reach = end - complex(x, y)
+        pull += (preload + k * (abs(reach) - length)) * reach / abs(reach)
+    assert [value(scene, f"equilibrium[cord.force.{i}]") for i in (1, 2)] == pytest.approx([abs(pull)] * 2, rel=1e-11)
 
 
 def test_forces_that_statics_leaves_open():

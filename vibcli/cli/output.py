@@ -5,7 +5,7 @@ import json
 import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
-from vibcli.errors import PhysicsError
+from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.questions import INSIGHT
 
 FLOAT_DIGITS = 12
@@ -74,10 +74,16 @@ def _data(problem, parts, normalise, digits, sections):
 
         found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
-        found |= frequencies_data(problem, normalise, digits)
+        try:
+            found |= frequencies_data(problem, normalise, digits)
+        except NotInLetters as error:
+            if "equations" not in parts:
+                raise
+            found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
     if "equations" in parts:
-        if problem.equations.refusal:
-            raise problem.equations.refusal
+        refusal = problem.equations.refusal
+        if refusal and not isinstance(refusal, NotInLetters):
+            raise refusal
         found["energies"] = energies_data(problem)
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
@@ -90,12 +96,16 @@ def _data(problem, parts, normalise, digits, sections):
 
 
 def _report(case, problem, sections, normalise, digits, question):
+    from vibcli.report.figures import wrapped
     from vibcli.report.text import Report
 
     report = Report(problem, normalise)
     report.head(case, question)
     for section in sections:
         report.add(section)
+    if isinstance(report.refusal, NotInLetters) and "equations" in sections:
+        report.section("Not found in letters", wrapped(f"{report.refusal.message}: {report.refusal.hint}", indent=0))
+        report.refusal = None
     if digits is not None:
         _digits(report, problem, digits)
     return report

@@ -3,7 +3,7 @@
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import is_zero, textbook
 from vibcli.algebra.rationals import ONE
-from vibcli.errors import PhysicsError
+from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.mechanics.lagrange import matrices_in_letters
 from vibcli.mechanics.linearise import at_position, in_numbers, linearise
 from vibcli.mechanics.preload import solve_linear
@@ -32,10 +32,9 @@ def equilibrium_in_letters(problem):
     if problem.equilibrium_letters is not None:
         return {q.name: node for q, node in problem.equilibrium_letters.values.items()}
     if not problem.is_linear:
-        raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
+        raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",
-                           "draw it in equilibrium (`preload: static` helps), or give numbers with "
-                           "--set")
+                           "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
     _, _, _, K = matrices_in_letters(problem.form)
     n, zero = len(scene.q), scene.table.zero
     load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in problem.drawn_residual]
@@ -49,7 +48,7 @@ def equilibrium_in_letters(problem):
     try:
         shift = dict(zip(held, solve_linear(rows, zero), strict=True))
     except ZeroDivisionError:
-        raise PhysicsError("the equilibrium of this scene is not unique in letters",
+        raise NotInLetters("the equilibrium of this scene is not unique in letters",
                            "give numbers with --set") from None
     if n == 1:
         from vibcli.algebra.quotient import single as simplest

@@ -36,6 +36,7 @@ KEYS = {
     "matrices.K": "stiffness matrix",
     "reactions": "{signal: force or moment in equilibrium}, with `find: [reactions]`; null where statics leaves it "
                  "open",
+    "remark": "why a scene in letters has no equilibrium, matrices and modes here, in words; absent otherwise",
     "modes": "a list: modes of the system without its dampers, by ascending omega, unstable ones first",
     "modes[].index": "number of the mode, from 1",
     "modes[].omega": "natural angular frequency; exactly 0 of a rigid mode, null of one that grows without "

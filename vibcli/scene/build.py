@@ -8,7 +8,7 @@ from fractions import Fraction
 from vibcli import units
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import Table
+from vibcli.algebra.expression import Table, reachable
 from vibcli.algebra.meaning import lower
 from vibcli.algebra.normal import TooLong, expanded, is_zero, reduced, root_of_square, textbook
 from vibcli.algebra.parse import ExpressionError
@@ -312,6 +312,18 @@ class Scene(Terms, Ends):
         if root is not None:
             return root if self.sign(root) > 0 else -root
         return self.table.sqrt(textbook(square) if square.mask & self.time.mask else square)
+
+    def unrooted(self, nodes):
+        """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn."""
+        simpler = {}
+        for part in reachable(nodes):
+            roots = {base: root_of_square(base) for base, e in part.args
+                     if e.denominator == 2 and base.mask} if part.op == "product" else {}
+            if any(root is not None for root in roots.values()):
+                factors = [(base, e) if (root := roots.get(base)) is None else
+                           (root if self.sign(root) > 0 else -root, 2 * e) for base, e in part.args]
+                simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
+        return substitute(nodes, simpler) if simpler else nodes
 
     def frame(self, name):
         frame = self.bodies[name.text].frame

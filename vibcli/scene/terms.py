@@ -69,7 +69,7 @@ class Terms:
         nodes += [constraint.node for constraint in self.constraints]
         touching = [body for body in self.bodies.values() if body.normal is not None]
         nodes += [node for body in touching for node in body.normal]
-        new = dict(zip(nodes, substitute(nodes, values), strict=True))
+        new = dict(zip(nodes, self.unrooted(substitute(nodes, values)), strict=True))
         for kind in kinds:
             setattr(self, kind, [Term(*(node if node is None else new[node] for node in term[:3]), term.owner)
                                  for term in getattr(self, kind)])
