@@ -11,7 +11,7 @@ from vibcli.cli import run
 
 PROBLEMS = sorted((Path(__file__).parents[1] / "problems").rglob("*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex"]
-EQUILIBRIUM = ["coordinates", "stable", "residual"]
+EQUILIBRIUM = ["coordinates", "dependent", "stable", "residual"]
 MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
 DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "decay", "growth_rate", "shape", "error"]

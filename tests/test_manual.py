@@ -194,7 +194,7 @@ def test_tables_of_texts_match_what_runs():
 def test_json_keys_are_those_that_are_printed(capsys):
     printed = set()
     for name, *options in (("mass_spring_damper", "--insight"), ("given_matrices",), ("bead_on_a_rail",),
-                           ("hanging_rod",), ("mast_on_two_stays",)):
+                           ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",)):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))
@@ -202,7 +202,7 @@ def test_json_keys_are_those_that_are_printed(capsys):
     assert set(KEYS) - printed <= {"characteristic_polynomial"}
 
 
-NAMED_BY_THE_SCENE = ("shape", "potential", "kinetic", "dissipation", "deflection", "alone")
+NAMED_BY_THE_SCENE = ("reactions", "shape", "potential", "kinetic", "dissipation", "deflection", "alone")
 
 
 def _paths(data, path=""):

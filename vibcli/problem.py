@@ -320,9 +320,12 @@ class Problem(OnRequest):
             return self.drawn_numbers.elements
         if self.is_linear:
             return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
-        from vibcli.mechanics.precise import rounded_elements
+        from vibcli.mechanics.precise import require_inertia, rounded_elements
 
-        return rounded_elements(self)
+        found = rounded_elements(self)
+        if closed:
+            require_inertia(self, found)
+        return found
 
     def precise_elements(self, digits):
         """The element data at the equilibrium to so many digits, as mpmath numbers."""

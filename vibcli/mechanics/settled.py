@@ -122,15 +122,18 @@ def _step(conditions, unknowns, tried):
 
 
 def _chosen(candidates, q, tried):
-    """(Solution, problems that reach it): the first that enough of them reach, one with letters if possible."""
-    reached = [[] for _ in candidates]
+    """(Solution, problems that reach it): the first that enough of them reach, one with letters if possible; one
+    without only where all reach it."""
+    reached, count = [[] for _ in candidates], 0
     for problem in tried if candidates else ():
+        count += 1
         for solution, those in zip(candidates, reached, strict=True):
             if _reached(problem, q, solution):
                 those.append(problem)
                 if len(those) == ENOUGH and _has_letters(solution.value):
                     return solution, those
-    ranked = [pair for pair in zip(candidates, reached, strict=True) if len(pair[1]) >= LEAST]
+    ranked = [pair for pair in zip(candidates, reached, strict=True)
+              if len(pair[1]) >= (LEAST if _has_letters(pair[0].value) else max(count, LEAST))]
     return max(ranked, key=lambda pair: (_has_letters(pair[0].value), len(pair[1])), default=None)
 
 

@@ -14,6 +14,8 @@ KEYS = {
     "chosen[].residuals": "what is left of the conditions after substitution, relative to their terms",
     "equilibrium": "the equilibrium reached from the drawn position",
     "equilibrium.coordinates": "{name: value}",
+    "equilibrium.dependent": "{name: value} of the coordinates that constraints tie to the others, as functions of "
+                             "them where symbols have no value",
     "equilibrium.stable": "true or false (motion that costs no energy counts as stable); null where symbols leave it "
                           "open",
     "equilibrium.residual": "what is left of the forces, relative to the sum of the magnitudes of their terms",

@@ -106,17 +106,20 @@ def reactions_data(problem):
 
 
 def equilibrium_data(problem):
-    """{coordinates: {name: value}, stable, residual}."""
+    """{coordinates: {name: value}, dependent: {name: value}, stable, residual}."""
     if problem.symbolic:
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
         values = equilibrium_in_letters(problem)
         coordinates = {name: language(node) for name, node in values.items()}
-        return {"coordinates": coordinates, "stable": None, "residual": None}
+        dependent = {name: language(node) for name, node in problem.scene.dependent.items()}
+        return {"coordinates": coordinates, "dependent": dependent, "stable": None, "residual": None}
     from vibcli.measured import is_stable
 
     found = problem.equilibrium
-    return {"coordinates": dict(found.values), "stable": is_stable(problem), "residual": found.residual}
+    values = {name: found.values[name] for name in problem.scene.coordinates}
+    return {"coordinates": values, "dependent": problem.dependent_values, "stable": is_stable(problem),
+            "residual": found.residual}
 
 
 def modes_data(problem, modes, normalise="first", write=float):
