@@ -201,6 +201,15 @@ def test_insight_is_imported_only_where_it_is_asked_for(two_degrees, args, expec
     assert not {"scipy", "sympy", "matplotlib"} & set(names)
 
 
+def test_one_degree_in_letters_needs_no_sympy(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text("parameters: {m: , c: , k: }\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: c, between: [ground, b]}}\n")
+    code, names = modules("solve", path)
+    assert code == 0
+    assert names <= {"numpy"}
+
+
 def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
     code, names = modules("solve", PROBLEMS / "3_free_undamped" / "taut_bead.yaml")
     assert code == 0

@@ -19,7 +19,7 @@ from vibcli.errors import PhysicsError, SpecError
 from vibcli.mechanics.linearise import nodes_of, residual_terms
 from vibcli.scene.sampling import given_values
 
-ATTEMPTS, ENOUGH, LEAST, FIRST, CLOSE = 16, 4, 2, 3, 1e-8
+ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
 
 class Settled:
@@ -52,12 +52,12 @@ class Settled:
 def settled(problem):
     """The Settled equilibrium of a nonlinear scene, None where it is not found."""
     scene, found, tried = problem.scene, Settled(), _Tried(problem)
-    if scene.loops is not None:
+    found.reached = tried.first(LEAST) if scene.loops is None else []
+    if len(found.reached) < LEAST:
         return None
-    if len(scene.q) > 1:
-        for q in scene.q:
-            if _stays(tried.first(FIRST), q.name):
-                found.put(q, Solution(scene.drawn[q]))
+    for q in scene.q:
+        if _stays(found.reached, q.name):
+            found.put(q, Solution(scene.drawn[q]))
     conditions = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(problem.form)]
     while len(found.values) < len(scene.q):
         open_ones = [q for q in scene.q if q not in found.values]
@@ -81,6 +81,8 @@ class _Tried:
     def __iter__(self):
         yield from self.known
         for attempt in self.left:
+            if attempt >= FAILURES and not self.known:
+                return
             candidate = self.problem.with_values(given_values(self.problem.scene, self.free, attempt))
             try:
                 if any(mode.growth_rate is not None for mode in candidate.modes):

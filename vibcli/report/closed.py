@@ -26,10 +26,10 @@ def closed_data(problem):
               for mode in forms.modes if mode.zeta is not None]
     found = {"modes": modes, "damped": damped or None}
     if forms.polynomials:
-        square = table.variable("λ")
+        square = table.parameter("omega") ** 2
         whole = [table.sum(*((c * square ** i, 1) for i, c in enumerate(reversed(polynomial))))
                  for polynomial in forms.polynomials]
-        found["characteristic_polynomial"] = [language(node).replace("λ", "omega^2") for node in whole]
+        found["characteristic_polynomial"] = [language(node) for node in whole]
     return found
 
 
