@@ -250,8 +250,14 @@ class Problem(OnRequest):
 
         start = self.spec.get("equilibrium")
         if start is None and self.drawn_numbers is not None:
-            return equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
-        return equilibrium.find_equilibrium(self, self._start(start or {}))
+            found = equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
+        else:
+            found = equilibrium.find_equilibrium(self, self._start(start or {}))
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+
+            require_autonomous(self, self.at_rest_in(found.values))
+        return found
 
     def _start(self, start):
         from vibcli.algebra.evaluate import evaluate
@@ -277,8 +283,11 @@ class Problem(OnRequest):
     @property
     def at_rest(self):
         """{symbol: float} of everything in equilibrium, at t = 0."""
-        return {**self.floats, self.scene.time.name: 0.0, **self.equilibrium.values,
-                **{v.name: 0.0 for v in self.scene.v}}
+        return self.at_rest_in(self.equilibrium.values)
+
+    def at_rest_in(self, position):
+        """{symbol: float} of everything at rest in a position, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
 
     def closed(self, start, target):
         """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
@@ -311,10 +320,6 @@ class Problem(OnRequest):
         from vibcli.mechanics.linearise import in_numbers
 
         require_smooth(self)
-        if self.scene.timed:
-            from vibcli.mechanics.steady import require_autonomous
-
-            require_autonomous(self, self.at_rest)
         closed = self.scene.loops is not None or "atan2" in self.scene.table.called
         if self.equilibrium.drawn and not closed:
             return self.drawn_numbers.elements

@@ -5,6 +5,7 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
+from vibcli.algebra.calculus import substitute
 from vibcli.algebra.normal import is_zero, textbook
 from vibcli.elements import rope
 from vibcli.fields import BODY, PLACE, Element, Equation, Field, Flag, Many, NameOf, Quantity
@@ -152,7 +153,26 @@ def _gear(record, scene):
     turn = scene.carrier(record).angle
     same = belt != record.get("crossed", False) if belt else record.get("inside", False)
     first, second = radii[0] * (angles[0] - turn), radii[1] * (angles[1] - turn)
-    scene.add_constraint(record, first - second if same else first + second, "belt" if belt else "gear")
+    node = first - second if same else first + second
+    if scene.released and not belt:
+        node = node + _parted(record, scene, names, radii)
+    scene.add_constraint(record, node, "belt" if belt else "gear")
+
+
+def _parted(record, scene, names, radii):
+    """(δc₁ − δc₂)·t of the axles, t along the teeth, where supports give way; zero of gears without a place."""
+    bodies = [scene.bodies[name.text] for name in names]
+    if any(body.frame is None for body in bodies):
+        return scene.table.zero
+    (ax, ay), (bx, by) = (body.drawn for body in bodies)
+    ex, ey = scene.unit(bx - ax, by - ay)
+    if record.get("inside") and scene.sign(radii[0] - radii[1]) < 0:
+        ex, ey = -ex, -ey
+    places = [part for body in bodies for part in body.frame.point(*body.drawn)]
+    held = substitute(places, dict.fromkeys(scene.released, scene.table.zero))
+    cx, cy, dx, dy = (now - then for now, then in zip(places, held, strict=True))
+    tx, ty = scene.carrier(record).turned(-ey, ex)
+    return (cx - dx) * tx + (cy - dy) * ty
 
 
 def _radii(record, scene, names):

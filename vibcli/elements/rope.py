@@ -82,7 +82,7 @@ def _stop(item, scene):
     if radius is None:
         scene.report(item.where, f"'{item[side].text}' has no radius for the rope", "give `radius`, or a round shape")
         return None
-    turn = body.frame.angle if body is not None and body.frame is not None and body.frame.angle.mask else None
+    turn = body.frame.angle if body is not None and body.frame is not None and scene.turns(body) else None
     return Stop(scene.place_of(item[side]), radius, SIDES[side], turn)
 
 

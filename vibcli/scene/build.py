@@ -20,7 +20,7 @@ from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
 from vibcli.scene.motion import Motion
 from vibcli.scene.order import carriers_first
-from vibcli.scene.terms import Terms
+from vibcli.scene.terms import SHAKEN, Terms
 
 ATTEMPTS = 12
 SAMPLES = range(20, 28)     # where other samples start
@@ -69,6 +69,7 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         self.drawn = {node: self._drawn_value(name) for name, node in zip(self.coordinates, self.q, strict=True)}
         self._drawn_at_rest = {**self.drawn, **dict.fromkeys(self.v, table.zero), self.time: table.zero}
         self.speeds = self._speeds()
+        self.released = []      # coordinates by which supports give way
         self.constraints, self.loops, self.dependent, self.driven = [], None, {}, {}
         self.freedom = Freedom(len(self.q), 0, ())
         self.surfaces = spec.get("surfaces") or {}
@@ -98,9 +99,9 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
             if section in spec.sections:
                 load(section).build(spec.get(section), self)
         if self.driven:
-            shaken = list(self.springs), list(self.dampers)
+            shaken = {kind: list(getattr(self, kind)) for kind in SHAKEN}
             self.replace(self.driven)
-            self.shaking, (self.shaken, self.shaken_dampers) = True, shaken
+            self.shaken = shaken
             self.points = {name: (drawn, tuple(substitute(place, self.driven)))
                            for name, (drawn, place) in self.points.items()}
         if self.constraints and not loose and not self.diagnostics:

@@ -32,6 +32,11 @@ class Motion:
         self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
         return symbol
 
+    def turns(self, body):
+        """Does a body turn, other than by its support giving way?"""
+        angle, = substitute([body.frame.angle], dict.fromkeys(self.released, self.table.zero))
+        return bool(angle.mask)
+
     def release(self, body):
         """Let the support of a body give way: by x and y in the fixed axes, and by a rotation."""
         x, y, turn = (self._released(f"{body.name}.reaction.{part}") for part in ("x", "y", "moment"))
@@ -41,6 +46,7 @@ class Motion:
     def _released(self, name):
         q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
         self.coordinates.append(name)
+        self.released.append(q)
         for nodes, node in ((self.q, q), (self.v, v), (self.a, a)):
             nodes.append(node)
         self.drawn[q] = self._drawn_at_rest[q] = self._drawn_at_rest[v] = self.table.zero
