@@ -150,6 +150,7 @@ def _gear(record, scene):
         return
     if not belt:
         _touching(record, scene, names, radii)
+    _carried(record, scene, names)
     turn = scene.carrier(record).angle
     same = belt != record.get("crossed", False) if belt else record.get("inside", False)
     first, second = radii[0] * (angles[0] - turn), radii[1] * (angles[1] - turn)
@@ -157,6 +158,18 @@ def _gear(record, scene):
     if scene.released and not belt:
         node = node + _parted(record, scene, names, radii)
     scene.add_constraint(record, node, "belt" if belt else "gear")
+
+
+def _carried(record, scene, names):
+    """The axles rest in the carrier of a gear or belt."""
+    carrier = scene.carrier(record)
+    for name in names:
+        body = scene.bodies[name.text]
+        if body.frame is not None and not scene.released:
+            now = carrier.seen(*body.frame.point(*body.drawn))
+            if not all(scene.vanishes(x - x0) for x, x0 in zip(now, scene.at_drawn(*now), strict=True)):
+                scene.report(name.where, f"the axle of '{name.text}' moves" + (f" in '{record['carrier'].text}'"
+                             if "carrier" in record else ""), "name the body that carries both axles: `carrier: arm`")
 
 
 def _parted(record, scene, names, radii):
