@@ -85,7 +85,7 @@ def _touches(record, scene, stops):
     for (arriving, leaving), stop, item in zip(pairwise(directions), stops[1:-1], record["rope"][1:-1], strict=True):
         sense = stop.sense or _sense(record, scene, stops, stops.index(stop), peg=True)
         wrap = (leaving - arriving) * sense % (2 * pi)
-        if stop.side is not None and 1.5 * pi < wrap < 2 * pi - 1e-9:
+        if stop.side is not None and 1.25 * pi < wrap < 2 * pi - 1e-9:
             scene.report(item.where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
                          "name the other side, or draw the pulley where the rope bends round it")
             return False
