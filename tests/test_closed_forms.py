@@ -193,12 +193,13 @@ def test_a_wrong_form_is_not_shown(monkeypatch):
     assert problem(text).closed_forms is not None
     honest = block_modes._mode
 
-    def wrong(*args):
-        mode = honest(*args)
-        mode.square = mode.square * Fraction(1000001, 1000000)
-        return mode
-    monkeypatch.setattr(block_modes, "_mode", wrong)
-    assert problem(text).closed_forms is None
+    for part, factor in (("square", Fraction(1000001, 1000000)), ("omega", Fraction(1000001, 1000000)), ("omega", -1)):
+        def wrong(*args, part=part, factor=factor):
+            mode = honest(*args)
+            setattr(mode, part, getattr(mode, part) * factor)
+            return mode
+        monkeypatch.setattr(block_modes, "_mode", wrong)
+        assert problem(text).closed_forms is None
 
 
 def test_a_wrong_shape_and_a_wrong_damping_are_left_out(monkeypatch):

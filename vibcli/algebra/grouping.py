@@ -3,11 +3,10 @@
 Letters that several terms share are taken out, one after the other, as long as that saves letters.
 """
 
-from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced
 from vibcli.algebra.rationals import HALF, ONE
 
-MANY = 14       # terms, above which a polynomial is left flat
+MANY = 12       # terms, above which a polynomial is left flat
 
 
 def grouped(node):
@@ -62,10 +61,3 @@ def _shortest(table, total, known):
         if letters(candidate) < size:
             best, size = candidate, letters(candidate)
     return best
-
-
-def has_roots(node):
-    """Does a root stand anywhere in the node?"""
-    return any(e.denominator == 2 for part in reachable([node]) if part.op == "product" for _, e in part.args)
-
-

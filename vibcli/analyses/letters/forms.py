@@ -6,12 +6,12 @@ READABLE = 50       # letters in all amplitudes of a mode
 
 
 class ClosedMode:
-    """One mode. index: its number, from 1, at the sample values; square: ω²; omega: ω, or the growth rate √(−ω²)
-    where `unstable`; shape: amplitudes by coordinate with
-    the first that moves 1, or None; pattern: the same as functions of ω where that is shorter, and `turns` where the
-    second is a quarter period apart from the first; zeta, omega_d: damping ratio and damped frequency, or None;
-    zeta_pattern: ζ as a function of ω where that is shorter; pair: the surds.Pair that it shares with the other root of
-    its quadratic equation, or None; solves: the solutions.Turning of a gyroscopic mode whose ω is itself a root."""
+    """One mode. index: its number, from 1, at the sample values; square: ω²; omega: ω, or the growth rate √(−ω²) where
+    `unstable`; shape: amplitudes by coordinate with the first that moves 1, or None; pattern: the same as functions of
+    ω where that is shorter, and `turns` where the second is a quarter period apart from the first; zeta, omega_d:
+    damping ratio and damped frequency, or None; zeta_pattern: ζ as a function of ω where that is shorter; pair: the
+    surds.Pair that it shares with the other root of its quadratic equation, or None; solves: the solutions.Turning of
+    a gyroscopic mode whose ω is itself a root."""
 
     __slots__ = ("index", "omega", "omega_d", "pair", "pattern", "shape", "solves", "square", "turns", "unstable",
                  "zeta", "zeta_pattern")

@@ -71,8 +71,16 @@ def squares(candidate):
 
 
 def confirmed(modes, polynomials, candidates):
-    """Do the ω² in letters, and the roots of unsolved polynomials, equal those in numbers at every sample?"""
-    return all(_agree(_found(modes, polynomials, candidate), squares(candidate)) for candidate in candidates)
+    """Do the ω² in letters, and the roots of unsolved polynomials, equal those in numbers at every sample, and is each
+    ω the positive root of its square?"""
+    return all(_agree(_found(modes, polynomials, candidate), squares(candidate)) and _are_roots(modes, candidate)
+               for candidate in candidates)
+
+
+def _are_roots(modes, candidate):
+    values = evaluate([part for mode in modes for part in (mode.omega, mode.square)], Floats, candidate.floats)
+    return all(omega >= 0 and abs(omega * omega - (-square if mode.unstable else square)) <= CLOSE * abs(square)
+               for mode, omega, square in zip(modes, values[::2], values[1::2], strict=True))
 
 
 def _found(modes, polynomials, candidate):
@@ -124,7 +132,9 @@ def _damping_agrees(modes, candidate):
     zetas = evaluate([mode.zeta for mode in modes], Floats, candidate.floats)
     if len(candidate.scene.q) == 1:
         M, C, _, K = (matrix.get((0, 0), 0.0) for matrix in candidate.elements.matrices())
-        return abs(zetas[0] ** 2 * 4 * K * M - C * C) <= CLOSE * C * C
+        square, omega_d = K / M - C * C / (4 * M * M), evaluate([modes[0].omega_d], Floats, candidate.floats)[0]
+        return abs(zetas[0] ** 2 * 4 * K * M - C * C) <= CLOSE * C * C and (
+            square <= 0 or abs(omega_d * omega_d - square) <= CLOSE * K / M)
     omegas = evaluate([mode.omega for mode in modes], Floats, candidate.floats)
     if any(zeta >= 1 for zeta in zetas):
         return True
