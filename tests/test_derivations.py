@@ -22,7 +22,7 @@ PROBLEMS = sorted((HERE.parent / "problems").rglob("*.yaml"))
 DERIVATIONS = HERE / "derivations"
 EXPRESSION, WIDEST, SMALL = 1e-9, 0.005, 1e-10
 LEAST_FILES, LEAST_ANSWERS = 45, 300
-LITERAL = re.compile(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?(\s+[A-Za-z%°µ][\w/*^·%°µ²³]*)?\s*")
+LITERAL = re.compile(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?(\s+[A-Za-z%°µ][\w/*^·%°µ²³-]*)?\s*")
 
 
 def derivation(path):

@@ -6,7 +6,7 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.naming import check
-from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
+from vibcli.questions import ASKED, SEVERAL, STATE_FUNCTIONS, dimension
 
 
 def check_answers(spec, reader):
@@ -34,7 +34,7 @@ def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable") and not tree[4]:
+    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable", "equilibria") and not tree[4]:
         tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
         asked.tree = tree
     whole = tree[0] == "quantity"
@@ -93,7 +93,8 @@ def _quantity(spec, reader, expression, tree):
     if asked is None:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
         return False
-    if len(indices) != len(asked.indices) and not (head == "J" and len(indices) == 1):
+    kinds = (*asked.indices, "equilibrium") if head in SEVERAL and len(indices) > len(asked.indices) else asked.indices
+    if len(indices) != len(kinds) and not (head == "J" and len(indices) == 1):
         takes = {0: "no index", 1: "one index", 2: "two indices"}[len(asked.indices)]
         reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {_usage(head)}")
         return False
@@ -101,7 +102,7 @@ def _quantity(spec, reader, expression, tree):
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
                       "write " + " or ".join(tree[3].partition(".")[0] + (a and "." + a) for a in asked.attributes))
         return False
-    pairs = zip(asked.indices, indices, strict=False)
+    pairs = zip(kinds, indices, strict=False)
     if not all(_index(spec, reader, place, head, kind, index) for kind, index in pairs):
         return False
     bodies = spec.get("bodies") or {}
@@ -117,6 +118,8 @@ def _index(spec, reader, place, head, kind, index):
     bodies, points = spec.get("bodies") or {}, spec.get("points") or {}
     if kind == "mode":
         good, valid = index.isdecimal() and index.isascii() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
+    elif kind == "equilibrium":
+        good, valid = index.isdecimal() and index.isascii() and int(index) > 0, ["1", "2", "3"]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
     elif kind == "body":

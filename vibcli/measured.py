@@ -3,6 +3,7 @@
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.asking import coordinate_name
 from vibcli.errors import PhysicsError
+from vibcli.questions import ASKED, SEVERAL
 
 ROUNDING = 1e-14
 
@@ -10,7 +11,26 @@ ROUNDING = 1e-14
 def measure(problem, tree):
     """(value, relative error bound) of a quantity tree."""
     head, indices, attribute = tree[4], tree[5], tree[6]
+    if head in SEVERAL and len(indices) > len(ASKED[head].indices):
+        problem, indices = _about(problem, int(indices[-1])), indices[:-1]
     return _MEASURES[head](problem, indices, attribute)
+
+
+def _about(problem, number):
+    """The problem about one of all its equilibria."""
+    if number > _number(problem):
+        raise PhysicsError(f"there is no equilibrium {number}: this scene has {_number(problem) or 'none'} within the "
+                           "bounds", "ask for one that it has, or give bounds as in find: {equilibria: all, within: …}")
+    return problem.about_each[number - 1]
+
+
+def _number(problem):
+    """How many equilibria there are; refused where the search could not be finished."""
+    found = problem.equilibria
+    if not found.complete:
+        raise PhysicsError("the search for all equilibria was cut short: their number is not known",
+                           "give narrower bounds, as in find: {equilibria: all, within: …}")
+    return len(found.items)
 
 
 def _mode(problem, indices):
@@ -95,8 +115,10 @@ def _equilibrium(problem, indices, attribute):
 
 
 def is_stable(problem):
-    """Does K have no negative eigenvalue, and does V not fall along a direction in which it vanishes?"""
-    return all(mode.growth_rate is None for mode in problem.modes) and "falling" not in problem.zero_modes.values()
+    """Does nothing grow about the equilibrium? Motion that costs no energy counts as stable."""
+    from vibcli.analyses.stability import stability
+
+    return stability(problem).stable
 
 
 def _stable(problem, indices, attribute):
@@ -139,5 +161,6 @@ _MEASURES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
     "decay": _of_damped("decay", "decay"), "equilibrium": _equilibrium, "stable": _stable,
+    "equilibria": lambda problem, indices, attribute: (_number(problem), 0.0),
     "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
 }

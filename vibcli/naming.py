@@ -170,6 +170,9 @@ def _matrices(spec, reader):
 def _start(spec, reader):
     for name, value in (spec.get("equilibrium") or {}).items():
         value.dimension = spec.dimensions.unknown(name)
+    for name, bounds in spec.get("find").within.items() if spec.get("find") else ():
+        for bound in bounds:
+            bound.dimension = spec.dimensions.unknown(name)
     for name, record in spec.coordinates.items():
         if "drawn" in record:
             record["drawn"].dimension = spec.dimensions.unknown(name)

@@ -12,7 +12,10 @@ from functools import cached_property
 from vibcli.errors import defined_as_drawn
 from vibcli.stage import Stage
 
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
+          "equilibria")
+ABOUT = {"equilibrium", "equilibria", "about_each", "elements", "sources", "modes", "zero_modes", "damped", "equations",
+         "closed_forms", "balanced_as_drawn", "linear_in_letters", "matrices_in_letters"}   # differ between equilibria
 
 
 class Problem:
@@ -31,6 +34,13 @@ class Problem:
         if name not in self._cases:
             self._cases[name] = Problem(self.spec.cases[name], self.given)
         return self._cases[name]
+
+    def at_equilibrium(self, equilibrium):
+        """The same scene about another of its equilibria; what does not depend on it is shared."""
+        other = Problem(self.spec, self.given)
+        shared = {key: value for key, value in self.__dict__.items() if key not in ABOUT | other.__dict__.keys()}
+        other.__dict__.update(shared, equilibrium=equilibrium)
+        return other
 
     def draw(self):
         """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
@@ -191,6 +201,20 @@ class Problem:
         return numbers if is_balanced(numbers, terms + 2) else None
 
     @Stage
+    def equilibria(self):
+        """All equilibria within the bounds of the file, or within default ones."""
+        from vibcli.mechanics.equilibria import find_equilibria
+
+        return find_equilibria(self)
+
+    @cached_property
+    def about_each(self):
+        """The Problems about all equilibria."""
+        from vibcli.mechanics.degenerate import about
+
+        return [about(self, item) for item in self.equilibria.items]
+
+    @Stage
     def elements(self):
         """The element data at the equilibrium, in floats that are correct but for their own rounding."""
         from vibcli.mechanics.linearise import in_numbers
@@ -223,12 +247,17 @@ class Problem:
         except (Rationals.Irrational, KeyError, ZeroDivisionError):
             return None
 
+    @cached_property
+    def sources(self):
+        """Where more digits of the elements come from."""
+        return self.precise_elements, self.exact_elements
+
     @Stage
     def modes(self):
         """The modes of the system without its dampers."""
         from vibcli.analyses.spectrum import natural_modes
 
-        return self._named(natural_modes, self.elements, self.precise_elements, self.exact_elements)
+        return self._named(natural_modes, self.elements, *self.sources)
 
     @cached_property
     def zero_modes(self):
@@ -245,7 +274,7 @@ class Problem:
             return None
         from vibcli.analyses.spectrum import damped_modes
 
-        return self._named(damped_modes, elements, lambda: self.modes, self.precise_elements, self.exact_elements)
+        return self._named(damped_modes, elements, lambda: self.modes, *self.sources)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
@@ -271,9 +300,8 @@ class Problem:
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        sources = self.precise_elements, self.exact_elements
-        modes = self._named(natural_modes, self.elements, *sources, digits=digits)
-        return modes, self._named(damped_modes, self.elements, lambda: modes, *sources, digits=digits)
+        modes = self._named(natural_modes, self.elements, *self.sources, digits=digits)
+        return modes, self._named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
 
     # letters
 

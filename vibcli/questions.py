@@ -2,7 +2,7 @@
 
 from vibcli import units
 
-FIND = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping")
+FIND = ("equations", "energies", "equilibrium", "equilibria", "frequencies", "modes", "damping")
 
 
 class Asked:
@@ -26,6 +26,8 @@ ASKED = {
     "decay": Asked(("mode",), "1/s", "decay −Re λ of damped mode i"),
     "equilibrium": Asked(("coordinate",), None, "a coordinate in equilibrium"),
     "stable": Asked((), "1", "`true` where the equilibrium is stable"),
+    "equilibria": Asked((), "1", "number of equilibria within the bounds that `find` gives, or default ones; a line of "
+                        "neutral ones counts once"),
     "equation": Asked(("coordinate",), None,
                       "equation of small oscillations, the coordinates counted from equilibrium"),
     "motion": Asked(("coordinate",), None, "full equation of motion"),
@@ -39,6 +41,7 @@ ASKED = {
     "J": Asked(("body", "place"), "kg*m^2", "moment of inertia of a body about its mass centre, or about a point"),
     "centre": Asked(("body",), "m", "mass centre of a body as drawn", ("x", "y")),
 }
+SEVERAL = ("omega", "frequency", "period", "growth_rate", "equilibrium", "stable")  # a last index: which equilibrium
 STATE_FUNCTIONS = ("T", "V", "Phi", "equation", "motion")
 OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)  # of the matrix times two coordinates
             for key, power in (("M", 2), ("C", 1), ("G", 1), ("K", 0))}

@@ -54,6 +54,10 @@ def _data(problem, parts, normalise, digits):
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if "frequencies" in parts:
         found |= frequencies_data(problem, normalise, digits)
+    if "equilibria" in parts and problem.spec.get("find") and problem.spec.get("find").search:
+        from vibcli.report.equilibria import equilibria_data
+
+        found |= equilibria_data(problem)
     if "equations" in parts:
         if problem.equations.refusal:
             raise problem.equations.refusal

@@ -95,7 +95,8 @@ def quantities_table(catalogue):
     rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number."]
-    return [paragraph(lines[0]), table(rows), ["How they are compared", *table(topics.COMPARED)]]
+    return [paragraph(lines[0]), table(rows), paragraph(topics.SEVERAL),
+            ["How they are compared", *table(topics.COMPARED)]]
 
 
 def _unit(asked):

@@ -6,13 +6,14 @@ from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.linearise import in_numbers
 
 ROUNDED = 40
+GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
 def elements_to(problem, digits):
     """OscillatorElements of mpmath numbers, good to `digits` digits."""
     import mpmath
 
-    with mpmath.workdps(digits + 10):
+    with mpmath.workdps(digits + GUARD):
         arithmetic = multiprecision()
         values = problem.values(arithmetic)
         if problem.equilibrium.drawn:
@@ -31,7 +32,7 @@ def equilibrium_to(problem, values, arithmetic):
         numbers = in_numbers(problem.form, arithmetic, {**values, **dict(zip(names, q, strict=True))})
         step = _newton_step(numbers, mpmath)
         q = [a + d for a, d in zip(q, step, strict=True)]
-        if max(map(abs, step)) <= mpmath.eps * 100 * (1 + max(map(abs, q))):
+        if max(map(abs, step)) <= mpmath.eps * 10 ** (GUARD - 3) * (1 + max(map(abs, q))):
             return dict(zip(names, q, strict=True))
     raise PhysicsError("the equilibrium does not converge to more digits: it is degenerate", "ask for fewer digits")
 

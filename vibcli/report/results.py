@@ -79,17 +79,19 @@ def _entry(value, symbolic):
 
 
 def equilibrium_data(problem):
-    """{coordinates: {name: value}, stable, residual}."""
+    """{coordinates: {name: value}, stable, residual, condition, warning}."""
     if problem.symbolic:
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
         values = equilibrium_in_letters(problem)
         coordinates = {name: language(node) for name, node in values.items()}
-        return {"coordinates": coordinates, "stable": None, "residual": None}
+        return {"coordinates": coordinates, "stable": None, "residual": None, "condition": None, "warning": None}
+    from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
     from vibcli.measured import is_stable
 
-    found = problem.equilibrium
-    return {"coordinates": dict(found.values), "stable": is_stable(problem), "residual": found.residual}
+    found, condition = problem.equilibrium, stiffness_condition(problem)
+    return {"coordinates": dict(found.values), "stable": is_stable(problem), "residual": found.residual,
+            "condition": condition, "warning": bifurcation_warning(condition)}
 
 
 def modes_data(problem, modes, normalise="first", write=float):

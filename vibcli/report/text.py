@@ -12,7 +12,9 @@ from vibcli.report.results import joined, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
 from vibcli.spec import QUOTE
 
-EVERYTHING = ("given", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping", "modes")
+ORDER = ("given", "coordinates", "equilibrium", "equilibria", "energies", "equations", "frequencies", "damping",
+         "modes")
+EVERYTHING = tuple(section for section in ORDER if section != "equilibria")
 LONGEST = 2400
 
 
@@ -82,23 +84,27 @@ class Report:
         if problem.symbolic:
             self._equilibrium_in_letters()
             return
-        from vibcli.measured import is_stable
+        from vibcli.analyses.stability import WORDS as WORDS_OF_STABILITY
+        from vibcli.analyses.stability import stability
+        from vibcli.report.equilibria import equilibrium_warning
 
         found = problem.equilibrium
         values = [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
                   for name, value in found.values.items()]
-        kinds = problem.zero_modes.values()
-        stable = "stable" if is_stable(problem) else "unstable"
-        if stable == "stable" and "free" in kinds:
-            stable = "neutral: it can move freely"
-        elif stable == "stable" and kinds:
-            stable = "stable, but only terms beyond the linear ones hold it"
+        stable = WORDS_OF_STABILITY[stability(problem).kind]
         where = "the drawn position" if found.drawn else "shifted from the drawn position"
         lines = [f"{', '.join(values)}   ({where})",
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
+        warning = equilibrium_warning(problem)
+        lines += wrapped(warning) if warning else []
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
+
+    def _equilibria(self):
+        from vibcli.report.equilibria import equilibria_lines
+
+        self.section("Equilibria", equilibria_lines(self.problem))
 
     def _preload(self, node, name):
         text = plain(node)
