@@ -24,11 +24,11 @@ ROOMS = (
     ("algebra", ("algebra",)),
     ("fields", ("reading", "fields")),
     ("elements", ("elements",)),
-    ("spec", ("naming", "asking", "parameters", "spec")),
+    ("spec", ("signals", "naming", "asking", "choosing", "parameters", "spec")),
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
-    ("results", ("report", "stage", "problem", "measured", "draws", "check")),
+    ("results", ("report", "stage", "on_request", "problem", "measured", "inverse", "draws", "check")),
     ("manual", ("manual",)),
     ("cli", ("cli", "__main__")),
     ("bench", ("bench",)),
@@ -119,15 +119,21 @@ import json, sys
 from vibcli.cli import run
 code = run(sys.argv[1:])
 sys.stdout.flush()
-print(json.dumps([code, sorted({name.partition('.')[0] for name in sys.modules})]), file=sys.stderr)
+print(json.dumps([code, sorted(sys.modules)]), file=sys.stderr)
 """
 
 
-def modules(*args):
-    """(exit code, top-level modules imported) of one command in a process of its own."""
+def imported(*args):
+    """(exit code, modules imported) of one command in a process of its own."""
     done = subprocess.run([sys.executable, "-c", RUN, *map(str, args)], capture_output=True, text=True, timeout=60)
     code, names = json.loads(done.stderr.splitlines()[-1])
-    return code, set(names) & set(HEAVY)
+    return code, set(names)
+
+
+def modules(*args):
+    """(exit code, heavy packages imported) of one command in a process of its own."""
+    code, names = imported(*args)
+    return code, {name.partition(".")[0] for name in names} & set(HEAVY)
 
 
 @pytest.fixture(scope="module")
@@ -177,7 +183,50 @@ def test_check_in_numbers(stem):
     assert not names & {"scipy", "sympy", "matplotlib"}
 
 
+INSIGHT = {f"vibcli.{name}" for name in (
+    "algebra.dual", "analyses.sharp", "analyses.shares", "analyses.sensitivities", "analyses.estimates",
+    "mechanics.inner_products", "mechanics.owners", "mechanics.perturbed", "report.insight", "report.insight_data")}
+LOADED = RUN.replace("{name.partition('.')[0] for name in sys.modules}", "sys.modules")
+
+
+@pytest.mark.parametrize(("args", "expected"), [
+    (["solve"], set()), (["solve", "--json"], set()), (["frequencies"], set()), (["check"], set()),
+    (["solve", "--insight"], INSIGHT)], ids=["solve", "json", "frequencies", "check", "insight"])
+def test_insight_is_imported_only_where_it_is_asked_for(two_degrees, args, expected):
+    done = subprocess.run([sys.executable, "-c", LOADED, *args, str(two_degrees)], capture_output=True, text=True,
+                          timeout=60)
+    code, names = json.loads(done.stderr.splitlines()[-1])
+    assert code == 0
+    assert INSIGHT & set(names) == expected
+    assert not {"scipy", "sympy", "matplotlib"} & set(names)
+
+
 def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
     code, names = modules("solve", PROBLEMS / "3_free_undamped" / "taut_bead.yaml")
     assert code == 0
     assert not names & {"scipy", "matplotlib"}
+
+
+OF_CHOICES = {"vibcli.inverse", "vibcli.choosing", "vibcli.elements.choose", "vibcli.report.chosen",
+              "vibcli.analyses.solving", "vibcli.analyses.zeros", "vibcli.analyses.several"}
+
+
+@pytest.mark.parametrize("command", ["solve", "frequencies", "equations", "check"])
+def test_a_scene_that_chooses_nothing_imports_nothing_of_it(two_degrees, command):
+    code, names = imported(command, two_degrees)
+    assert code == 0
+    assert not names & OF_CHOICES
+
+
+@pytest.mark.parametrize("command", ["frequencies", "check"])
+def test_choosing_in_numbers_needs_no_heavy_package_but_numpy(tmp_path, command):
+    path = tmp_path / "chosen.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m}\n"
+                    "bodies:\n  a: {mass: m, slide: x}\n  b: {mass: m, slide: y}\n"
+                    "springs:\n  s: {k: k, between: [ground, a]}\n  t: {k: k2, between: [a, b]}\n"
+                    "dampers:\n  d: {c: c, between: [ground, a]}\n"
+                    "choose:\n  k2: omega[2] = 40 rad/s\n  c: zeta[1] = 0.1\n"
+                    "answers:\n  omega[2]: 40 rad/s\n")
+    code, names = imported(command, path)
+    assert code == 0 and "vibcli.inverse" in names
+    assert not {name.partition(".")[0] for name in names} & {"scipy", "sympy", "matplotlib"}

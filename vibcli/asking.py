@@ -5,8 +5,10 @@ from vibcli.algebra.meaning import DimensionCheck, counts_cycles, names_in, quan
 from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
-from vibcli.naming import check
-from vibcli.questions import ASKED, SEVERAL, STATE_FUNCTIONS, dimension
+from vibcli.naming import check, cyclic
+from vibcli.parameters import independent
+from vibcli.questions import ASKED, BARE, SEVERAL, STATE_FUNCTIONS, dimension
+from vibcli.signals import near_signals, signal_dimension
 
 
 def check_answers(spec, reader):
@@ -18,8 +20,25 @@ def check_answers(spec, reader):
 
 
 def asked_dimension(spec, tree):
+    if is_choice(spec, tree):
+        return spec.dimensions.of(tree[4])
     indices = [coordinate_name(spec, index) or index for index in tree[5]]
-    return dimension(tree[4], indices, spec.dimensions.of)
+
+    def of(name):
+        known = name in spec.coordinates or name in spec.parameters
+        return spec.dimensions.of(name) if known else signal_dimension(spec, name)
+
+    return dimension(tree[4], indices, of)
+
+
+def is_choice(spec, tree):
+    """Does a tree ask for a chosen parameter: c, or its second solution c[2]?"""
+    choices = spec.get("choose") or ()
+    if tree[0] == "name":
+        return tree[3] in choices and not tree[4]
+    indices = tree[5]
+    return tree[4] in choices and len(indices) == 1 and indices[0].isdecimal() and (
+        tree[4] not in ASKED or len(ASKED[tree[4]].indices) != 1)
 
 
 def coordinate_name(spec, index):
@@ -34,14 +53,15 @@ def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable", "equilibria") and not tree[4]:
+    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not is_choice(spec, tree):
         tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
         asked.tree = tree
     whole = tree[0] == "quantity"
     for quantity in quantities_in(tree):
-        if not _quantity(spec, reader, asked, quantity):
+        if not can_be_asked(spec, reader, asked, quantity):
             return
-    if not whole and not quantities_in(tree):
+    chosen = {name for name, *_ in names_in(tree)} & set(spec.get("choose") or ())
+    if not whole and not quantities_in(tree) and not chosen:
         if asked.text in ASKED:
             reader.report(asked.where, f"{quoted(asked.text)} needs an index", f"write {_usage(asked.text)}")
         else:
@@ -55,24 +75,24 @@ def _answer(spec, reader, answer):
         return
     for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
         for quantity in quantities_in(part.tree):
-            if not _quantity(spec, reader, part, quantity):
+            if not can_be_asked(spec, reader, part, quantity):
                 return
     if head in STATE_FUNCTIONS and quantities_in(expected.tree):
         quantity = quantities_in(expected.tree)[0]
         reader.report(expected.scalar.place(quantity[1], quantity[2] - quantity[1]),
                       f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
         return
-    _cycles(spec, reader, head, expected)
-    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates)
+    refuse_cycles(spec, reader, head, expected)
+    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
     check(spec, reader, asked, spec.parameters, None)
-    dimension_asked = asked_dimension(spec, tree) if whole else _dimension_of(spec, asked)
-    expected.unit = ASKED[head].unit if whole else None
+    dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
+    expected.unit = ASKED[head].unit if whole and not is_choice(spec, tree) else None
     check(spec, reader, expected, names, dimension_asked)
     if answer.rtol is not None:
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
 
 
-def _dimension_of(spec, expression):
+def dimension_of(spec, expression):
     try:
         return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
                               lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
@@ -85,10 +105,12 @@ def _usage(head):
     return head + (f"[{', '.join(indices)}]" if indices else "")
 
 
-def _quantity(spec, reader, expression, tree):
+def can_be_asked(spec, reader, expression, tree):
     """Is this a quantity that can be asked of this scene? Reports what is wrong with it."""
     head, indices, attribute = tree[4], tree[5], tree[6]
     place = expression.scalar.place(tree[1], tree[2] - tree[1])
+    if is_choice(spec, tree):
+        return True
     asked = ASKED.get(head)
     if asked is None:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
@@ -122,25 +144,28 @@ def _index(spec, reader, place, head, kind, index):
         good, valid = index.isdecimal() and index.isascii() and int(index) > 0, ["1", "2", "3"]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
+    elif kind == "signal":
+        good = coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
+        valid = near_signals(spec, index)
+    elif kind == "parameter":
+        good, valid = index in independent(spec.parameters), independent(spec.parameters)
+        if not good and index in spec.parameters:
+            reader.report(place, f"'{index}' is defined by other parameters", nearest(index, valid))
+            return False
     elif kind == "body":
         good, valid = index in bodies, list(bodies)
     else:
         good, valid = index in points or index in bodies, [*points, *bodies]
     if not good:
+        kind = "coordinate or signal" if kind == "signal" else kind
         reader.report(place, f"this scene has no {kind} {quoted(index)}", nearest(index, valid) or "it has none at all")
     return good
 
 
-def _cyclic(spec, tree):
-    """The parameters named in a tree whose value is in Hz."""
-    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
-    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
-
-
-def _cycles(spec, reader, head, expected):
+def refuse_cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
-    angular = head in ("omega", "omega_d", "decay", "growth_rate")
-    if angular and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
+    angular = head in ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
+    if angular and counts_cycles(expected.tree, cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
     tree = expected.tree

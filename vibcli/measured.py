@@ -1,8 +1,14 @@
 """The value of a quantity — omega[1], J[disc, O], K[x, phi] — of a numeric problem, with its error bound."""
 
+from math import isfinite
+
+from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.asking import coordinate_name
-from vibcli.errors import PhysicsError
+from vibcli.algebra.meaning import lower, quantities_in
+from vibcli.algebra.parse import ExpressionError
+from vibcli.asking import coordinate_name, is_choice
+from vibcli.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.mechanics.signals import displacement, force
 from vibcli.questions import ASKED, SEVERAL
 
 ROUNDING = 1e-14
@@ -11,9 +17,38 @@ ROUNDING = 1e-14
 def measure(problem, tree):
     """(value, relative error bound) of a quantity tree."""
     head, indices, attribute = tree[4], tree[5], tree[6]
+    if is_choice(problem.spec, tree) and problem.chosen is not None:
+        return problem.chosen.value(head, int(indices[0])), ROUNDING
     if head in SEVERAL and len(indices) > len(ASKED[head].indices):
         problem, indices = _about(problem, int(indices[-1])), indices[:-1]
     return _MEASURES[head](problem, indices, attribute)
+
+
+def value_of(problem, expression):
+    """(value, relative error bound) of an expression of parameters and quantities."""
+    scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
+    for quantity in quantities_in(tree):
+        values[quantity[3]], error = measure(problem, quantity)
+        worst = max(worst, error)
+    table = scene.table
+
+    def symbol(name, primes, part):
+        return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
+
+    value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
+    if not isfinite(value):
+        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
+                           expression.where)
+    return value, worst
+
+
+def lowered(expression, table, symbol):
+    """The node of a parsed expression; SpecError where it divides by zero."""
+    try:
+        return lower(expression.tree, table, symbol)
+    except ExpressionError as error:
+        place = expression.scalar.place(error.offset, error.width)
+        raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
 
 
 def _about(problem, number):
@@ -40,6 +75,15 @@ def _mode(problem, indices):
         raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}",
                            "ask for one that it has")
     return modes[number - 1]
+
+
+def number_of(problem, index):
+    """The number of an independent coordinate, from 0."""
+    name = coordinate_name(problem.spec, index)
+    if name not in problem.scene.coordinates:
+        raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints: it has no equation of its "
+                           "own", "ask for " + " or ".join(f"'{other}'" for other in problem.scene.coordinates[:3]))
+    return problem.scene.coordinates.index(name)
 
 
 def _counted(count, noun):
@@ -80,11 +124,24 @@ def _growth_rate(problem, indices, attribute):
 
 def _shape(problem, indices, attribute):
     mode = _mode(problem, indices[:1])
-    amplitude = problem.shape(mode)[problem.scene.coordinates.index(coordinate_name(problem.spec, indices[1]))]
+    amplitude = _along(problem, problem.shape(mode), coordinate_name(problem.spec, indices[1]) or indices[1])
     if isinstance(amplitude, complex) and amplitude.imag:
         raise PhysicsError(f"the amplitudes of mode {indices[0]} are not in phase: it has no real shape",
                            "see `vibcli frequencies`")
     return float(amplitude.real), 1e-11
+
+
+def _along(problem, shape, signal):
+    """How far a signal moves where the coordinates move by `shape`: Σ (∂s/∂qᵢ) φᵢ."""
+    scene = problem.scene
+    if signal in scene.coordinates:
+        return shape[scene.coordinates.index(signal)]
+    node = displacement(scene, signal)
+    if node is None:
+        raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
+    slopes = gradient(node)
+    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.at_rest)
+    return sum(slope * x for slope, x in zip(values, shape, strict=True))
 
 
 def damped_mode(problem, indices):
@@ -110,8 +167,33 @@ def _of_damped(attribute_name, words):
     return value
 
 
+def _sensitivity(problem, indices, attribute):
+    mode, name = _oscillating(problem, indices[:1], "sensitivity"), indices[1]
+    if mode.rigid:
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: its frequency has no sensitivity",
+                           "ask for that of a mode which oscillates")
+    found = problem.sensitivities
+    if name in found.refused:
+        raise PhysicsError(found.refused[name], "see `vibcli solve --insight`")
+    rate = found.omega[name][mode.index]
+    if rate is None:
+        raise PhysicsError(f"mode {indices[0]} coincides with another one, and they are gyroscopic",
+                           "derivatives of such modes are not found")
+    return rate, ROUNDING
+
+
+def _estimate(which):
+    def value(problem, indices, attribute):
+        return getattr(problem.estimates, which), ROUNDING
+    return value
+
+
 def _equilibrium(problem, indices, attribute):
-    return problem.equilibrium.values[coordinate_name(problem.spec, indices[0])], ROUNDING
+    signal = coordinate_name(problem.spec, indices[0]) or indices[0]
+    node = displacement(problem.scene, signal)
+    if node is None:
+        return force(problem, signal), ROUNDING
+    return evaluate([node], Floats, problem.at_rest)[0], ROUNDING
 
 
 def is_stable(problem):
@@ -128,21 +210,24 @@ def _stable(problem, indices, attribute):
 def _matrix(which):
     def value(problem, indices, attribute):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
-        i, j = (problem.scene.coordinates.index(coordinate_name(problem.spec, index)) for index in indices)
+        i, j = (number_of(problem, index) for index in indices)
         return float(matrices[which].get((i, j), 0.0)), ROUNDING
     return value
 
 
-def _inertia(problem, indices, attribute):
+def inertia_node(scene, indices):
     """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
-    scene = problem.scene
     body = scene.bodies[indices[0]]
     node = body.inertia if body.inertia is not None else scene.table.zero
     if len(indices) == 2:
         x, y = _drawn(scene, indices[1])
         mass = body.mass if body.mass is not None else scene.table.zero
         node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
-    return evaluate(scene.at_drawn(node), Floats, problem.floats)[0], ROUNDING
+    return scene.at_drawn(node)[0]
+
+
+def _inertia(problem, indices, attribute):
+    return evaluate([inertia_node(problem.scene, indices)], Floats, problem.floats)[0], ROUNDING
 
 
 def _drawn(scene, name):
@@ -151,16 +236,19 @@ def _drawn(scene, name):
     return scene.pair(scene.spec.get("points")[name]["at"])
 
 
+def centre_node(scene, indices, attribute):
+    return scene.bodies[indices[0]].centre["xy".index(attribute)]
+
+
 def _centre(problem, indices, attribute):
-    scene = problem.scene
-    node = scene.bodies[indices[0]].centre["xy".index(attribute)]
-    return evaluate([node], Floats, problem.floats)[0], ROUNDING
+    return evaluate([centre_node(problem.scene, indices, attribute)], Floats, problem.floats)[0], ROUNDING
 
 
 _MEASURES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
-    "decay": _of_damped("decay", "decay"), "equilibrium": _equilibrium, "stable": _stable,
+    "decay": _of_damped("decay", "decay"), "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
+    "dunkerley": _estimate("dunkerley"), "equilibrium": _equilibrium, "stable": _stable,
     "equilibria": lambda problem, indices, attribute: (_number(problem), 0.0),
     "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
 }

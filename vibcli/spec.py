@@ -48,25 +48,26 @@ SECTIONS = {
     "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
     "gravity": (gravity.KIND, gravity.ABOUT),
     "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
-    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll on"),
+    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll, slide or lie on"),
     "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
     "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
     "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),
+    "forces": (Named(Lazy("force"), "a mapping from names to forces"), "loads: forces, moments, generalised forces"),
+    "constraints": (Named(Lazy("constraint"), "a mapping from names to constraints"), "what ties motions together"),
     "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
     "matrices": (Lazy("matrices"), "M, C and K given outright"),
     "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
     "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
+    "choose": (Named(Lazy("choose"), "a mapping from parameters to conditions", ("pi", "t")),
+               "parameters that conditions determine"),
     "answers": (answer.KIND, "expected answers, which `check` compares"),
     "cases": (_Cases(), "parts of the scene by name, each merged over it, with its own find and answers"),
 }
 
 
 INSTEAD = {
-    "forces": "a constant force is written as a potential, energies: {V: -F*x}; loads in time do not work yet",
-    "constraints": "write what follows from x as a motion in x, such as turn: -x/R",
     "initial": "motion in time does not work yet",
     "motion": "the equations are always found in full and for small oscillations",
-    "choose": "leave the parameter without value: the results are then written in letters",
     "variants": "give other values under cases, or with --set",
     "damping": "write the dampers one by one under dampers",
 } | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
@@ -75,14 +76,14 @@ INSTEAD = {
 class Spec:
     """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
-    __slots__ = ("answers", "asked_dimension", "cases", "coordinates", "dimensions", "file", "free_numbers", "named",
-                 "parameters", "sections", "used", "velocities")
+    __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "dimensions", "file", "free_numbers",
+                 "named", "parameters", "sections", "used", "velocities")
 
     def __init__(self, file, sections, named):
         """`named`: the names that stand in each section, of what could not be read as well."""
         self.file, self.sections, self.named = file, sections, named
         self.parameters = sections.get("parameters", {})
-        self.answers = sections.get("answers", [])
+        self.answers, self.choices = sections.get("answers", []), {}
         self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
 
     def get(self, section, default=None):
@@ -121,7 +122,23 @@ def _once(diagnostics):
 def _merged(root, part):
     """The scene with a case merged over it; answers and find are the case's own."""
     entries = {key: pair for key, pair in root.entries.items() if key not in ("cases", "answers", "find")}
-    return _mapping(_over(entries, part.entries), part.where)
+    merged = _over(entries, part.entries)
+    if "choose" in entries and isinstance(merged["choose"][1], Mapping):
+        merged["choose"] = _still_chosen(*merged["choose"], part)
+        if not merged["choose"][1].entries:
+            del merged["choose"]
+    return _mapping(merged, part.where)
+
+
+def _still_chosen(key_node, choices, part):
+    """The conditions of a scene without those of parameters to which the case gives a value."""
+    given = part.entries["parameters"][1] if "parameters" in part.entries else None
+    own = part.entries["choose"][1] if "choose" in part.entries else None
+    names = {plain_name(key) for key, (_, value) in given.entries.items()
+             if not (isinstance(value, Scalar) and not value.text)} if isinstance(given, Mapping) else set()
+    names -= {plain_name(key) for key in own.entries} if isinstance(own, Mapping) else set()
+    left = {key: pair for key, pair in choices.entries.items() if plain_name(key) not in names}
+    return key_node, _mapping(left, choices.where)
 
 
 def _mapping(entries, where):
@@ -144,6 +161,10 @@ def _read_one(root, file, found, settings, remark=""):
     reader = Reader()
     try:
         spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
+        if "choose" in spec.named:
+            from vibcli.choosing import enter
+
+            enter(spec, reader, spec.named["choose"])
         _settings(spec, settings)
         naming.resolve(spec, reader)
         _question(spec, root, reader)
@@ -170,7 +191,7 @@ def _sections(root, reader):
             record = SECTIONS[key][0].read(value, reader)
             if record is not None:
                 sections[key] = record
-        if key not in ("answers", "find", "cases"):
+        if key not in ("answers", "find", "cases", "choose"):
             reader.sound &= len(reader.diagnostics) == before
     return sections
 
@@ -190,12 +211,13 @@ def _names(node):
 
 
 def _settings(spec, settings):
-    """Values given from outside replace those of the file; a bare number takes the unit of the file's."""
+    """Values given from outside replace those of the file, and conditions; a bare number takes the unit there."""
     from vibcli.parameters import override
 
     for name, tree_and_scalar in settings.items():
         if name in spec.parameters:
             override(spec.parameters[name], *tree_and_scalar)
+            spec.choices = {key: record for key, record in spec.choices.items() if key != name}
 
 
 def _question(spec, root, reader):
@@ -211,5 +233,7 @@ def _report_unused(spec, used, diagnostics):
     """An unused parameter is an error, unless it says `unused: allowed`."""
     for name, record in spec.parameters.items():
         if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":
-            diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used",
-                                          f"take it out, or write {name}: {{value: …, unused: allowed}}"))
+            hint = f"take it out, or write {name}: {{value: …, unused: allowed}}"
+            if name in spec.choices:
+                hint = "it can be chosen only where something in the scene depends on it"
+            diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used", hint))

@@ -68,7 +68,7 @@ class Table:
     def __init__(self):
         self._nodes = {}
         self._count = 0
-        self.variables = []
+        self.variables, self.called = [], set()
         self.sample, self._signs = None, {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
@@ -108,6 +108,10 @@ class Table:
         node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
         self.variables.append(node)
         return node
+
+    def dependent(self, name, mask):
+        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved."""
+        return self._make("symbol", (self.one,), ONE, mask, name)
 
     def scaled(self, node, factor):
         """factor·node, the factor rational; over a sum it is distributed."""
@@ -246,6 +250,10 @@ class Table:
             return self._signs[total]
         return (total.coefficient or total.args[0][1]) < 0
 
+    def resample(self, sample):
+        """Decide by other values of the parameters from now on how R − r is written."""
+        self.sample, self._signs = sample, {}
+
     def _sample_sign(self, total):
         from vibcli.algebra.evaluate import Floats, evaluate
 
@@ -261,6 +269,8 @@ class Table:
     def is_positive(self, node):
         if node.op == "number":
             return node.coefficient > 0
+        if node.op == "sum":
+            return node.coefficient >= 0 and all(c > 0 and part in self.positive for part, c in node.args)
         return node in self.positive or node.name in ("exp", "cosh")
 
     def power(self, base, exponent):
@@ -289,6 +299,7 @@ class Table:
         mask = 0
         for arg in args:
             mask |= arg.mask
+        self.called.add(name)
         return self._make("call", tuple(args), ONE, mask, name)
 
 

@@ -62,7 +62,8 @@ def _change(problem, x):
 
     def along(step):
         moved = {name: at[name] + step * a / unit for name, a in zip(names, x, strict=True)}
-        K = in_numbers(problem.form, Floats, {**problem.floats, **at, **moved}).elements.stiffness()
+        place = problem.closed(at, {**at, **moved})
+        K = in_numbers(problem.form, Floats, {**problem.floats, **place}).elements.stiffness()
         return sum(value * x[i] * x[j] for (i, j), value in K.items())
 
     before, here, after = (along(step) for step in (-STEP, 0.0, STEP))

@@ -1,11 +1,14 @@
 """Damped modes as they are handed on: numbered, two real eigenvalues of one over-damped mode as a pair."""
 
 import math
+from itertools import pairwise
 
 from vibcli.analyses import fixed as fx
+from vibcli.analyses.modal import kind
 
 ULP = 2.0 ** -52
 PROPORTIONAL = 1e-12
+SAME = 45
 
 
 class DampedMode:
@@ -14,7 +17,8 @@ class DampedMode:
     omega = |λ|, zeta = −Re λ/|λ|, omega_d = Im λ or None, decay = −Re λ, growth_rate = Re λ where positive,
     else None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂) and
     zeta = −(λ₁ + λ₂)/(2 omega); a real one that belongs to no such pair has zeta None. shape: complex, with
-    shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|. note: what has to be said, or None.
+    shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|, without dampers of that relative to each of the two parts of λ
+    that is not zero. note: what has to be said, or None.
     """
 
     __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
@@ -28,16 +32,20 @@ class DampedMode:
         self.decay = -re if re else abs(re)
         self.growth_rate = re if re > 0 else None
 
+    @property
+    def kind(self):
+        """rigid, oscillation, decay, flutter or divergence."""
+        return kind(self.eigenvalue.real, self.omega_d)
+
 
 def collected(answer, numbers, shapes):
     """DampedMode objects by ascending |λ| of a damped.Answer; shapes: a column for each of its eigenvalues."""
     system, found, scale = answer.system, answer.found, answer.scale
     bits, index, out = system.bits, {}, []
     partner = pairs(system, found)
-    order = sorted(range(len(found)), key=lambda i: (found[i].re ** 2 + found[i].im ** 2, -found[i].re))
-    for i in order:
+    for i in _by_size(found):
         d = found[i]
-        size = fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits)
+        size = fx.magnitude(math.isqrt(d.re * d.re + d.im * d.im), bits)
         re = 0 if _imaginary(d, size, answer) else d.re
         value = numbers.complex(re, d.im, bits - scale.time)
         square, zeta = math.isqrt(re * re + d.im * d.im), None
@@ -50,10 +58,21 @@ def collected(answer, numbers, shapes):
         note = _note(system, d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
-        error = numbers.error(d.radius - size) if square else 0.0
+        least = fx.magnitude(min(abs(re), d.im), bits) if answer.undamped and re and d.im else size
+        error = numbers.error(d.radius - least) if square else 0.0
         omega = numbers.number(square, bits - scale.time)
         out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
     return out
+
+
+def _by_size(found):
+    """Places by ascending |λ|; of eigenvalues of one size, to SAME bits, that which decays least comes first."""
+    squares = [d.re ** 2 + d.im ** 2 for d in found]
+    order = sorted(range(len(found)), key=squares.__getitem__)
+    first = [k for k, i in enumerate(order) if not k or squares[i] - squares[order[k - 1]] > squares[i] >> SAME]
+    for a, b in pairwise([*first, len(order)]):
+        order[a:b] = sorted(order[a:b], key=lambda i: -found[i].re)
+    return order
 
 
 def _imaginary(d, size, answer):

@@ -26,12 +26,9 @@ class Stability:
 
 def stability(problem):
     """The Stability of the equilibrium of a numeric problem."""
-    growing = [mode.growth_rate for mode in problem.modes if mode.growth_rate is not None]
-    if (growing or _dampers_decide(problem.elements)) and problem.damped is not None:
-        growing = [mode.growth_rate for mode in problem.damped if mode.growth_rate is not None
-                   and mode.growth_rate > mode.error * abs(mode.eigenvalue)]
-    if growing:
-        return Stability(UNSTABLE, float(max(growing)))
+    modes = (problem.damped if _dampers_decide(problem.elements) else None) or problem.modes
+    if growing(modes):
+        return Stability(UNSTABLE, float(max(growing(problem.damped or ()) or growing(modes))))
     kinds = problem.zero_modes.values()
     if "falling" in kinds:
         return Stability(FALLING)
@@ -40,6 +37,12 @@ def stability(problem):
     return Stability(HELD if kinds else STABLE)
 
 
+def growing(modes):
+    """The growth rates of the modes that grow."""
+    return [mode.growth_rate for mode in modes if mode.kind in ("flutter", "divergence")]
+
+
 def _dampers_decide(elements):
-    """May there be gyroscopic terms, or dampers that feed energy in?"""
-    return any(elements.G.values()) or any(elements.C.values()) or any(c < 0 for c, _ in elements.dampers)
+    """May dampers feed energy in, or take away what gyroscopic or circulatory terms hold?"""
+    loads = any(any(part.values()) for part in (elements.C, elements.drag, elements.G))
+    return loads or elements.circulatory or any(c < 0 for c, _ in elements.dampers)

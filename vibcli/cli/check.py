@@ -62,7 +62,7 @@ def _check_file(file):
     try:
         problem = load(file)
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
-            problem.draw()
+            _settle(problem)
             return 0, []
         from vibcli.check import check
 
@@ -79,6 +79,16 @@ def _check_file(file):
     finally:
         _sources.pop(file, None)
     return 4 if refused else int(any(not v.agrees for v in verdicts)), verdicts
+
+
+def _settle(problem):
+    """Refused where the scene or a case of it cannot be drawn, or what it chooses cannot be found."""
+    problem.draw()
+    for part in (problem, *map(problem.case, problem.spec.cases)):
+        if part.spec.choices:
+            from vibcli.inverse import settled
+
+            settled(part)
 
 
 def _name(verdict):

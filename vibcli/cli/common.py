@@ -96,8 +96,8 @@ def _settings(settings, node):
     from vibcli.errors import Where
     from vibcli.fields import nearest
 
-    section = node.entries.get("parameters") if node is not None else None
-    known = {plain_name(key) for key in section[1].entries} if section and isinstance(section[1], Mapping) else set()
+    sections = [node.entries[key][1] for key in ("parameters", "choose") if node is not None and key in node.entries]
+    known = {plain_name(key) for section in sections if isinstance(section, Mapping) for key in section.entries}
     found = {}
     for setting in settings:
         name, equals, text = setting.partition("=")

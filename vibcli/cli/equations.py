@@ -11,5 +11,5 @@ from vibcli.cli.output import print_scenes
 def command(file, settings, case, as_json, timings):
     """Energies and equations of motion, full and for small oscillations."""
     problems = chosen(load(file, settings), case)
-    return print_scenes(problems, lambda problem: ("coordinates", "energies", "equations"), as_json,
+    return print_scenes(problems, lambda problem: ("chosen", "coordinates", "energies", "equations"), as_json,
                         timings, data=("equations",))

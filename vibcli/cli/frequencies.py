@@ -12,5 +12,6 @@ from vibcli.cli.output import print_scenes
 def command(file, settings, case, as_json, timings, digits, normalise):
     """Equilibrium, natural frequencies, damping and mode shapes."""
     problems = chosen(load(file, settings), case)
-    return print_scenes(problems, lambda problem: ("equilibrium", "frequencies", "damping", "modes"),
+    return print_scenes(problems, lambda problem: ("chosen", "equilibrium", "frequencies", "damping",
+                                                              "modes"),
                         as_json, timings, digits, normalise, ("frequencies",))

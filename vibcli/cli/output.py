@@ -6,6 +6,9 @@ import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.errors import PhysicsError
+from vibcli.questions import INSIGHT
+
+FLOAT_DIGITS = 12
 
 
 def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=(),
@@ -17,11 +20,14 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
     for _, problem in problems:
         require_quick(problem, digits)
     refused = False
-    found = {}
+    found, solved = {}, []
     for case, problem in problems:
         try:
+            if problem.spec.choices:
+                problem = _settled(problem, question, digits)
+            solved.append((case, problem))
             if as_json:
-                found[case] = _data(problem, data, normalise, digits)
+                found[case] = _data(problem, data, normalise, digits, sections(problem))
             else:
                 report = _report(case, problem, sections(problem), normalise, digits, question)
                 click.echo(("\n\n" if found else "") + report.text())
@@ -37,8 +43,19 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
     if as_json:
         _print_json(found)
     if timings:
-        show_timings(problems)
+        show_timings(solved)
     return 4 if refused else 0
+
+
+def _settled(problem, thorough, digits):
+    """The problem with what it chooses, known in closed form where more digits are asked for."""
+    from vibcli.inverse import settled
+
+    found = settled(problem, thorough)
+    if digits is not None and digits > FLOAT_DIGITS and not found.chosen.exact:
+        raise PhysicsError(f"--digits {digits} needs a closed form of what is chosen, and none was found",
+                           f"ask for at most {FLOAT_DIGITS} digits")
+    return found
 
 
 def _print_json(found):
@@ -48,10 +65,14 @@ def _print_json(found):
     click.echo(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1))
 
 
-def _data(problem, parts, normalise, digits):
+def _data(problem, parts, normalise, digits, sections):
     from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
+    if problem.chosen is not None:
+        from vibcli.report.chosen import chosen_data
+
+        found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
         found |= frequencies_data(problem, normalise, digits)
     if "equilibria" in parts and problem.spec.get("find") and problem.spec.get("find").search:
@@ -65,6 +86,10 @@ def _data(problem, parts, normalise, digits):
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)
+    if words := [word for word in sections if word in INSIGHT]:
+        from vibcli.report.insight_data import insight_data
+
+        found["insight"] = insight_data(problem, words)
     return found
 
 
@@ -88,8 +113,9 @@ def _digits(report, problem, digits):
     found = frequencies_data(problem, digits=digits)
     lines = []
     for mode in found["modes"]:
-        value = f"ω = {mode['omega']} rad/s" if mode["omega"] is not None else f"growth rate {mode['growth_rate']} 1/s"
-        lines.append(f"mode {mode['index']}:  {value}")
+        values = [f"ω = {mode['omega']} rad/s"] if mode["omega"] is not None else []
+        values += [f"growth rate {mode['growth_rate']} 1/s"] if mode["growth_rate"] is not None else []
+        lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
     report.section(f"With {digits} digits", lines)

@@ -45,5 +45,5 @@ def _blur(found, forces, blur):
     felt = dict(zip(forces.rows, forces.D, strict=True))
     size = {(i, j): UNIT * blur * forces.E / (a * b) for i, a in felt.items() for j, b in felt.items()}
     found.elements = OscillatorElements(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
-                                        K=exact.stiffness(), K_size=size, massless=exact.massless)
+                                        drag=exact.drag, K=exact.stiffness(), K_size=size, massless=exact.massless)
     found.sources = (None, None)

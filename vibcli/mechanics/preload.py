@@ -10,6 +10,7 @@ from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.linearise import at_position, linearise, residual_terms
+from vibcli.mechanics.steady import steady
 
 LOOSE = 1e-9
 
@@ -20,19 +21,19 @@ def settle_static_preloads(scene):
         return {}
     names = [record.name for _, record in scene.static_preloads]
     unknowns = [node for node, _ in scene.static_preloads]
-    form = at_position(linearise(scene), scene.drawn)
+    form = at_position(steady(scene, linearise(scene)), scene.drawn_position)
     columns = [_column(form, unknown) for unknown in unknowns]
     sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
-    rows, picked = _pivots([row[:-1] for row in numbers])
+    rows, picked = pivots([row[:-1] for row in numbers])
     tensions = solve_linear([[columns[j][i] for j in picked] + [-rest[i]] for i in rows], scene.table.zero)
     values = dict.fromkeys(unknowns, scene.table.zero)
     values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
-    scene.springs = [term._replace(force=substitute([term.force], values)[0]) for term in scene.springs]
+    scene.replace(values)
     return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 
@@ -60,7 +61,7 @@ def _floats(scene, rows):
     return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
 
 
-def _pivots(rows):
+def pivots(rows):
     """(rows, columns) of a largest regular block, by elimination with full pivoting on scaled rows."""
     work = [[x / (max(map(abs, row)) or 1.0) for x in row] for row in rows]
     left, open_columns, pivots = set(range(len(work))), set(range(len(work[0]) if work else 0)), []

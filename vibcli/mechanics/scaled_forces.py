@@ -61,9 +61,10 @@ class Forces:
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
     def position(self, z):
-        """{coordinate: float} of z."""
+        """{coordinate: float} of z, loops closed on the way there from the drawn position."""
         moved = {name: float(value) + 0.0 for name, value in zip(self.names, z * self.D, strict=True)}
-        return {**self.problem.drawn_floats, **moved}
+        drawn = self.problem.drawn_floats
+        return self.problem.closed(drawn, {**drawn, **moved})
 
     def at(self, z):
         """The Place at z, None where the forces are not defined."""

@@ -1,0 +1,205 @@
+"""All zeros of a real function on a range, found by looking: brackets, tangent zeros, poles, edges of the domain.
+
+The function is bounded, |h| <= 1, as (L − R)/(|L| + |R|) is: at a pole its sign changes where |h| tends to 1, at a
+zero where h tends to 0. None stands for "not defined there".
+"""
+
+from itertools import pairwise
+from math import isfinite
+
+ZERO, TOUCHING, SAME, TAIL = 1e-8, 1e-9, 1e-7, 1e-6
+ROUNDS, MOST, BENT, HALVINGS, NARROW = 4, 320, 0.12, 34, 2.0**-50
+LOOKED, FALLING, JUMP = 6, 0.9, 0.3
+GOLDEN = 0.3819660112501051
+
+
+class Scan:
+    """Values of a function, each computed once: `points` {x: h or None}."""
+
+    def __init__(self, function, grid):
+        self.function, self.points = function, {}
+        for x in grid:
+            self.at(x)
+
+    def at(self, x):
+        if x not in self.points:
+            value = self.function(x)
+            self.points[x] = value if value is not None and isfinite(value) else None
+        return self.points[x]
+
+    def defined(self):
+        """[(x, h)] ascending."""
+        return sorted((x, h) for x, h in self.points.items() if h is not None)
+
+
+def zeros(function, grid, closed=(True, True)):
+    """(zeros ascending, Scan) of a function over the range that an ascending grid covers.
+
+    `closed`: does the range hold its ends? Towards an open end a function that only tends to zero has no zero.
+    """
+    scan = Scan(function, grid)
+    _edges(scan, grid)
+    _refine(scan)
+    found = [x for x, h in scan.defined() if h == 0.0]
+    for (a, ha), (b, hb) in list(_neighbours(scan)):
+        if ha * hb < 0 and len(scan.points) <= 2 * MOST:
+            found += _within(scan, a, ha, b, hb)
+    for triple in list(_dips(scan)):
+        if len(scan.points) > 3 * MOST:
+            break
+        found += _touched(scan, *triple)
+    points = scan.defined()
+    tails = [_tail(points[::1 if end == grid[0] else -1]) for end, held in zip((grid[0], grid[-1]), closed, strict=True)
+             if not held and scan.at(end) is not None]
+    return [x for x in _distinct(found, scan) if not any(x in tail for tail in tails)], scan
+
+
+def _tail(points):
+    """The points from an end on as long as the function is near zero there."""
+    found = set()
+    for x, h in points:
+        if abs(h) > TAIL:
+            break
+        found.add(x)
+    return found
+
+
+def holds_everywhere(scan):
+    """Is the function zero wherever it is defined?"""
+    values = [h for _, h in scan.defined()]
+    return bool(values) and max(map(abs, values)) <= TOUCHING
+
+
+def _neighbours(scan):
+    """Pairs of neighbouring points at both of which the function is defined."""
+    points = sorted(scan.points.items())
+    for one, other in pairwise(points):
+        if one[1] is not None and other[1] is not None:
+            yield one, other
+
+
+def _middle(a, b):
+    """Halfway, by ratio where both have one sign and differ much."""
+    if a * b > 0 and max(abs(a), abs(b)) > 2 * min(abs(a), abs(b)):
+        return (a * b) ** 0.5 * (1 if a > 0 else -1)
+    return 0.5 * (a + b)
+
+
+def _edges(scan, grid):
+    """Go up to the edges of the domain, all the way where the function falls towards zero there."""
+    for a, b in pairwise(grid):
+        inside, outside = (a, b) if scan.at(a) is not None else (b, a)
+        if scan.at(inside) is None or scan.at(outside) is not None:
+            continue
+        falling = True
+        for step in range(HALVINGS):
+            x = _middle(inside, outside)
+            if x in (inside, outside) or (step >= LOOKED and not falling):
+                break
+            if scan.at(x) is None:
+                outside = x
+            else:
+                falling = abs(scan.at(x)) <= FALLING * abs(scan.at(inside))
+                inside = x
+
+
+def _refine(scan):
+    """Halve where the function bends: its value differs from the mean of its neighbours'."""
+    for _ in range(ROUNDS):
+        points, wanted = scan.defined(), set()
+        for (a, ha), (b, hb), (c, hc) in zip(points, points[1:], points[2:], strict=False):
+            if abs(hb - 0.5 * (ha + hc)) > BENT:
+                wanted |= {_middle(a, b), _middle(b, c)}
+        if len(scan.points) + len(wanted) > MOST:
+            return
+        for x in wanted - set(scan.points):
+            scan.at(x)
+
+
+def _within(scan, a, ha, b, hb):
+    """The zero within a change of sign; none at a pole or a jump."""
+    x = bracketed(scan.at, a, ha, b, hb)
+    return [] if x is None or abs(scan.at(x)) > ZERO else [x]
+
+
+def bracketed(function, a, fa, b, fb):
+    """A zero between a and b, by inverse quadratic steps that fall back on halving (Chandrupatla 1997); None where the
+    function is not defined on the way, or jumps."""
+    c, fc, t, start = a, fa, 0.5, min(abs(fa), abs(fb))
+    for step in range(120):
+        x = a + t * (b - a) if t != 0.5 else _middle(a, b)
+        fx = function(x)
+        if fx is None:
+            return None
+        if (fx > 0) == (fa > 0):
+            c, fc = a, fa
+        else:
+            c, b, fc, fb = b, a, fb, fa
+        a, fa = x, fx
+        best, least = (a, fa) if abs(fa) < abs(fb) else (b, fb)
+        width = abs(b - a)
+        if step == 24 and least > JUMP * start:
+            return None
+        if least == 0.0 or width <= 4 * NARROW * abs(best):
+            return best
+        t, xi, phi = 0.5, (a - b) / (c - b), (fa - fb) / (fc - fb)
+        if phi**2 < xi and (1 - phi) ** 2 < 1 - xi:
+            t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        limit = 0.5 * NARROW * abs(best) / width
+        t = min(max(t, limit), 1 - limit)
+    return best
+
+
+def _dips(scan):
+    """Three neighbours of one sign, the middle one nearest to zero; at an edge of the domain the last one twice."""
+    points = sorted(scan.points.items())
+    for i, (b, hb) in enumerate(points):
+        if not hb:
+            continue
+        (a, ha), (c, hc) = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
+        (a, ha), (c, hc) = (b, hb) if ha is None else (a, ha), (b, hb) if hc is None else (c, hc)
+        flat = max(abs(ha), abs(hc)) <= abs(hb) * (1 + 1e-12)
+        if ha * hb > 0 and hc * hb > 0 and abs(hb) <= min(abs(ha), abs(hc)) and not flat:
+            yield a, b, c
+
+
+def _touched(scan, a, b, c):
+    """Zeros near the least |h| between a and c: two where it goes beyond zero, one where it touches."""
+    h, start = scan.at(b), abs(scan.at(b))
+    sign = 1 if h > 0 else -1
+    for step in range(90):
+        x = b + GOLDEN * (c - b) if c - b > b - a else b - GOLDEN * (b - a)
+        hx = scan.at(x)
+        if hx is None or x in (a, b, c):
+            break
+        if hx * h < 0:
+            return _within(scan, b, scan.at(b), x, hx) + _within(scan, x, hx, *_other(scan, a, b, c, x))
+        if abs(hx) < abs(scan.at(b)):
+            a, b, c = (b, x, c) if x > b else (a, x, b)
+        elif x > b:
+            c = x
+        else:
+            a = x
+        if step == 24 and abs(scan.at(b)) > 0.3 * start and start > 1e-3:
+            break
+        if c - a <= 1e-9 * abs(b):
+            break
+    return [b] if sign * scan.at(b) <= TOUCHING else []
+
+
+def _other(scan, a, b, c, x):
+    """The end on the other side of x, seen from b."""
+    end = c if x > b else a
+    return end, scan.at(end)
+
+
+def _distinct(found, scan):
+    """Zeros that differ by more than what a double zero is known to; of two at one place the better one."""
+    kept = []
+    for x in sorted(found):
+        if kept and abs(x - kept[-1]) <= SAME * max(abs(x), abs(kept[-1])):
+            if abs(scan.at(x)) < abs(scan.at(kept[-1])):
+                kept[-1] = x
+        else:
+            kept.append(x)
+    return kept

@@ -1,0 +1,153 @@
+"""Values of the chosen parameters of a scene with numbers: candidates in letters where these are all that there can
+be, else a search over the admissible range; each is tried by substitution."""
+
+from fractions import Fraction
+from math import asinh, atanh, exp, isfinite, log, sinh
+
+from vibcli.analyses.several import common_zeros
+from vibcli.analyses.zeros import holds_everywhere, zeros
+from vibcli.errors import PhysicsError
+from vibcli.inverse import refusals
+from vibcli.inverse.letters import candidates, determined_alone
+from vibcli.inverse.ranges import grid
+from vibcli.inverse.solution import choosing, in_numbers
+from vibcli.inverse.system import System
+from vibcli.reading import Record
+
+SAME, NEARLY, SHORT, DECADES = 1e-6, 1.0 - 1e-15, 10, 3
+PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
+
+
+def solve(problem, thorough=False):
+    """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses."""
+    system = System(problem)
+    system.settle_scales([[span.scale * factor for span in system.ranges] for factor in PLACES])
+    letters = candidates(problem, thorough)
+    if letters is not None and letters.always:
+        raise refusals.undetermined(problem)
+    accepted = []
+    for nodes in letters.tuples if letters is not None else ():
+        values = in_numbers(problem, nodes)
+        if values is not None and _new(values, accepted) and system.admits(values) and system.holds(values)[0]:
+            accepted.append((values, nodes))
+    if letters is None or not letters.complete or not system.shares:
+        found = _one_by_one(problem, system, thorough) if len(system.names) > 1 and system.shares else None
+        found = [(values, (None,) * len(values)) for values in _looked_for(system)] if found is None else found
+        accepted += [pair for pair in found if _new(pair[0], accepted)]
+    if not accepted:
+        raise refusals.none_found(system, _scanned(system)[1] if len(system.names) == 1 else None)
+    return sorted(accepted, key=lambda pair: pair[0])
+
+
+def _new(values, accepted):
+    """Is this none of the solutions that are known already?"""
+    return not any(all(abs(x - y) <= SAME * max(abs(x), abs(y)) for x, y in zip(values, known, strict=True))
+                   for known, _ in accepted)
+
+
+def _one_by_one(problem, system, thorough):
+    """The solutions where one condition determines one parameter alone; None where none does.
+
+    The others are solved for at each of its values, the conditions given to the parameters that are left in order.
+    """
+    alone = determined_alone(problem)
+    if alone is None:
+        return None
+    name, found, entry = alone
+    left = [other for other in system.names if other != name]
+    records = [record for key, record in problem.spec.choices.items() if key != entry]
+    pairs = {other: Record(None, other, problem.spec.choices[other].where,
+                           {**problem.spec.choices[other].values, "so": record["so"]}, {})
+             for other, record in zip(left, records, strict=True)}
+    accepted = []
+    for node, in found.tuples:
+        value = in_numbers(problem, [node])
+        if value is None or not system.ranges[system.names.index(name)].holds(value[0]):
+            continue
+        try:
+            inner = solve(choosing(problem.with_values({name: value[0]}), pairs), thorough)
+        except PhysicsError:
+            continue
+        for values, _ in inner:
+            known = {name: value[0], **dict(zip(left, values, strict=True))}
+            forms = {**dict.fromkeys(left), name: node}
+            accepted.append(([known[key] for key in system.names], tuple(forms[key] for key in system.names)))
+    return [pair for pair in accepted if system.holds(pair[0])[0]]
+
+
+def _looked_for(system):
+    """Solutions by looking, as lists of Fractions."""
+    if len(system.names) == 1:
+        found, scan = _scanned(system)
+        if holds_everywhere(scan):
+            raise refusals.undetermined(system.problem)
+        places = [[x] for x in found]
+    else:
+        places = _newton(system)
+    return [values for values in (_shortened(system, place) for place in places) if values is not None]
+
+
+def _shortened(system, place):
+    """A solution whose numbers are short decimals where those hold as well; None where it does not hold."""
+    good, residual = system.holds(place)
+    if not good:
+        return None
+    short = [Fraction(f"{x:.{SHORT}g}") for x in place]
+    if all(abs(y - Fraction(x)) <= abs(x) * 1e-12 for x, y in zip(place, short, strict=True)):
+        better, rest = system.holds(short)
+        if better and rest <= max(residual, 1e-14):
+            return short
+    return [Fraction(x) for x in place]
+
+
+def _scanned(system):
+    """(zeros, Scan) of the conditions on one parameter."""
+    span = system.ranges[0]
+    points = grid(span)
+    system.settle_scales([[x] for x in points])
+    row = _liveliest(system, points)
+
+    def function(x):
+        found = system.misfits([x])
+        return None if found is None else found[row]
+
+    return zeros(function, points, span.closed)
+
+
+def _liveliest(system, points):
+    """Of several conditions of equilibrium the one that depends most on the parameter."""
+    found = [misfits for misfits in (system.misfits([x]) for x in points) if misfits is not None]
+    if not found or len(found[0]) == 1:
+        return 0
+    return max(range(len(found[0])), key=lambda i: max(m[i] for m in found) - min(m[i] for m in found))
+
+
+def _newton(system):
+    """Zeros of several conditions, in logarithms of what is positive."""
+    spans = system.ranges
+
+    def values(u):
+        return [span.scale * (exp(x) if span.low >= 0 else sinh(x)) for span, x in zip(spans, u, strict=True)]
+
+    def function(u):
+        if max(map(abs, u)) > 50:
+            return None
+        place = values(u)
+        found = system.misfits(place) if system.admits(place) else None
+        return None if found is None else [2 * atanh(max(-NEARLY, min(NEARLY, h))) for h in found]
+
+    def start(point):
+        return [_start(span, p) for span, p in zip(spans, point, strict=True)]
+
+    found = common_zeros(function, start, len(spans))
+    return sorted(values(u) for u in found)
+
+
+def _start(span, p):
+    """A place within a range for p from 0 to 1, as a logarithm (or asinh) of its ratio to the natural scale."""
+    if isfinite(span.low) and isfinite(span.high):
+        x = span.low + (span.high - span.low) * (0.02 + 0.96 * p)
+        if span.low > 0 and span.high > 10 * span.low:
+            x = span.low * (span.high / span.low) ** p
+        return log(x / span.scale) if span.low >= 0 else asinh(x / span.scale)
+    return (2 * p - 1) * DECADES * log(10)

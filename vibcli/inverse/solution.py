@@ -1,0 +1,113 @@
+"""What was chosen: the solutions, and the scene with the first of them."""
+
+from copy import copy
+from fractions import Fraction
+from math import isclose
+
+from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.parse import LONGEST, ExpressionError, parse
+from vibcli.document import Scalar
+from vibcli.errors import PhysicsError
+from vibcli.inverse.ranges import known
+from vibcli.problem import Problem
+from vibcli.reading import Expression, Record
+from vibcli.report.language import language
+
+DIGITS, READABLE, TRACE = 60, 70, 1e-20
+
+
+class Solution:
+    """values: {name: number, None in letters}; forms: {name: closed form or None}; residual of the substitution."""
+
+    __slots__ = ("forms", "residual", "values")
+
+    def __init__(self, values, forms, residual):
+        self.values, self.forms, self.residual = values, forms, residual
+
+
+class Chosen:
+    """The parameters that a scene chooses, their conditions ({name: text}) and the solutions, ascending."""
+
+    __slots__ = ("conditions", "solutions")
+
+    def __init__(self, choices, solutions):
+        self.conditions = {name: record["so"].text for name, record in choices.items()}
+        self.solutions = solutions
+
+    def value(self, name, number):
+        """The number of the solution with this number, from 1."""
+        if not 1 <= number <= len(self.solutions):
+            raise PhysicsError(f"there is no solution {number} for {name}: there "
+                               + ("is one" if len(self.solutions) == 1 else f"are {len(self.solutions)}"),
+                               f"ask for {name}")
+        return float(self.solutions[number - 1].values[name])
+
+    @property
+    def exact(self):
+        """Is the first solution known in closed form?"""
+        return all(form is not None for form in self.solutions[0].forms.values())
+
+
+def defined(problem, forms):
+    """The problem with parameters defined by closed forms ({name: node}); None where one is too long to write."""
+    spec = copy(problem.spec)
+    spec.parameters = dict(spec.parameters)
+    for name, node in forms.items():
+        text, old = language(node), spec.parameters[name]
+        if len(text) > LONGEST or len(reachable([node])) > READABLE:
+            return None
+        try:
+            tree = parse(text)
+        except ExpressionError:
+            return None
+        value = Expression(Scalar(text, spec.choices[name].where), tree, None, None)
+        spec.parameters[name] = Record(old.element, name, old.where, {**old.values, "value": value}, old.keys)
+    spec.sections = {**spec.sections, "parameters": spec.parameters}
+    found = Problem(spec, problem.given)
+    found.costs = problem.costs
+    return found
+
+
+def choosing(problem, choices):
+    """The problem with these to choose instead, {name: record}."""
+    spec = copy(problem.spec)
+    spec.choices = choices
+    found = Problem(spec, problem.given)
+    found.costs = problem.costs
+    return found
+
+
+def in_numbers(problem, nodes):
+    """The values of closed forms to DIGITS digits, as Fractions; None where one is no finite number."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS):
+        arithmetic = multiprecision()
+        try:
+            found = evaluate(nodes, arithmetic, known(problem, arithmetic))
+        except (KeyError, ZeroDivisionError, ValueError, OverflowError, TypeError):
+            return None
+        return None if any(map(_unreal, found)) else [_fraction(mpmath.re(value)) for value in found]
+
+
+def _unreal(value):
+    """Not a finite real number; a trace of an imaginary part is the rounding of a double root."""
+    import mpmath
+
+    return not mpmath.isfinite(value) or abs(mpmath.im(value)) > TRACE * abs(mpmath.re(value))
+
+
+def _fraction(value):
+    """An mpmath number as the rational that it is."""
+    sign, mantissa, exponent, _ = value._mpf_
+    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
+
+
+def stable_in_floats(problem, nodes, values):
+    """Do floats give these closed forms the same values but for rounding?"""
+    try:
+        found = evaluate(nodes, Floats, known(problem, Floats))
+    except KeyError:
+        return False
+    return all(isclose(x, float(value), rel_tol=1e-13) for x, value in zip(found, values, strict=True))
