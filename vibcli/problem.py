@@ -15,7 +15,7 @@ from vibcli.stage import Stage
 
 SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
-          "reactions", "shares", "sensitivities", "estimates")
+          "equilibria", "reactions", "shares", "sensitivities", "estimates")
 
 
 class Problem(OnRequest):
@@ -35,6 +35,12 @@ class Problem(OnRequest):
         found = self.with_values(given)
         self.scene, self.form, self.drawn_form  # noqa: B018
         vars(found).update({stage: value for stage, value in vars(self).items() if stage in SHARED})
+        return found
+
+    def at_equilibrium(self, equilibrium):
+        """The same scene about another of its equilibria."""
+        found = self.sharing({})
+        found.chosen, found.equilibrium = self.chosen, equilibrium
         return found
 
     def case(self, name):
@@ -352,12 +358,17 @@ class Problem(OnRequest):
         except (Rationals.Irrational, KeyError, ZeroDivisionError):
             return None
 
+    @cached_property
+    def sources(self):
+        """Where more digits of the elements come from."""
+        return self.precise_elements, self.exact_elements
+
     @Stage
     def modes(self):
         """The modes of the system without its dampers."""
         from vibcli.analyses.spectrum import natural_modes
 
-        return self._named(natural_modes, self.elements, self.precise_elements, self.exact_elements)
+        return self._named(natural_modes, self.elements, *self.sources)
 
     @cached_property
     def zero_modes(self):
@@ -374,7 +385,7 @@ class Problem(OnRequest):
             return None
         from vibcli.analyses.spectrum import damped_modes
 
-        return self._named(damped_modes, elements, lambda: self.modes, self.precise_elements, self.exact_elements)
+        return self._named(damped_modes, elements, lambda: self.modes, *self.sources)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
@@ -400,9 +411,8 @@ class Problem(OnRequest):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        sources = self.precise_elements, self.exact_elements
-        modes = self._named(natural_modes, self.elements, *sources, digits=digits)
-        return modes, self._named(damped_modes, self.elements, lambda: modes, *sources, digits=digits)
+        modes = self._named(natural_modes, self.elements, *self.sources, digits=digits)
+        return modes, self._named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
 
     # letters
 

@@ -150,8 +150,10 @@ def _gear(record, scene):
         return
     if not belt:
         _touching(record, scene, names, radii)
-    _carried(record, scene, names)
     turn = scene.carrier(record).angle
+    if len(scene.diagnostics) > before:
+        return
+    _carried(record, scene, names)
     same = belt != record.get("crossed", False) if belt else record.get("inside", False)
     first, second = radii[0] * (angles[0] - turn), radii[1] * (angles[1] - turn)
     node = first - second if same else first + second
