@@ -11,8 +11,8 @@ from scenes import problem
 
 from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
 from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.lagrange import equation_of, full_equations
-from vibcli.mechanics.linearise import in_numbers
 
 DIGITS, STATES = 40, 6
 

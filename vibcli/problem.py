@@ -6,10 +6,11 @@
 Each stage is computed on first touch, by one call to a pure function whose module is imported there.
 """
 
-from fractions import Fraction
 from functools import cached_property
 
 from vibcli.errors import defined_as_drawn
+from vibcli.in_letters import InLetters
+from vibcli.in_numbers import InNumbers
 from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
@@ -18,7 +19,7 @@ STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energi
           "equilibria", "reactions", "shares", "sensitivities", "estimates")
 
 
-class Problem(OnRequest):
+class Problem(InNumbers, InLetters, OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
     def __init__(self, spec, given=None):
@@ -91,11 +92,6 @@ class Problem(OnRequest):
         """Are there parameters without value?"""
         return self.symbolic_parameters(self.scene)
 
-    @property
-    def letters(self):
-        """The parameters that have neither a value nor a condition."""
-        return [name for name in self.scene.parameters.free if name not in self.given and name not in self.spec.choices]
-
     def symbolic_parameters(self, scene):
         return any(name not in self.given for name in scene.parameters.free)
 
@@ -121,7 +117,7 @@ class Problem(OnRequest):
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
-        from vibcli.mechanics.linearise import at_position
+        from vibcli.mechanics.linearisation import at_position
 
         return defined_as_drawn(at_position, self.form, self.scene.drawn_position)
 
@@ -142,226 +138,11 @@ class Problem(OnRequest):
         return figure_size(self)
 
     @cached_property
-    def matrices_in_letters(self):
-        """M, C, G, K of the small oscillations in letters."""
-        from vibcli.mechanics.lagrange import matrices_in_letters
-
-        if self.scene.timed:
-            from vibcli.mechanics.steady import require_autonomous
-            from vibcli.scene.loops import drawn_values
-
-            require_autonomous(self, drawn_values(self.scene))
-        found = matrices_in_letters(self.letters_form)
-        if self.equilibrium_letters is not None:
-            from vibcli.algebra.polynomials import factored as shorter
-        else:
-            from vibcli.algebra.quotient import shorter
-        return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
-
-    @cached_property
-    def linear_in_letters(self):
-        """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
-        return self.is_linear or self.balanced_as_drawn or self.equilibrium_letters is not None
-
-    @property
-    def letters_form(self):
-        if self.balanced_as_drawn or self.is_linear:
-            return self.drawn_form if self.balanced_as_drawn else self.form
-        from vibcli.mechanics.linearise import at_position
-
-        return at_position(self.form, self.equilibrium_letters.position(self.form))
-
-    @cached_property
-    def equilibrium_letters(self):
-        """The Settled equilibrium of a nonlinear scene with letters, not drawn in it; None where none is found."""
-        if not self.symbolic or self.balanced_as_drawn or self.is_linear:
-            return None
-        from vibcli.mechanics.settled import settled
-
-        return settled(self)
-
-    @cached_property
-    def balanced_as_drawn(self):
-        if self.symbolic:
-            from vibcli.mechanics.symbolic import vanishes
-
-            return all(vanishes(self.scene, terms) for terms in self.drawn_residual)
-        return self.equilibrium.drawn
-
-    @cached_property
     def drawn_residual(self):
         """The terms of each condition of equilibrium as drawn: lists of expressions."""
-        from vibcli.mechanics.linearise import residual_terms
+        from vibcli.mechanics.linearisation import residual_terms
 
         return residual_terms(self.drawn_form)
-
-    # numbers
-
-    def values(self, arithmetic):
-        """{parameter: number} in an arithmetic."""
-        from vibcli.parameters import require_values
-
-        if self.symbolic:
-            require_values(self.scene.parameters, "this")
-        given = {name: arithmetic.number(value) for name, value in self.given.items()}
-        return self.scene.parameters.values(arithmetic, given)
-
-    @cached_property
-    def floats(self):
-        return self.values(_floats())
-
-    @cached_property
-    def drawn_floats(self):
-        from vibcli.algebra.evaluate import evaluate
-
-        drawn = {q.name: node for q, node in self.scene.drawn.items()}
-        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
-        return dict(zip(drawn, evaluate(list(drawn.values()), _floats(), self.floats), strict=True))
-
-    @cached_property
-    def rational(self):
-        """Exact values of the parameters that have a rational one."""
-        return self.scene.parameters.rational(self.given)
-
-    @cached_property
-    def potential(self):
-        """V of the whole scene less the kinetic energy at rest, as an expression."""
-        from vibcli.mechanics.energies import effective_potential
-
-        return defined_as_drawn(effective_potential, self.scene)
-
-    @cached_property
-    def excitation(self):
-        """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
-        equilibrium that is not the drawn one."""
-        from vibcli.mechanics.steady import excitation
-
-        scene, settled = self.scene, self.equilibrium_letters
-        if settled is not None:
-            return excitation(scene, self.timed_form, settled.position(self.timed_form))
-        if self.linear_in_letters or self.symbolic:
-            return excitation(scene, self.timed_form, scene.drawn_position)
-        place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
-        return excitation(scene, self.timed_form, place)
-
-    @cached_property
-    def conservative(self):
-        """Have all loads a potential: constant forces alone, and no driven motion?"""
-        scene = self.scene
-        return not scene.timed and not any(term.weight.mask for term in scene.forces)
-
-    @Stage
-    def equilibrium(self):
-        from vibcli.mechanics import equilibrium
-
-        start = self.spec.get("equilibrium")
-        if start is None and self.drawn_numbers is not None:
-            found = equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
-        else:
-            found = equilibrium.find_equilibrium(self, self._start(start or {}))
-        if self.scene.timed:
-            from vibcli.mechanics.steady import require_autonomous
-
-            require_autonomous(self, self.at_rest_in(found.values))
-        return found
-
-    def _start(self, start):
-        from vibcli.algebra.evaluate import evaluate
-        from vibcli.errors import PhysicsError
-
-        for name, expression in start.items():
-            if name not in self.scene.coordinates:
-                raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints", "start "
-                                   + " or ".join(f"'{other}'" for other in self.scene.coordinates), expression.where)
-        nodes = [self.scene.lower(expression) for expression in start.values()]
-        target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
-        return self.closed(self.drawn_floats, target)
-
-    @property
-    def dependent_values(self):
-        """{name: float} of the dependent coordinates in equilibrium."""
-        from vibcli.algebra.evaluate import evaluate
-
-        nodes = self.scene.dependent
-        values = dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
-        return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
-
-    @property
-    def at_rest(self):
-        """{symbol: float} of everything in equilibrium, at t = 0."""
-        return self.at_rest_in(self.equilibrium.values)
-
-    def at_rest_in(self, position):
-        """{symbol: float} of everything at rest in a position, at t = 0."""
-        return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
-
-    def closed(self, start, target):
-        """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
-        `start`; PhysicsError where its loops cannot close there."""
-        if self.scene.loops is None:
-            return target
-        floats = {**self.floats, self.scene.time.name: 0.0}
-        found = self.scene.loops.followed({**floats, **start}, {**floats, **target})
-        if found is None:
-            from vibcli.errors import PhysicsError
-
-            raise PhysicsError("the loops of this scene cannot close in the position asked for",
-                               "start nearer to the drawn position, or make the links longer")
-        return {name: found[name] for name in self.drawn_floats}
-
-    @cached_property
-    def drawn_numbers(self):
-        """The numbers in the drawn position where that is an equilibrium, else None."""
-        from vibcli.mechanics.equilibrium import is_balanced
-        from vibcli.mechanics.linearise import in_numbers
-
-        numbers = in_numbers(self.drawn_form, _floats(), self.floats, self.rational)
-        terms = len(self.drawn_form.curved) + len(self.drawn_form.residual)
-        return numbers if is_balanced(numbers, terms + 2) else None
-
-    @Stage
-    def elements(self):
-        """The element data at the equilibrium, in floats that are correct but for their own rounding."""
-        from vibcli.mechanics.kinks import require_smooth
-        from vibcli.mechanics.linearise import in_numbers
-
-        require_smooth(self)
-        closed = self.scene.loops is not None or "atan2" in self.scene.table.called
-        if self.equilibrium.drawn and not closed:
-            return self.drawn_numbers.elements
-        if self.is_linear:
-            return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
-        from vibcli.mechanics.precise import require_inertia, rounded_elements
-
-        found = rounded_elements(self)
-        if closed:
-            require_inertia(self, found)
-        return found
-
-    def precise_elements(self, digits):
-        """The element data at the equilibrium to so many digits, as mpmath numbers."""
-        from vibcli.mechanics.precise import elements_to
-
-        return elements_to(self, digits)
-
-    def exact_elements(self):
-        """The element data as Fractions, None where they are irrational or the equilibrium had to be searched for."""
-        from vibcli.algebra.evaluate import Rationals
-        from vibcli.mechanics.linearise import in_numbers
-
-        form = self.drawn_form if self.equilibrium.drawn else self.form if self.is_linear else None
-        if form is None:
-            return None
-        try:
-            anywhere = dict.fromkeys(self.scene.coordinates, Fraction(0))
-            return in_numbers(form, Rationals(), {**self.rational, **anywhere}).elements
-        except (Rationals.Irrational, KeyError, ZeroDivisionError):
-            return None
-
-    @cached_property
-    def sources(self):
-        """Where more digits of the elements come from."""
-        return self.precise_elements, self.exact_elements
 
     @Stage
     def modes(self):
@@ -413,32 +194,3 @@ class Problem(OnRequest):
 
         modes = self._named(natural_modes, self.elements, *self.sources, digits=digits)
         return modes, self._named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
-
-    # letters
-
-    @Stage
-    def energies(self):
-        """T, V and Φ of the scene, brought into the form a textbook prints."""
-        from vibcli.mechanics.energies import textbook_energies
-
-        return textbook_energies(self.loose)
-
-    @Stage
-    def equations(self):
-        """Lagrange's equations, full and for small oscillations, in letters."""
-        from vibcli.mechanics.lagrange import equations
-
-        return equations(self)
-
-    @Stage
-    def closed_forms(self):
-        """Natural frequencies and modes in letters, by SymPy."""
-        from vibcli.analyses.closed import closed_forms
-
-        return closed_forms(self)
-
-
-def _floats():
-    from vibcli.algebra.evaluate import Floats
-
-    return Floats

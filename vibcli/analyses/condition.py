@@ -53,7 +53,7 @@ def _change(problem, x):
     if problem.is_linear or not any(problem.form.K):
         return 0.0
     from vibcli.algebra.evaluate import Floats
-    from vibcli.mechanics.linearise import in_numbers
+    from vibcli.mechanics.evaluated import in_numbers
     from vibcli.mechanics.scaled_forces import typical_length
 
     names, at = problem.scene.coordinates, problem.equilibrium.values

@@ -8,7 +8,7 @@ the scene, and what is below that as zero.
 from vibcli.algebra.evaluate import Floats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
-from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.neutral import FREE
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria

@@ -11,7 +11,7 @@ import math
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.evaluated import in_numbers
 
 EPSILON = 2.0**-52
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one

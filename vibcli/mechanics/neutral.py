@@ -6,7 +6,7 @@ rigid-body mode) from one that terms of third and higher order hold or drive awa
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import HALF
-from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.evaluated import in_numbers
 
 STEPS = (-0.1, -0.02, 0.02, 0.1)
 ROUNDING = 1e-11

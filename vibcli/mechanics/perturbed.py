@@ -9,7 +9,7 @@ stays where the drawing puts it.
 from vibcli.algebra.dual import Dual, Duals, dual, slope, value
 from vibcli.algebra.evaluate import evaluate, multiprecision
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.precise import place_to
 
 LOST = 1e-20    # of the terms of a force: what counts as none, at the working precision of 60 digits

@@ -3,7 +3,7 @@
 from vibcli.algebra.evaluate import evaluate, multiprecision
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
-from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.evaluated import in_numbers
 
 ROUNDED, NOTHING = 40, 1e-20
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them

@@ -9,7 +9,8 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.linearise import at_position, linearise, residual_terms
+from vibcli.mechanics.linearisation import at_position, residual_terms
+from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.steady import steady
 
 LOOSE = 1e-9

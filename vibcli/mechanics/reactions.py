@@ -16,7 +16,8 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import is_zero, textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.mechanics.linearise import linearise, residual_terms
+from vibcli.mechanics.linearisation import residual_terms
+from vibcli.mechanics.linearise import linearise
 
 OPEN = 1e-9
 _LENGTHENING = ("rope", "link", "gear", "belt", "equation")

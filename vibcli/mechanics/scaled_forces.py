@@ -8,7 +8,7 @@ import numpy as np
 
 from vibcli.algebra.evaluate import Floats
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.evaluated import in_numbers
 
 HUGE = 1e140
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere

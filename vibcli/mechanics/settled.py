@@ -16,7 +16,7 @@ from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.algebra.solving import Solution, solutions
 from vibcli.errors import PhysicsError, SpecError
-from vibcli.mechanics.linearise import nodes_of, residual_terms
+from vibcli.mechanics.linearisation import nodes_of, residual_terms
 from vibcli.scene.sampling import given_values
 
 ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8

@@ -12,7 +12,8 @@ from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.linearise import Linearisation, at_position, in_numbers, residual_terms
+from vibcli.mechanics.evaluated import in_numbers
+from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
 
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}

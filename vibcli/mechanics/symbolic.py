@@ -4,8 +4,10 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import is_zero, textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.lagrange import matrices_in_letters
-from vibcli.mechanics.linearise import at_position, in_numbers, linearise
+from vibcli.mechanics.linearisation import at_position
+from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.preload import solve_linear
 from vibcli.mechanics.steady import steady
 from vibcli.scene.build import SAMPLES, build_scene, sample_values

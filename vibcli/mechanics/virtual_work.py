@@ -5,7 +5,8 @@ Q_q is the generalised force of all weights, springs and loads: Q_q = Σ F ∂s/
 
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
-from vibcli.mechanics.linearise import linearise, residual_terms
+from vibcli.mechanics.linearisation import residual_terms
+from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.steady import steady
 
 

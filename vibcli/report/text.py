@@ -7,16 +7,17 @@ from vibcli.analyses.shapes import WORDS
 from vibcli.errors import PhysicsError
 from vibcli.questions import INSIGHT
 from vibcli.report.abbreviate import abbreviated
+from vibcli.report.brevity import short
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
 from vibcli.report.results import joined, numeric_drive, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
 from vibcli.report.sides import equation
+from vibcli.report.statics import reaction_sections, tied_lines, virtual_work
 from vibcli.spec import QUOTE
 
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
-LONGEST = 2400
 
 
 class Report:
@@ -93,40 +94,12 @@ class Report:
             unit = _unit(problem.dimension(name))
             rows.append(f"{plain.symbol(name)} [{unit}]" + (f"  {about}" if about else ""))
         n = len(rows)
-        self.section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)", rows + self._tied())
-
-    def _tied(self):
-        """How constraints leave these coordinates."""
-        scene = self.problem.scene
-        freedom = scene.freedom
-        if not freedom.conditions:
-            return []
-        closed = [plain.symbol(name) for name in scene.loops.names] if scene.loops else []
-        explicit = [f"{plain.symbol(name)} = {short(node)}" for name, node in scene.dependent.items()
-                    if plain.symbol(name) not in closed]
-        lines = wrapped(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
-                        f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else "")
-                        + "   ".join(explicit), indent=2)
-        if closed:
-            lines.append(", ".join(closed) + (" follow" if len(closed) > 1 else " follows") + " by closing the loops")
-        lines += [f"'{name}' is redundant: it follows from the other constraints" for name in freedom.redundant]
-        return lines
+        self.section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
+                     rows + tied_lines(self.problem.scene))
 
     def _virtual_work(self):
-        scene = self.problem.loose
-        asked = "virtual_work" in self.problem.spec.get("find", ())
-        if not (scene.forces or asked) or not 0 < len(scene.q) <= 16:
-            return
-        from vibcli.mechanics.virtual_work import generalised_forces
-
-        names = [plain.symbol(name) for name in scene.coordinates]
-        shown, lengths = abbreviated(scene.table, generalised_forces(scene), self.roots)
-        lines = ["δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names)]
-        for name, node in zip(names, shown, strict=True):
-            rests = scene.constraints or node.is_zero
-            lines += wrapped(f"Q_{name} = {short(node)}" + ("" if rests else " = 0"), indent=4)
-        driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
-        self.section("Virtual work of weights, springs and steady loads" + driven + ", at rest in equilibrium", lines)
+        title, lines, lengths = virtual_work(self.problem, self.roots)
+        self.section(title, lines)
         self.lines += self._lengths(lengths)
 
     def _equilibrium(self):
@@ -186,19 +159,8 @@ class Report:
         self.section("Equilibrium", lines)
 
     def _reactions(self):
-        problem = self.problem
-        if not problem.symbolic:
-            rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
-                     f"{figure(reaction.value)} {'N·m' if reaction.signal.endswith('moment') else 'N'}")
-                    for reaction in problem.reactions if reaction.value != 0.0]
-            self.section("Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
-                         table(rows, ("force", "value")))
-        from vibcli.mechanics.reactions import along_the_motion
-
-        lines = []
-        for signal, node in along_the_motion(problem).items():
-            lines += wrapped(f"{signal} = {short(node)}", indent=4)
-        self.section("Reactions along a motion", lines)
+        for title, lines in reaction_sections(self.problem):
+            self.section(title, lines)
 
     def _energies(self):
         energies = self.problem.energies
@@ -282,7 +244,8 @@ class Report:
 
         equilibrium_in_letters(self.problem)  # refused where there is none
         forms = self.problem.closed_forms
-        self.section("Natural frequencies [rad/s]", frequency_lines(self.problem, forms))
+        lines = [part for line in frequency_lines(self.problem, forms) for part in wrapped(line, indent=4)]
+        self.section("Natural frequencies [rad/s]", lines)
         self.section("Damping", damping_lines(forms) if forms is not None else [])
 
     def _damping(self):
@@ -340,9 +303,3 @@ def _moves(problem, name):
                 words = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}[key]
                 return f"{words} of {body_name}"
     return ""
-
-
-def short(node):
-    """An expression as text, or its size where it is too long to read."""
-    text = plain(node)
-    return text if len(text) <= LONGEST else f"(an expression of {len(text)} characters; see --json)"

@@ -1,0 +1,97 @@
+"""Stages of a Problem that keep its letters: matrices, equilibrium, energies, equations, closed forms."""
+
+from fractions import Fraction
+from functools import cached_property
+
+from vibcli.stage import Stage
+
+
+class InLetters:
+    """The part of a Problem that answers in letters."""
+
+    @property
+    def letters(self):
+        """The parameters that have neither a value nor a condition."""
+        return [name for name in self.scene.parameters.free if name not in self.given and name not in self.spec.choices]
+
+    @cached_property
+    def matrices_in_letters(self):
+        """M, C, G, K of the small oscillations in letters."""
+        from vibcli.mechanics.lagrange import matrices_in_letters
+
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+            from vibcli.scene.loops import drawn_values
+
+            require_autonomous(self, drawn_values(self.scene))
+        found = matrices_in_letters(self.letters_form)
+        if self.equilibrium_letters is not None:
+            from vibcli.algebra.polynomials import factored as shorter
+        else:
+            from vibcli.algebra.quotient import shorter
+        return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
+
+    @cached_property
+    def linear_in_letters(self):
+        """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
+        return self.is_linear or self.balanced_as_drawn or self.equilibrium_letters is not None
+
+    @property
+    def letters_form(self):
+        if self.balanced_as_drawn or self.is_linear:
+            return self.drawn_form if self.balanced_as_drawn else self.form
+        from vibcli.mechanics.linearisation import at_position
+
+        return at_position(self.form, self.equilibrium_letters.position(self.form))
+
+    @cached_property
+    def equilibrium_letters(self):
+        """The Settled equilibrium of a nonlinear scene with letters, not drawn in it; None where none is found."""
+        if not self.symbolic or self.balanced_as_drawn or self.is_linear:
+            return None
+        from vibcli.mechanics.settled import settled
+
+        return settled(self)
+
+    @cached_property
+    def balanced_as_drawn(self):
+        if self.symbolic:
+            from vibcli.mechanics.symbolic import vanishes
+
+            return all(vanishes(self.scene, terms) for terms in self.drawn_residual)
+        return self.equilibrium.drawn
+
+    @cached_property
+    def excitation(self):
+        """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
+        equilibrium that is not the drawn one."""
+        from vibcli.mechanics.steady import excitation
+
+        scene, settled = self.scene, self.equilibrium_letters
+        if settled is not None:
+            return excitation(scene, self.timed_form, settled.position(self.timed_form))
+        if self.linear_in_letters or self.symbolic:
+            return excitation(scene, self.timed_form, scene.drawn_position)
+        place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        return excitation(scene, self.timed_form, place)
+
+    @Stage
+    def energies(self):
+        """T, V and Φ of the scene, brought into the form a textbook prints."""
+        from vibcli.mechanics.energies import textbook_energies
+
+        return textbook_energies(self.loose)
+
+    @Stage
+    def equations(self):
+        """Lagrange's equations, full and for small oscillations, in letters."""
+        from vibcli.mechanics.lagrange import equations
+
+        return equations(self)
+
+    @Stage
+    def closed_forms(self):
+        """Natural frequencies and modes in letters, by SymPy."""
+        from vibcli.analyses.closed import closed_forms
+
+        return closed_forms(self)

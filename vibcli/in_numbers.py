@@ -1,0 +1,169 @@
+"""Stages of a Problem in numbers: values, the equilibrium, and the element data there."""
+
+from fractions import Fraction
+from functools import cached_property
+
+from vibcli.errors import defined_as_drawn
+from vibcli.stage import Stage
+
+
+class InNumbers:
+    """The part of a Problem that puts numbers in and finds where it rests."""
+
+    def values(self, arithmetic):
+        """{parameter: number} in an arithmetic."""
+        from vibcli.parameters import require_values
+
+        if self.symbolic:
+            require_values(self.scene.parameters, "this")
+        given = {name: arithmetic.number(value) for name, value in self.given.items()}
+        return self.scene.parameters.values(arithmetic, given)
+
+    @cached_property
+    def floats(self):
+        return self.values(_floats())
+
+    @cached_property
+    def drawn_floats(self):
+        from vibcli.algebra.evaluate import evaluate
+
+        drawn = {q.name: node for q, node in self.scene.drawn.items()}
+        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        return dict(zip(drawn, evaluate(list(drawn.values()), _floats(), self.floats), strict=True))
+
+    @cached_property
+    def rational(self):
+        """Exact values of the parameters that have a rational one."""
+        return self.scene.parameters.rational(self.given)
+
+    @cached_property
+    def potential(self):
+        """V of the whole scene less the kinetic energy at rest, as an expression."""
+        from vibcli.mechanics.energies import effective_potential
+
+        return defined_as_drawn(effective_potential, self.scene)
+
+    @cached_property
+    def conservative(self):
+        """Have all loads a potential: constant forces alone, and no driven motion?"""
+        scene = self.scene
+        return not scene.timed and not any(term.weight.mask for term in scene.forces)
+
+    @Stage
+    def equilibrium(self):
+        from vibcli.mechanics import equilibrium
+
+        start = self.spec.get("equilibrium")
+        if start is None and self.drawn_numbers is not None:
+            found = equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
+        else:
+            found = equilibrium.find_equilibrium(self, self._start(start or {}))
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+
+            require_autonomous(self, self.at_rest_in(found.values))
+        return found
+
+    def _start(self, start):
+        from vibcli.algebra.evaluate import evaluate
+        from vibcli.errors import PhysicsError
+
+        for name, expression in start.items():
+            if name not in self.scene.coordinates:
+                raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints", "start "
+                                   + " or ".join(f"'{other}'" for other in self.scene.coordinates), expression.where)
+        nodes = [self.scene.lower(expression) for expression in start.values()]
+        target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        return self.closed(self.drawn_floats, target)
+
+    @property
+    def dependent_values(self):
+        """{name: float} of the dependent coordinates in equilibrium."""
+        from vibcli.algebra.evaluate import evaluate
+
+        nodes = self.scene.dependent
+        values = dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
+        return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
+
+    @property
+    def at_rest(self):
+        """{symbol: float} of everything in equilibrium, at t = 0."""
+        return self.at_rest_in(self.equilibrium.values)
+
+    def at_rest_in(self, position):
+        """{symbol: float} of everything at rest in a position, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
+
+    def closed(self, start, target):
+        """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
+        `start`; PhysicsError where its loops cannot close there."""
+        if self.scene.loops is None:
+            return target
+        floats = {**self.floats, self.scene.time.name: 0.0}
+        found = self.scene.loops.followed({**floats, **start}, {**floats, **target})
+        if found is None:
+            from vibcli.errors import PhysicsError
+
+            raise PhysicsError("the loops of this scene cannot close in the position asked for",
+                               "start nearer to the drawn position, or make the links longer")
+        return {name: found[name] for name in self.drawn_floats}
+
+    @cached_property
+    def drawn_numbers(self):
+        """The numbers in the drawn position where that is an equilibrium, else None."""
+        from vibcli.mechanics.equilibrium import is_balanced
+        from vibcli.mechanics.evaluated import in_numbers
+
+        numbers = in_numbers(self.drawn_form, _floats(), self.floats, self.rational)
+        terms = len(self.drawn_form.curved) + len(self.drawn_form.residual)
+        return numbers if is_balanced(numbers, terms + 2) else None
+
+    @Stage
+    def elements(self):
+        """The element data at the equilibrium, in floats that are correct but for their own rounding."""
+        from vibcli.mechanics.evaluated import in_numbers
+        from vibcli.mechanics.kinks import require_smooth
+
+        require_smooth(self)
+        closed = self.scene.loops is not None or "atan2" in self.scene.table.called
+        if self.equilibrium.drawn and not closed:
+            return self.drawn_numbers.elements
+        if self.is_linear:
+            return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
+        from vibcli.mechanics.precise import require_inertia, rounded_elements
+
+        found = rounded_elements(self)
+        if closed:
+            require_inertia(self, found)
+        return found
+
+    def precise_elements(self, digits):
+        """The element data at the equilibrium to so many digits, as mpmath numbers."""
+        from vibcli.mechanics.precise import elements_to
+
+        return elements_to(self, digits)
+
+    def exact_elements(self):
+        """The element data as Fractions, None where they are irrational or the equilibrium had to be searched for."""
+        from vibcli.algebra.evaluate import Rationals
+        from vibcli.mechanics.evaluated import in_numbers
+
+        form = self.drawn_form if self.equilibrium.drawn else self.form if self.is_linear else None
+        if form is None:
+            return None
+        try:
+            anywhere = dict.fromkeys(self.scene.coordinates, Fraction(0))
+            return in_numbers(form, Rationals(), {**self.rational, **anywhere}).elements
+        except (Rationals.Irrational, KeyError, ZeroDivisionError):
+            return None
+
+    @cached_property
+    def sources(self):
+        """Where more digits of the elements come from."""
+        return self.precise_elements, self.exact_elements
+
+
+def _floats():
+    from vibcli.algebra.evaluate import Floats
+
+    return Floats
