@@ -5,6 +5,7 @@ the implicit one, z_q = −G_z⁻¹ G_q, an expression in q and z: its own deriv
 that all which is derived from z later is exact to any order.
 """
 
+from math import isfinite
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
@@ -53,6 +54,8 @@ def close(scene):
         allowed = [q for _, q in _pivots(scene, nodes, raw)]
     values = _explicit(scene, nodes, allowed)
     pivots = _pivots(scene, nodes, [q for q in allowed if q not in values])
+    if scene.diagnostics:
+        return {}
     tied = [nodes.pop(k) for k, _ in pivots]
     left = [q for q in raw if q not in values and q not in {z for _, z in pivots}]
     scene.rename(left)
@@ -85,6 +88,10 @@ def _pivots(scene, nodes, columns):
     work = {}
     for i, k in enumerate(nodes):
         row = flat[i * n:(i + 1) * n]
+        if not all(map(isfinite, row)):
+            scene.report(scene.constraints[k].where, f"how '{scene.constraints[k].whole}' changes is not "
+                         "defined as drawn", "look for roots of what is zero or negative, and for what divides by zero")
+            return []
         size = max(map(abs, row), default=0.0) or 1.0
         work[k] = [x / size for x in row]
     found = []
