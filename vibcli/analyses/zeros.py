@@ -9,7 +9,7 @@ from math import isfinite
 
 ZERO, TOUCHING, SAME, TAIL = 1e-8, 1e-9, 1e-7, 1e-6
 ROUNDS, MOST, BENT, HALVINGS, NARROW = 4, 320, 0.12, 34, 2.0**-50
-LOOKED, FALLING, JUMP = 6, 0.9, 0.3
+LOOKED, FALLING, JUMP, FLAT, LEVEL, LEVELLED, DEEP = 6, 0.9, 0.3, 3, 1e-12, 1e-4, 0.5
 GOLDEN = 0.3819660112501051
 
 
@@ -70,6 +70,16 @@ def holds_everywhere(scan):
     return bool(values) and max(map(abs, values)) <= TOUCHING
 
 
+def longest_plateau(scan):
+    """(from, to) where the function is zero at FLAT neighbouring points or more; None where it is nowhere flat."""
+    best, run = [], []
+    for x, h in scan.defined():
+        run = [*run, x] if abs(h) <= LEVEL else []
+        best = max(best, run, key=len)
+    wide = len(best) >= FLAT and best[-1] - best[0] > 1e-3 * abs(best[-1])
+    return (best[0], best[-1]) if wide else None
+
+
 def _neighbours(scan):
     """Pairs of neighbouring points at both of which the function is defined."""
     points = sorted(scan.points.items())
@@ -87,9 +97,12 @@ def _middle(a, b):
 
 def _edges(scan, grid):
     """Go up to the edges of the domain, all the way where the function falls towards zero there."""
-    for a, b in pairwise(grid):
+    for i, (a, b) in enumerate(pairwise(grid)):
         inside, outside = (a, b) if scan.at(a) is not None else (b, a)
         if scan.at(inside) is None or scan.at(outside) is not None:
+            continue
+        before = scan.at(grid[max(i - 1, 0)] if inside == a else grid[min(i + 2, len(grid) - 1)])
+        if before is not None and abs(scan.at(inside)) > 0.1 and abs(before - scan.at(inside)) < LEVELLED:
             continue
         falling = True
         for step in range(HALVINGS):
@@ -142,7 +155,10 @@ def bracketed(function, a, fa, b, fb):
             return None
         if least == 0.0 or width <= 4 * NARROW * abs(best):
             return best
-        t, xi, phi = 0.5, (a - b) / (c - b), (fa - fb) / (fc - fb)
+        t = 0.5
+        if fc in (fa, fb) or c in (a, b):
+            continue
+        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         if phi**2 < xi and (1 - phi) ** 2 < 1 - xi:
             t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
         limit = 0.5 * NARROW * abs(best) / width
@@ -158,8 +174,8 @@ def _dips(scan):
             continue
         (a, ha), (c, hc) = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
         (a, ha), (c, hc) = (b, hb) if ha is None else (a, ha), (b, hb) if hc is None else (c, hc)
-        flat = max(abs(ha), abs(hc)) <= abs(hb) * (1 + 1e-12)
-        if ha * hb > 0 and hc * hb > 0 and abs(hb) <= min(abs(ha), abs(hc)) and not flat:
+        deep = abs(hb) <= DEEP * max(abs(ha), abs(hc))      # a parabola that touches zero: at most 1/9
+        if ha * hb > 0 and hc * hb > 0 and abs(hb) <= min(abs(ha), abs(hc)) and deep:
             yield a, b, c
 
 

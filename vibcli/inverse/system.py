@@ -46,6 +46,8 @@ class System:
 
         try:
             with np.errstate(all="ignore"):
+                if any(condition.word != BALANCE for condition in self.conditions):
+                    _roughly(numeric)
                 found = [self._pairs(numeric, condition) for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
@@ -119,6 +121,14 @@ class System:
 
     def admits(self, values):
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
+
+
+def _roughly(numeric):
+    """Element data about an equilibrium that is not drawn, in floats: for a first look, not to the last digit."""
+    from vibcli.mechanics.linearise import in_numbers
+
+    if not numeric.is_linear and not numeric.equilibrium.drawn:
+        numeric.elements = in_numbers(numeric.form, Floats, {**numeric.floats, **numeric.equilibrium.values}).elements
 
 
 def misfit(pair, scale):

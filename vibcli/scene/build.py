@@ -23,6 +23,7 @@ from vibcli.scene.terms import Terms
 
 ATTEMPTS = 12
 SAMPLES = range(20, 28)     # where other samples start
+SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
 
 def build_scene(spec, given=None, start=0):
@@ -53,7 +54,9 @@ class Scene(Terms, Ends):
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
         given = {name: float(value) for name, value in given.items()}
-        self.sample = self.parameters.values(Floats, {**sample_values(self.parameters.free, attempt), **given})
+        free = sample_values(self.parameters.free, attempt)
+        free |= {name: free[name] * SIZES[attempt % len(SIZES)] for name in spec.choices if name in free}
+        self.sample = self.parameters.values(Floats, {**free, **given})
         table.sample = self.sample
         self.q = [table.variable(name) for name in self.coordinates]
         self.v = [table.variable(name + "'") for name in self.coordinates]
