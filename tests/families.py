@@ -146,6 +146,60 @@ def rotor(random, n, ratio, size=1.0):
     return OscillatorElements(n, base.inertias, base.springs, dampers, G=turning.G, K=base.K)
 
 
+def follower(random, n, ratio, size=1.0, grounded=True):
+    """A chain with a matrix added to its stiffness that is not symmetric; of a free one each row of it sums to zero."""
+    base, k, unit = chain(random, n, ratio, grounded), {}, 2.0 ** (math.floor(math.log2(size)) - 20)
+    for i in range(n):
+        for j in range(n):
+            if (i != j or grounded) and random.random() < 0.5:
+                k[i, j] = unit * random.randrange(-1 << 20, 1 << 20)
+        if not grounded:
+            k[i, i] = -sum(x for (row, _), x in k.items() if row == i)
+    return OscillatorElements(n, base.inertias, base.springs, K=k)
+
+
+def free_follower(random, n, ratio, size=1.0):
+    """The same tied to nothing."""
+    return follower(random, n, ratio, size, grounded=False)
+
+
+def massive_follower(random, n, ratio, size=1.0):
+    """The same with coordinates coupled through the masses."""
+    base = full_mass(random, n, ratio)
+    return OscillatorElements(n, base.inertias, base.springs, K=follower(random, n, ratio, size).K)
+
+
+def massless_follower(random, n, ratio, size=1.0):
+    """The same with some nodes of no mass."""
+    base = massless_nodes(random, n, ratio)
+    return OscillatorElements(n, base.inertias, base.springs, K=follower(random, n, ratio, size).K,
+                              massless=base.massless)
+
+
+def driven(random, n, ratio, size=1.0, follow=follower):
+    """Follower forces, dampers that resist or push, and now and then a skew matrix."""
+    base = follow(random, n, ratio, 10 ** random.uniform(-4, 4))
+    pushed = [(w * random.choice((1, 1, -1)), row) for w, row in damped_chain(random, n, ratio, size).dampers]
+    g = gyroscopic(random, n, ratio, 10 ** random.uniform(-4, 4)).G if random.random() < 0.5 else {}
+    g = {at: x for at, x in g.items() if not set(at) & set(base.massless)}
+    return OscillatorElements(n, base.inertias, base.springs, pushed, G=g, K=base.K, massless=base.massless)
+
+
+def held_by_spin(random, n, ratio, size=1.0):
+    """Pairs of coordinates on negative springs, spun somewhat faster or slower than what holds them, loosely tied."""
+    base, springs, g, k = chain(random, n, 10.0), [], {}, {}
+    for i in range(0, n - 1, 2):
+        stiffness, (m, _), (other, _) = _weight(random, ratio), *base.inertias[i:i + 2]
+        springs += [(-stiffness, {i: 1.0}), (-stiffness, {i + 1: 1.0})]
+        least = math.sqrt(stiffness) * (math.sqrt(m) + math.sqrt(other))
+        g[i, i + 1] = least * (1 + random.choice((-1, 1)) * 10 ** random.uniform(-12, 0))
+        g[i + 1, i] = -g[i, i + 1]
+        if i:
+            k[i, i - 1] = k[i - 1, i] = random.choice((0.0, 1e-3 * stiffness))
+    springs += [(1.0, {n - 1: 1.0})] * (n % 2)
+    return OscillatorElements(n, base.inertias, springs, G=g, K=k)
+
+
 def anything(random, n, ratio, size=1.0):
     """Springs, dampers and matrices of any sign and of strengths up to `ratio` apart, on any coordinates."""
     def weight():
@@ -209,6 +263,26 @@ def squares(elements):
     inverse = mpmath.cholesky(m) ** -1
     a = inverse * k * inverse.T
     return sorted(mpmath.eigsy((a + a.T) / 2, eigvals_only=True))
+
+
+def condensed(elements):
+    """M⁻¹K of the massive coordinates, the massless ones following."""
+    m, _, k = pencil(elements)
+    bare = sorted(elements.massless)
+    kept = [i for i in range(elements.n) if i not in bare]
+
+    def part(a, rows, columns):
+        return mpmath.matrix([[a[i, j] for j in columns] for i in rows])
+
+    if bare:
+        k = part(k, kept, kept) - part(k, kept, bare) * part(k, bare, bare) ** -1 * part(k, bare, kept)
+    return part(m, kept, kept) ** -1 * k
+
+
+def circulatory_squares(elements):
+    """The eigenvalues −λ² of M⁻¹K, K not symmetric, massless coordinates condensed."""
+    a = condensed(elements)
+    return list(mpmath.eig(a, left=False, right=False)) if len(a) > 1 else [a[0, 0]]
 
 
 def eigenvalues(elements):

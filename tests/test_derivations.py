@@ -23,7 +23,7 @@ PROBLEMS = sorted((HERE.parent / "problems").rglob("*.yaml"))
 DERIVATIONS = HERE / "derivations"
 EXPRESSION, WIDEST, SMALL = 1e-9, 0.005, 1e-10
 LEAST_FILES, LEAST_ANSWERS = 45, 300
-LITERAL = re.compile(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?(\s+[A-Za-z%°µ][\w/*^·%°µ²³]*)?\s*")
+LITERAL = re.compile(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?(\s+[A-Za-z%°µ][\w/*^·%°µ²³-]*)?\s*")
 
 
 def derivation(path):
@@ -76,7 +76,7 @@ def states(names, drawn, about_zero=False):
     generator = random.Random("derivations")
     for _ in range(4 + 3 * len(names)):
         near = {name: 0.0 if about_zero else drawn[name] for name in names}
-        yield ({name: near[name] + generator.uniform(-0.09, 0.09) for name in names},
+        yield ({name: near[name] + generator.uniform(-0.09, 0.09) for name in names} | {"t": generator.uniform(0, 3)},
                {name: generator.uniform(-2, 2) for name in names},
                {name: generator.uniform(-9, 9) for name in names})
 
@@ -116,7 +116,8 @@ def sampled(problem, answer, head, found):
     names = problem.scene.coordinates
     pairs = []
     for q, v, a in states(names, problem.drawn_floats, head == "equation"):
-        symbols = problem.floats | q | {f"{n}'": v[n] for n in names} | {f"{n}''": a[n] for n in names}
+        symbols = q | problem.floats | {name: q[name] for name in names}
+        symbols |= {f"{n}'": v[n] for n in names} | {f"{n}''": a[n] for n in names}
         arguments = {"V": (q,), "T": (q, v), "Phi": (q, v)}.get(head, (q, v, a))
         pairs.append((float(number(answer.expected.tree, symbols)), float(found(*arguments))))
     return pairs

@@ -49,7 +49,7 @@ def try_expression(text, equation=False):
     """Parse, measure, lower and evaluate; whether all of that went well."""
     known = units.Dimensions()
     try:
-        tree = parse(text, equation)
+        tree = parse(text, "x = 0" if equation else None)
         if tree[0] != "equation":
             DimensionCheck(known, lambda name, primes: units.times(known.of(name), units.TIME, -primes),
                            text=text).dimension(tree)

@@ -24,11 +24,11 @@ ROOMS = (
     ("algebra", ("algebra",)),
     ("fields", ("reading", "fields")),
     ("elements", ("elements",)),
-    ("spec", ("naming", "asking", "choosing", "parameters", "spec")),
+    ("spec", ("signals", "naming", "asking", "choosing", "parameters", "spec")),
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
-    ("results", ("report", "stage", "problem", "measured", "inverse", "draws", "check")),
+    ("results", ("report", "stage", "on_request", "problem", "measured", "inverse", "draws", "check")),
     ("manual", ("manual",)),
     ("cli", ("cli", "__main__")),
     ("bench", ("bench",)),
@@ -181,6 +181,33 @@ def test_check_in_numbers(stem):
     code, names = modules("check", PROBLEMS / f"{stem}.yaml")
     assert code == 0
     assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+INSIGHT = {f"vibcli.{name}" for name in (
+    "algebra.dual", "analyses.sharp", "analyses.shares", "analyses.sensitivities", "analyses.estimates",
+    "mechanics.inner_products", "mechanics.owners", "mechanics.perturbed", "report.insight", "report.insight_data")}
+LOADED = RUN.replace("{name.partition('.')[0] for name in sys.modules}", "sys.modules")
+
+
+@pytest.mark.parametrize(("args", "expected"), [
+    (["solve"], set()), (["solve", "--json"], set()), (["frequencies"], set()), (["check"], set()),
+    (["solve", "--insight"], INSIGHT)], ids=["solve", "json", "frequencies", "check", "insight"])
+def test_insight_is_imported_only_where_it_is_asked_for(two_degrees, args, expected):
+    done = subprocess.run([sys.executable, "-c", LOADED, *args, str(two_degrees)], capture_output=True, text=True,
+                          timeout=60)
+    code, names = json.loads(done.stderr.splitlines()[-1])
+    assert code == 0
+    assert INSIGHT & set(names) == expected
+    assert not {"scipy", "sympy", "matplotlib"} & set(names)
+
+
+def test_one_degree_in_letters_needs_no_sympy(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text("parameters: {m: , c: , k: }\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: c, between: [ground, b]}}\n")
+    code, names = modules("solve", path)
+    assert code == 0
+    assert names <= {"numpy"}
 
 
 def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():

@@ -600,3 +600,32 @@ def test_a_file_without_answers_is_tried(tmp_path, capsys):
     path.write_text(scene(BLOCK, GIVEN, "c: omega[1] = 3 rad/s"))
     assert run(["check", str(path)]) == 4
     assert "for all of them" in capsys.readouterr().err
+
+
+ZIEGLER = """
+parameters: {{{parameters}}}
+bodies:
+  a: {{mass: 2*m, at: [0, l], pin: {{at: [0, 0], by: p}}}}
+  b: {{mass: m, at: [0, 2*l], pin: {{at: a, by: q}}}}
+springs: {{s: {{torsion: k, between: [ground, a]}}, t: {{torsion: k, between: [a, b]}}}}
+{dampers}
+forces: {{F: {{at: b, force: [0, -P], carrier: b}}}}
+choose:
+  {choose}
+"""
+COLUMN = "m: 1 kg, l: 1 m, k: 10 N*m"
+JOINTS = "dampers: {d: {torsion: c, between: [ground, a]}, e: {torsion: c, between: [a, b]}}"
+
+
+def test_flutter_of_an_undamped_column_begins_at_its_published_load():
+    """Ziegler 1952: P l/k = 7/2 − √2."""
+    found = settled(problem(scene(ZIEGLER, COLUMN, "P: stability limit")))
+    assert values(found, "P")[0] == pytest.approx(10 * (3.5 - math.sqrt(2)), rel=1e-12)
+    assert forms(found, "P")[0] is not None
+
+
+def test_damping_lowers_the_load_at_which_flutter_begins():
+    """Herrmann & Jong 1965: 41/28 + c²/(2 m l² k) for equal dampers."""
+    for c in (0.01, 0.1, 1.0):
+        text = scene(ZIEGLER, f"{COLUMN}, c: {c} N*m*s", "P: stability limit", dampers=JOINTS)
+        assert values(settled(problem(text)), "P")[0] == pytest.approx(10 * (41 / 28 + c * c / 20), rel=1e-10)

@@ -64,7 +64,7 @@ def test_every_frequency_to_the_last_digit_within_its_bound(family):
             if sign and rate(mode) != exact:
                 ratios.append(mode.error / float(abs(rate(mode) - exact) / exact))
     assert swept >= 60
-    assert statistics.median(ratios) <= 1e4
+    assert statistics.median(ratios) <= 5e4
 
 
 def test_anything_at_all():
@@ -299,7 +299,7 @@ def test_many_coordinates_stay_within_their_bounds(family, monkeypatch):
             off = abs(rate(mode) - rate(exact)) / rate(exact)
             assert off <= mode.error + exact.error
             ratios.append(mode.error / max(off, EPS))
-    assert statistics.median(ratios) <= 1e4
+    assert statistics.median(ratios) <= 5e4
 
 
 def test_jacobi_reads_small_singular_values_of_rows_of_any_size():
@@ -310,7 +310,7 @@ def test_jacobi_reads_small_singular_values_of_rows_of_any_size():
     with mpmath.workdps(60):
         a = mpmath.matrix(rows.tolist())
         exact = sorted((mpmath.sqrt(x) for x in mpmath.eigsy(a.T * a, eigvals_only=True)), reverse=True)
-    assert max(abs(s - x) / x for s, x in zip(sigma, exact, strict=True)) <= 1e-14
+    assert max(abs(s - x) / x for s, x in zip(sigma, exact, strict=True)) <= 3e-14
     assert abs(u.T @ u - np.eye(9)).max() <= 1e-13
     plain = np.linalg.svd(rows, compute_uv=False)
     assert max(abs(s - x) / x for s, x in zip(plain, exact, strict=True)) > 1e-12

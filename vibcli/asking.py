@@ -5,8 +5,10 @@ from vibcli.algebra.meaning import DimensionCheck, counts_cycles, names_in, quan
 from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
-from vibcli.naming import check
-from vibcli.questions import ASKED, STATE_FUNCTIONS, dimension
+from vibcli.naming import check, cyclic
+from vibcli.parameters import independent
+from vibcli.questions import ASKED, BARE, STATE_FUNCTIONS, dimension
+from vibcli.signals import near_signals, signal_dimension
 
 
 def check_answers(spec, reader):
@@ -21,7 +23,12 @@ def asked_dimension(spec, tree):
     if is_choice(spec, tree):
         return spec.dimensions.of(tree[4])
     indices = [coordinate_name(spec, index) or index for index in tree[5]]
-    return dimension(tree[4], indices, spec.dimensions.of)
+
+    def of(name):
+        known = name in spec.coordinates or name in spec.parameters
+        return spec.dimensions.of(name) if known else signal_dimension(spec, name)
+
+    return dimension(tree[4], indices, of)
 
 
 def is_choice(spec, tree):
@@ -46,7 +53,7 @@ def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if tree[0] == "name" and tree[3] in ("T", "V", "Phi", "stable") and not tree[4] and not is_choice(spec, tree):
+    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not is_choice(spec, tree):
         tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
         asked.tree = tree
     whole = tree[0] == "quantity"
@@ -76,7 +83,7 @@ def _answer(spec, reader, answer):
                       f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
         return
     refuse_cycles(spec, reader, head, expected)
-    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates)
+    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
     check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
     expected.unit = ASKED[head].unit if whole and not is_choice(spec, tree) else None
@@ -134,25 +141,28 @@ def _index(spec, reader, place, head, kind, index):
         good, valid = index.isdecimal() and index.isascii() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
+    elif kind == "signal":
+        good = coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
+        valid = near_signals(spec, index)
+    elif kind == "parameter":
+        good, valid = index in independent(spec.parameters), independent(spec.parameters)
+        if not good and index in spec.parameters:
+            reader.report(place, f"'{index}' is defined by other parameters", nearest(index, valid))
+            return False
     elif kind == "body":
         good, valid = index in bodies, list(bodies)
     else:
         good, valid = index in points or index in bodies, [*points, *bodies]
     if not good:
+        kind = "coordinate or signal" if kind == "signal" else kind
         reader.report(place, f"this scene has no {kind} {quoted(index)}", nearest(index, valid) or "it has none at all")
     return good
 
 
-def _cyclic(spec, tree):
-    """The parameters named in a tree whose value is in Hz."""
-    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
-    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
-
-
 def refuse_cycles(spec, reader, head, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
-    angular = head in ("omega", "omega_d", "decay", "growth_rate")
-    if angular and counts_cycles(expected.tree, _cyclic(spec, expected.tree)):
+    angular = head in ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
+    if angular and counts_cycles(expected.tree, cyclic(spec, expected.tree)):
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
     tree = expected.tree

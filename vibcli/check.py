@@ -11,8 +11,11 @@ from vibcli.algebra.meaning import quantities_in, whole_literal
 from vibcli.asking import coordinate_name
 from vibcli.draws import Draws, at_states, reach, states
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.measured import lowered, measure, value_of
+from vibcli.measured import lowered, measure, number_of, value_of
 from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.signals import signal_dimension
+from vibcli.units import LENGTH
 
 EXACT, WIDEST, ROUNDING = 1e-9, 0.005, 1e-13
 
@@ -72,7 +75,7 @@ def _compare(problem, answer):
     head = tree[4] if tree[0] == "quantity" else None
     if head in ("equation", "motion"):
         return _compare_equation(problem, answer, head)
-    if head in ("T", "V", "Phi"):
+    if head in ("T", "V", "Phi", "Q"):
         return _compare_energy(problem, answer, head)
     if head == "stable":
         stable = measure(problem, tree)[0]
@@ -116,7 +119,7 @@ def _small(problem, answer):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":
-        return 1e-12 * reach(problem, coordinate_name(problem.spec, tree[5][0]))
+        return _small_signal(problem, tree[5][0])
     if head in ("mode", "zeta"):
         return 1e-11
     if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
@@ -129,19 +132,32 @@ def _small(problem, answer):
     return 1e-12 * max((abs(float(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
 
 
+def _small_signal(problem, text):
+    """What counts as zero of a coordinate, place, turn or force in equilibrium."""
+    name = coordinate_name(problem.spec, text)
+    if name is not None:
+        return 1e-12 * reach(problem, name)
+    dimension = signal_dimension(problem.spec, text)
+    if dimension in ({}, LENGTH):
+        return 1e-12 * (problem.figure_size or 1.0) if dimension else 1e-12
+    return 1e-11 * max((abs(reaction.value) for reaction in problem.reactions if reaction.value), default=0.0)
+
+
 def _expected_node(problem, expression):
     scene = problem.scene
-    symbols = dict(zip(scene.coordinates, zip(scene.q, scene.v, scene.a, strict=True), strict=True))
 
     def symbol(name, primes, part):
-        return symbols[name][primes] if name in symbols else scene.parameters.nodes[name]
+        return scene.parameters.nodes[name] if name in scene.parameters.nodes else scene.symbol(name, primes)
 
     return lowered(expression, scene.table, symbol)
 
 
 def _compare_energy(problem, answer, head):
     scene = problem.scene
-    ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
+    if head == "Q":
+        ours = generalised_force_at_rest(problem, number_of(problem, answer.asked.tree[5][0]))
+    else:
+        ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     wanted, found = at_states(problem, [expected, ours], at)
@@ -159,13 +175,14 @@ def _compare_energy(problem, answer, head):
 def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
-    i = scene.coordinates.index(coordinate_name(problem.spec, answer.asked.tree[5][0]))
+    i = number_of(problem, answer.asked.tree[5][0])
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":
         at = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in at.items()}
-        wanted, = at_states(problem, [expected], at)
-        found = _small_oscillation(problem, i, at)
+        drive = problem.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
+        wanted, load = at_states(problem, [expected, drive], at)
+        found = _small_oscillation(problem, i, at) - load
     else:
         from vibcli.mechanics.lagrange import equation_of
 

@@ -10,7 +10,7 @@ from vibcli.algebra.evaluate import evaluate
 from vibcli.errors import PhysicsError, SpecError
 
 DRAWS, CANDIDATES = 3, 40
-STATES, NEAR, SEPARATE = 5, 1e-4, 12
+STATES, NEAR, SEPARATE, MOST_HALVINGS = 5, 1e-4, 12, 30
 
 
 class Draws:
@@ -81,7 +81,7 @@ def states(problem):
     import numpy as np
 
     generator = random.Random("states")
-    names = problem.scene.coordinates
+    scene, names = problem.scene, problem.scene.coordinates
     groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
     if 1 < len(names) <= SEPARATE:
         groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
@@ -91,7 +91,35 @@ def states(problem):
         for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
             found[name + "'" * primes] = centre + spread * scale * np.array([
                 group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
-    return found, [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+    if scene.timed:
+        found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
+    return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+
+
+def _closed(problem, found):
+    """The states with their dependent coordinates; those whose loops cannot close are drawn nearer, until they can."""
+    import numpy as np
+
+    loops, names, time = problem.scene.loops, problem.scene.coordinates, problem.scene.time.name
+    if loops is None:
+        return found
+    start = {**problem.floats, time: 0.0, **problem.drawn_floats}
+    found |= {name: [] for name in loops.names}
+    for i in range(len(found[names[0]])):
+        for halving in range(MOST_HALVINGS):
+            near = 0.5**halving
+            target = {**start, **{name: start[name] + near * (found[name][i] - start[name]) for name in names},
+                      **{name: found[name][i] for name in (time,) if name in found}}
+            closed = loops.followed(start, target)
+            if closed is not None:
+                break
+        else:
+            raise PhysicsError("the loops of this scene do not close near the drawn position", "draw it elsewhere")
+        for name in names:
+            found[name][i] = closed[name]
+        for name in loops.names:
+            found[name].append(closed[name])
+    return {name: np.array(values) for name, values in found.items()}
 
 
 def at_states(problem, nodes, states):

@@ -45,6 +45,10 @@ class PhysicsError(Exception):
         self.message, self.hint, self.where = message, hint, where
 
 
+class NotInLetters(PhysicsError):
+    """There is such an answer, but it is not found in letters: a remark where other answers stand beside it."""
+
+
 def defined_as_drawn(function, *args):
     """What the function gives; a refusal where an expression divides by zero in the drawn position."""
     try:

@@ -36,7 +36,7 @@ class Text(Kind):
 class Quantity(Kind):
     """An expression of a given dimension; `unit` None leaves it to be inferred."""
 
-    def __init__(self, unit=None, equation=False):
+    def __init__(self, unit=None, equation=None):
         self.unit, self.equation = unit, equation
         self.dimension = None if unit is None else units.parse_unit(unit).dimension
 
@@ -75,6 +75,32 @@ class Motion(Quantity):
         if expression is not None:
             reader.motions.append(expression)
         return expression
+
+
+class Load(Quantity):
+    """An expression of the time, coordinates and velocities."""
+
+    def read(self, node, reader):
+        expression = super().read(node, reader)
+        if expression is not None:
+            reader.loads.append(expression)
+        return expression
+
+
+class Equation(Load):
+    """An equation between coordinates and the time."""
+
+    def __init__(self):
+        super().__init__(equation="x2 = 2*x1")
+
+
+class NewName(Text):
+    """A name that is good within the one element."""
+
+    wants = "a name"
+
+    def read(self, node, reader):
+        return check_name(node, reader, ("t", "pi")) if isinstance(node, Scalar) else reader.expected(node, self.wants)
 
 
 class NameOf(Kind):
@@ -146,8 +172,8 @@ class Many(Kind):
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
 
 
-def vector(unit, wants):
-    return Many(Quantity(unit), 2, 2, wants)
+def vector(unit, wants, kind=Quantity):
+    return Many(kind(unit), 2, 2, wants)
 
 
 class OneOf(Kind):

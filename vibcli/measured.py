@@ -2,11 +2,13 @@
 
 from math import isfinite
 
+from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower, quantities_in
 from vibcli.algebra.parse import ExpressionError
 from vibcli.asking import coordinate_name, is_choice
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.mechanics.signals import displacement, force
 
 ROUNDING = 1e-14
 
@@ -55,6 +57,15 @@ def _mode(problem, indices):
     return modes[number - 1]
 
 
+def number_of(problem, index):
+    """The number of an independent coordinate, from 0."""
+    name = coordinate_name(problem.spec, index)
+    if name not in problem.scene.coordinates:
+        raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints: it has no equation of its "
+                           "own", "ask for " + " or ".join(f"'{other}'" for other in problem.scene.coordinates[:3]))
+    return problem.scene.coordinates.index(name)
+
+
 def _counted(count, noun):
     return f"one {noun}" if count == 1 else f"{count} {noun}s"
 
@@ -93,11 +104,24 @@ def _growth_rate(problem, indices, attribute):
 
 def _shape(problem, indices, attribute):
     mode = _mode(problem, indices[:1])
-    amplitude = problem.shape(mode)[problem.scene.coordinates.index(coordinate_name(problem.spec, indices[1]))]
+    amplitude = _along(problem, problem.shape(mode), coordinate_name(problem.spec, indices[1]) or indices[1])
     if isinstance(amplitude, complex) and amplitude.imag:
         raise PhysicsError(f"the amplitudes of mode {indices[0]} are not in phase: it has no real shape",
                            "see `vibcli frequencies`")
     return float(amplitude.real), 1e-11
+
+
+def _along(problem, shape, signal):
+    """How far a signal moves where the coordinates move by `shape`: Σ (∂s/∂qᵢ) φᵢ."""
+    scene = problem.scene
+    if signal in scene.coordinates:
+        return shape[scene.coordinates.index(signal)]
+    node = displacement(scene, signal)
+    if node is None:
+        raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
+    slopes = gradient(node)
+    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.at_rest)
+    return sum(slope * x for slope, x in zip(values, shape, strict=True))
 
 
 def damped_mode(problem, indices):
@@ -123,13 +147,46 @@ def _of_damped(attribute_name, words):
     return value
 
 
+def _sensitivity(problem, indices, attribute):
+    mode, name = _oscillating(problem, indices[:1], "sensitivity"), indices[1]
+    if mode.rigid:
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: its frequency has no sensitivity",
+                           "ask for that of a mode which oscillates")
+    found = problem.sensitivities
+    if name in found.refused:
+        raise PhysicsError(found.refused[name], "see `vibcli solve --insight`")
+    rate = found.omega[name][mode.index]
+    if rate is None:
+        raise PhysicsError(f"mode {indices[0]} coincides with another one, and they are gyroscopic",
+                           "derivatives of such modes are not found")
+    return rate, ROUNDING
+
+
+def _estimate(which):
+    def value(problem, indices, attribute):
+        return getattr(problem.estimates, which), ROUNDING
+    return value
+
+
 def _equilibrium(problem, indices, attribute):
-    return problem.equilibrium.values[coordinate_name(problem.spec, indices[0])], ROUNDING
+    signal = coordinate_name(problem.spec, indices[0]) or indices[0]
+    node = displacement(problem.scene, signal)
+    if node is None:
+        return force(problem, signal), ROUNDING
+    return evaluate([node], Floats, problem.at_rest)[0], ROUNDING
 
 
 def is_stable(problem):
-    """Does K have no negative eigenvalue, and does V not fall along a direction in which it vanishes?"""
-    return all(mode.growth_rate is None for mode in problem.modes) and "falling" not in problem.zero_modes.values()
+    """Does no small motion grow, and does V not fall along a direction in which K vanishes?
+
+    Dampers decide nothing there (Thomson & Tait 1879) unless they push, or K is not symmetric, or there is G.
+    """
+    elements = problem.elements
+    pushed = (any(any(part.values()) for part in (elements.C, elements.drag, elements.G))
+              or any(c < 0 for c, _ in elements.dampers))
+    modes = (problem.damped if pushed or elements.circulatory else None) or problem.modes
+    grows = any(mode.kind in ("flutter", "divergence") for mode in modes)
+    return not grows and "falling" not in problem.zero_modes.values()
 
 
 def _stable(problem, indices, attribute):
@@ -139,7 +196,7 @@ def _stable(problem, indices, attribute):
 def _matrix(which):
     def value(problem, indices, attribute):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
-        i, j = (problem.scene.coordinates.index(coordinate_name(problem.spec, index)) for index in indices)
+        i, j = (number_of(problem, index) for index in indices)
         return float(matrices[which].get((i, j), 0.0)), ROUNDING
     return value
 
@@ -176,6 +233,7 @@ def _centre(problem, indices, attribute):
 _MEASURES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
-    "decay": _of_damped("decay", "decay"), "equilibrium": _equilibrium, "stable": _stable,
+    "decay": _of_damped("decay", "decay"), "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
+    "dunkerley": _estimate("dunkerley"), "equilibrium": _equilibrium, "stable": _stable,
     "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
 }

@@ -7,6 +7,7 @@ from vibcli.algebra.meaning import (
     ANY,
     DimensionCheck,
     constant,
+    counts_cycles,
     literal_unit,
     literals_in,
     names_in,
@@ -39,13 +40,19 @@ def resolve(spec, reader):
     _matrices(spec, reader)
     _start(spec, reader)
     _bounded(spec, reader)
-    known = (*spec.parameters, *spec.coordinates)
+    known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
+    if "t" not in spec.parameters and "t" not in spec.coordinates:
+        spec.dimensions.equate(spec.dimensions.unknown("t"), units.TIME)
     parameters = {id(p.get("value")) for p in spec.parameters.values()}
     moving = _moving(spec, reader)
+    if "t" in spec.parameters:
+        _time_is_taken(spec, reader)
     for expression in reader.expressions:
         if id(expression) not in apart and id(expression) not in parameters:
             names = known if id(expression) in moving else spec.parameters
-            check(spec, reader, expression, names, expression.dimension)
+            local = reader.local_names.get(id(expression))
+            check(spec, reader, expression, names if local is None else {**names, local: None}, expression.dimension,
+                  local)
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.choosing import check_choices
 
@@ -56,14 +63,22 @@ def resolve(spec, reader):
         check_answers(spec, reader)
 
 
+def _time_is_taken(spec, reader):
+    """Where loads and motions are written, t is the time."""
+    for expression in (*reader.motions, *reader.loads):
+        for name, _, start, end in names_in(expression.tree):
+            if name == "t":
+                reader.report(expression.scalar.place(start, end - start), "'t' would be the time here, and is a "
+                              "parameter of this scene", "give the parameter another name")
+
+
 def _moving(spec, reader):
-    """Coordinates may stand in motions, stretches and energies; everything else is of parameters alone."""
+    """Coordinates and the time may stand in motions, stretches, loads and energies; all else is of parameters."""
     holders = [*(spec.get("springs") or {}).values(), *(spec.get("dampers") or {}).values()]
     energies = spec.get("energies")
-    expressions = [*reader.motions, *(record.get("stretch") for record in holders),
-                   *(energies.values.values() if energies else ())]
-    spec.velocities = {id(expression) for expression in expressions[len(reader.motions) + len(holders):]}
-    return set(map(id, expressions))
+    at_speed = [*(energies.values.values() if energies else ()), *reader.loads]
+    spec.velocities = set(map(id, at_speed))
+    return set(map(id, (*reader.motions, *(record.get("stretch") for record in holders), *at_speed)))
 
 
 def _coordinates(spec, reader):
@@ -80,7 +95,7 @@ def _coordinates(spec, reader):
     energies = spec.get("energies")
     for expression in energies.values.values() if energies else ():
         for name, primes, start, end in names_in(expression.tree):
-            if primes == 1 and name not in spec.parameters:
+            if primes == 1 and name not in spec.parameters and name != "t":
                 found.setdefault(name, Record(None, name, expression.scalar.place(start, end - start), {}, {}))
     matrices = spec.get("matrices")
     if matrices is not None and not declared and not found:
@@ -108,6 +123,13 @@ def _references(spec, reader):
                 namespaces == ("coordinates",) and not reader.sound):
             continue
         valid = [word for space in namespaces for word in spaces[space]]
+        if namespaces == ("bodies",) and name.text in spaces["points"]:
+            reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
+                          nearest(name.text, valid))
+            continue
+        if name.text == "ground" and "points" in namespaces and "place" in wants:
+            reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
+            continue
         kind = _KINDS.get(namespaces[0] if len(namespaces) == 1 else None, "point or body")
         reader.report(name.where, f"there is no {kind} {quoted(name.text)}",
                       nearest(name.text, valid) or f"expected {wants}")
@@ -173,6 +195,10 @@ def _matrices(spec, reader):
 
 
 def _start(spec, reader):
+    for record in (spec.get("forces") or {}).values():
+        if "value" in record and "coordinate" in record:
+            record["value"].dimension = units.times(units.parse_unit("J").dimension,
+                                                    spec.dimensions.unknown(record["coordinate"].text), -1)
     for name, value in (spec.get("equilibrium") or {}).items():
         value.dimension = spec.dimensions.unknown(name)
     for name, record in (spec.get("choose") or {}).items():
@@ -190,13 +216,15 @@ def _bounded(spec, reader):
                       "leave coordinates out, or divide the scene")
 
 
-def check(spec, reader, expression, names, expected):
-    """Names and dimension of one expression; True where both fit."""
+def check(spec, reader, expression, names, expected, local=None):
+    """Names and dimension of one expression; True where both fit. `local`: the name of a length in it alone."""
     before = len(reader.diagnostics)
     named = names_in(expression.tree)
     if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
         return True
     for name, primes, start, end in named:
+        if name == local and not primes:
+            continue
         if name in names:
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
@@ -208,10 +236,13 @@ def check(spec, reader, expression, names, expected):
     if len(reader.diagnostics) > before:
         return False
     try:
-        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.times(
+        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.LENGTH if name == local else units.times(
             spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
+        in_cycles = expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree))
+        if in_cycles and not spec.asked_dimension:
+            reader.report(expression.where, "expected an angular frequency (rad/s), found Hz", "write 2*pi*f")
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
@@ -265,6 +296,12 @@ def _no_quantities(reader, expression):
                       "what is asked of a scene, such as omega[1], stands under answers")
 
 
+def cyclic(spec, tree):
+    """The parameters named in a tree whose value is in Hz."""
+    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
+    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
+
+
 def _only_numbers(tree):
     return all(name == "pi" for name, _, _, _ in names_in(tree))
 
@@ -273,15 +310,19 @@ def _primes(spec, reader, expression, name, primes, start, end):
     if not primes:
         return
     place = expression.scalar.place(start, end - start)
-    if name in spec.parameters:
-        reader.report(place, f"'{name}' is a parameter: it has no derivative", "only coordinates move")
+    if name in spec.parameters or name not in spec.coordinates:
+        what = "a parameter" if name in spec.parameters else "the time"
+        reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
+    elif primes > 1 and any(expression is load for load in reader.loads):
+        reader.report(place, "accelerations cannot stand here",
+                      "loads depend on coordinates and velocities, constraints on positions")
     elif reader.sound and id(expression) not in spec.velocities:
-        reader.report(place, "velocities cannot stand here", "they stand in energies and in expected equations")
+        reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
 def _unknown(spec, name, names):
     if name == "t":
-        return "the time t cannot stand here", "motions and loads that depend on time do not work yet"
+        return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
     if name in spec.coordinates:
         return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
     if name.lower() in NO_NUMBERS:

@@ -1,5 +1,7 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
+from vibcli.algebra.calculus import substitute
+from vibcli.algebra.expression import reachable
 from vibcli.algebra.meaning import lower, names_in, whole_literal
 from vibcli.algebra.parse import LARGEST, RANGE, SMALLEST, ExpressionError, parse
 from vibcli.algebra.rationals import bits
@@ -39,7 +41,8 @@ def _with_unit(tree, chain):
 
 
 class Parameters:
-    """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value."""
+    """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
+    `in_letters`: what those that are defined by letters stand for in the scene."""
 
     def __init__(self, spec, table):
         self.table = table
@@ -49,6 +52,17 @@ class Parameters:
         self.order = _order(spec.parameters)
         self.definitions = self._lowered()
         self.free = [name for name in spec.parameters if name not in self.definitions]
+        self.in_letters = self._letters() if self.free else {}
+
+    def _letters(self):
+        """{name: expression} of parameters defined by parameters without value: m1 = 4·m is written out."""
+        letters, found = {self.nodes[name] for name in self.free}, {}
+        for name in self.order:
+            if name in self.definitions:
+                node = substitute([self.definitions[name]], {self.nodes[n]: part for n, part in found.items()})[0]
+                if letters.intersection(reachable([node])):
+                    found[name] = node
+        return found
 
     def _lowered(self):
         found, wrong = {}, []
@@ -101,6 +115,12 @@ class Parameters:
                 if value is not None and bits(value[0]) <= WIDEST:
                     found[name] = value[0]
         return found
+
+
+def independent(records):
+    """Names of the parameters that are not defined by others."""
+    return [name for name, record in records.items() if "value" not in record
+            or not any(other in records for other, *_ in names_in(record["value"].tree))]
 
 
 def _order(records):

@@ -10,13 +10,15 @@ from fractions import Fraction
 from functools import cached_property
 
 from vibcli.errors import defined_as_drawn
+from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
 SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
-STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms")
+STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
+          "reactions", "shares", "sensitivities", "estimates")
 
 
-class Problem:
+class Problem(OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
     def __init__(self, spec, given=None):
@@ -69,6 +71,15 @@ class Problem:
             self.preloads = defined_as_drawn(settle_static_preloads, scene)
         return scene
 
+    @cached_property
+    def loose(self):
+        """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
+        if self.scene.loops is None:
+            return self.scene
+        from vibcli.scene.build import build_scene
+
+        return build_scene(self.spec, self.given, self.scene.attempt, loose=True)
+
     @property
     def symbolic(self):
         """Are there parameters without value?"""
@@ -86,18 +97,27 @@ class Problem:
     def form(self):
         from vibcli.errors import PhysicsError
         from vibcli.mechanics.linearise import linearise
+        from vibcli.scene.closing import words_of_locked
 
+        if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
+            raise PhysicsError(words_of_locked(self.scene), "take a constraint out, or let one more body move")
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
-        return defined_as_drawn(linearise, self.scene)
+        found = defined_as_drawn(linearise, self.scene)
+        if not self.scene.timed:
+            return found
+        from vibcli.mechanics.steady import steady
+
+        self.timed_form = found
+        return steady(self.scene, found)
 
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
         from vibcli.mechanics.linearise import at_position
 
-        return defined_as_drawn(at_position, self.form, self.scene.drawn)
+        return defined_as_drawn(at_position, self.form, self.scene.drawn_position)
 
     @cached_property
     def is_linear(self):
@@ -105,7 +125,7 @@ class Problem:
         form = self.form
         terms = (*form.inertias, *form.springs, *form.dampers)
         rows = [node for _, row in terms for node in row.values()]
-        parts = [node for part in (form.M, form.C, form.G, *form.K) for node in part.values()]
+        parts = [node for part in (form.M, form.C, form.G, form.drag, *form.K) for node in part.values()]
         return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
 
     @cached_property
@@ -120,16 +140,39 @@ class Problem:
         """M, C, G, K of the small oscillations in letters."""
         from vibcli.mechanics.lagrange import matrices_in_letters
 
-        return matrices_in_letters(self.letters_form)
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+            from vibcli.scene.loops import drawn_values
+
+            require_autonomous(self, drawn_values(self.scene))
+        found = matrices_in_letters(self.letters_form)
+        if self.equilibrium_letters is not None:
+            from vibcli.algebra.polynomials import factored as shorter
+        else:
+            from vibcli.algebra.quotient import shorter
+        return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
 
     @cached_property
     def linear_in_letters(self):
-        """Can the small oscillations be written in letters: is the equilibrium drawn, or does its place not matter?"""
-        return self.is_linear or self.balanced_as_drawn
+        """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
+        return self.is_linear or self.balanced_as_drawn or self.equilibrium_letters is not None
 
     @property
     def letters_form(self):
-        return self.drawn_form if self.balanced_as_drawn else self.form
+        if self.balanced_as_drawn or self.is_linear:
+            return self.drawn_form if self.balanced_as_drawn else self.form
+        from vibcli.mechanics.linearise import at_position
+
+        return at_position(self.form, self.equilibrium_letters.position(self.form))
+
+    @cached_property
+    def equilibrium_letters(self):
+        """The Settled equilibrium of a nonlinear scene with letters, not drawn in it; None where none is found."""
+        if not self.symbolic or self.balanced_as_drawn or self.is_linear:
+            return None
+        from vibcli.mechanics.settled import settled
+
+        return settled(self)
 
     @cached_property
     def balanced_as_drawn(self):
@@ -165,8 +208,9 @@ class Problem:
     def drawn_floats(self):
         from vibcli.algebra.evaluate import evaluate
 
-        nodes = list(self.scene.drawn.values())
-        return dict(zip(self.scene.coordinates, evaluate(nodes, _floats(), self.floats), strict=True))
+        drawn = {q.name: node for q, node in self.scene.drawn.items()}
+        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        return dict(zip(drawn, evaluate(list(drawn.values()), _floats(), self.floats), strict=True))
 
     @cached_property
     def rational(self):
@@ -180,6 +224,26 @@ class Problem:
 
         return defined_as_drawn(effective_potential, self.scene)
 
+    @cached_property
+    def excitation(self):
+        """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
+        equilibrium that is not the drawn one."""
+        from vibcli.mechanics.steady import excitation
+
+        scene, settled = self.scene, self.equilibrium_letters
+        if settled is not None:
+            return excitation(scene, self.timed_form, settled.position(self.timed_form))
+        if self.linear_in_letters or self.symbolic:
+            return excitation(scene, self.timed_form, scene.drawn_position)
+        place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        return excitation(scene, self.timed_form, place)
+
+    @cached_property
+    def conservative(self):
+        """Have all loads a potential: constant forces alone, and no driven motion?"""
+        scene = self.scene
+        return not scene.timed and not any(term.weight.mask for term in scene.forces)
+
     @Stage
     def equilibrium(self):
         from vibcli.mechanics import equilibrium
@@ -191,9 +255,44 @@ class Problem:
 
     def _start(self, start):
         from vibcli.algebra.evaluate import evaluate
+        from vibcli.errors import PhysicsError
 
+        for name, expression in start.items():
+            if name not in self.scene.coordinates:
+                raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints", "start "
+                                   + " or ".join(f"'{other}'" for other in self.scene.coordinates), expression.where)
         nodes = [self.scene.lower(expression) for expression in start.values()]
-        return {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
+        return self.closed(self.drawn_floats, target)
+
+    @property
+    def dependent_values(self):
+        """{name: float} of the dependent coordinates in equilibrium."""
+        from vibcli.algebra.evaluate import evaluate
+
+        nodes = self.scene.dependent
+        values = dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
+        return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
+
+    @property
+    def at_rest(self):
+        """{symbol: float} of everything in equilibrium, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **self.equilibrium.values,
+                **{v.name: 0.0 for v in self.scene.v}}
+
+    def closed(self, start, target):
+        """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
+        `start`; PhysicsError where its loops cannot close there."""
+        if self.scene.loops is None:
+            return target
+        floats = {**self.floats, self.scene.time.name: 0.0}
+        found = self.scene.loops.followed({**floats, **start}, {**floats, **target})
+        if found is None:
+            from vibcli.errors import PhysicsError
+
+            raise PhysicsError("the loops of this scene cannot close in the position asked for",
+                               "start nearer to the drawn position, or make the links longer")
+        return {name: found[name] for name in self.drawn_floats}
 
     @cached_property
     def drawn_numbers(self):
@@ -208,15 +307,25 @@ class Problem:
     @Stage
     def elements(self):
         """The element data at the equilibrium, in floats that are correct but for their own rounding."""
+        from vibcli.mechanics.kinks import require_smooth
         from vibcli.mechanics.linearise import in_numbers
 
-        if self.equilibrium.drawn:
+        require_smooth(self)
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+
+            require_autonomous(self, self.at_rest)
+        closed = self.scene.loops is not None or "atan2" in self.scene.table.called
+        if self.equilibrium.drawn and not closed:
             return self.drawn_numbers.elements
         if self.is_linear:
             return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
-        from vibcli.mechanics.precise import rounded_elements
+        from vibcli.mechanics.precise import require_inertia, rounded_elements
 
-        return rounded_elements(self)
+        found = rounded_elements(self)
+        if closed:
+            require_inertia(self, found)
+        return found
 
     def precise_elements(self, digits):
         """The element data at the equilibrium to so many digits, as mpmath numbers."""
@@ -297,7 +406,7 @@ class Problem:
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
-        return textbook_energies(self.scene)
+        return textbook_energies(self.loose)
 
     @Stage
     def equations(self):

@@ -2,7 +2,9 @@
 
 from vibcli import units
 
-FIND = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping")
+INSIGHT = ("shares", "sensitivities", "estimates")
+ON_REQUEST = ("reactions", *INSIGHT)                    # found only where they are asked for
+FIND = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work", *ON_REQUEST)
 
 
 class Asked:
@@ -19,12 +21,17 @@ ASKED = {
     "frequency": Asked(("mode",), "Hz", "natural frequency of mode i"),
     "period": Asked(("mode",), "s", "period of mode i"),
     "growth_rate": Asked(("mode",), "1/s", "growth rate of unstable mode i"),
-    "mode": Asked(("mode", "coordinate"), None,
-                  "amplitude of a coordinate in mode i, the first coordinate that moves being 1"),
+    "mode": Asked(("mode", "signal"), None,
+                  "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1"),
     "zeta": Asked(("mode",), "1", "damping ratio of damped mode i, by ascending |λ|"),
     "omega_d": Asked(("mode",), "rad/s", "damped angular frequency of damped mode i"),
     "decay": Asked(("mode",), "1/s", "decay −Re λ of damped mode i"),
-    "equilibrium": Asked(("coordinate",), None, "a coordinate in equilibrium"),
+    "sensitivity": Asked(("mode", "parameter"), None, "derivative of the natural angular frequency of mode i by a "
+                         "parameter p that is not defined by others, the shift of the equilibrium included"),
+    "rayleigh": Asked((), "rad/s", "Rayleigh's estimate of omega[1] by the static deflection, an upper bound"),
+    "dunkerley": Asked((), "rad/s", "Dunkerley's estimate of omega[1], a lower bound"),
+    "equilibrium": Asked(("signal",), None, "a coordinate or signal in equilibrium"),
+    "Q": Asked(("coordinate",), None, "generalised force of weights, springs and steady loads at rest, δA = Σ Q δq"),
     "stable": Asked((), "1", "`true` where the equilibrium is stable"),
     "equation": Asked(("coordinate",), None,
                       "equation of small oscillations, the coordinates counted from equilibrium"),
@@ -39,18 +46,23 @@ ASKED = {
     "J": Asked(("body", "place"), "kg*m^2", "moment of inertia of a body about its mass centre, or about a point"),
     "centre": Asked(("body",), "m", "mass centre of a body as drawn", ("x", "y")),
 }
-STATE_FUNCTIONS = ("T", "V", "Phi", "equation", "motion")
+BARE = tuple(head for head, asked in ASKED.items() if not asked.indices)
+STATE_FUNCTIONS = ("T", "V", "Phi", "Q", "equation", "motion")
 OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)  # of the matrix times two coordinates
             for key, power in (("M", 2), ("C", 1), ("G", 1), ("K", 0))}
 
 
-def dimension(head, indices, coordinate):
-    """The dimension of a quantity; `coordinate(name)` gives that of a coordinate. None where any fits."""
+def dimension(head, indices, of):
+    """The dimension of a quantity; `of(name)` gives that of a coordinate, signal or parameter. None where any fits."""
     asked = ASKED[head]
     if asked.unit is not None:
         return units.parse_unit(asked.unit).dimension
     if head == "equilibrium":
-        return coordinate(indices[0])
+        return of(indices[0])
+    if head == "Q":
+        return units.times(OF_SPEED["K"], of(indices[0]), -1)
+    if head == "sensitivity":
+        return units.times(units.parse_unit("rad/s").dimension, of(indices[1]), -1)
     if head in OF_SPEED:
-        return units.times(units.times(OF_SPEED[head], coordinate(indices[0]), -1), coordinate(indices[1]), -1)
+        return units.times(units.times(OF_SPEED[head], of(indices[0]), -1), of(indices[1]), -1)
     return None

@@ -37,11 +37,13 @@ class TooMany(Exception):
 
 class Reader:
     """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
-    move something (a bare name there is a coordinate), and every reference as (Name, namespaces, what is wanted).
+    move something (a bare name there is a coordinate), those that load or tie it, names that are good in one expression
+    alone as {id: name}, and every reference as (Name, namespaces, what is wanted).
     `sound` tells whether the scene was read whole, apart from what is asked of it."""
 
     def __init__(self):
-        self.diagnostics, self.expressions, self.motions, self.references = [], [], [], []
+        self.diagnostics, self.expressions, self.motions, self.loads, self.references = [], [], [], [], []
+        self.local_names = {}
         self.sound = True
 
     def report(self, where, message, hint=None):

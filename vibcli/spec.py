@@ -49,10 +49,12 @@ SECTIONS = {
     "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
     "gravity": (gravity.KIND, gravity.ABOUT),
     "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
-    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll on"),
+    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll, slide or lie on"),
     "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
     "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
     "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),
+    "forces": (Named(Lazy("force"), "a mapping from names to forces"), "loads: forces, moments, generalised forces"),
+    "constraints": (Named(Lazy("constraint"), "a mapping from names to constraints"), "what ties motions together"),
     "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
     "matrices": (Lazy("matrices"), "M, C and K given outright"),
     "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
@@ -65,8 +67,6 @@ SECTIONS = {
 
 
 INSTEAD = {
-    "forces": "a constant force is written as a potential, energies: {V: -F*x}; loads in time do not work yet",
-    "constraints": "write what follows from x as a motion in x, such as turn: -x/R",
     "initial": "motion in time does not work yet",
     "motion": "the equations are always found in full and for small oscillations",
     "variants": "give other values under cases, or with --set",

@@ -129,7 +129,8 @@ _WORDS = ((LENGTH, "a length"), (MASS, "a mass"), (TIME, "a time"), (_FORCE, "a 
           (_dimension(1, 0, -2), "a stiffness"), (_dimension(1, 0, -1), "a damping coefficient"),
           (_ENERGY, "a moment, torsional stiffness or energy"), (_dimension(1, 2), "a moment of inertia"),
           (_dimension(1, 2, -1), "a torsional damping coefficient"), (_dimension(0, 1, -2), "an acceleration"),
-          (_dimension(0, 1, -1), "a speed"), (_dimension(s=-1), "an angular frequency"), (_dimension(m=2), "an area"))
+          (_dimension(0, 1, -1), "a speed"), (_dimension(s=-1), "an angular frequency"), (_dimension(m=2), "an area"),
+          (_dimension(1, 2, -3), "a power"))
 
 
 class Dimensions:

@@ -49,7 +49,7 @@ class Floats:
     """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
     refuse."""
 
-    pi = math.pi
+    pi, ordered = math.pi, True
 
     @staticmethod
     def number(value):
@@ -95,7 +95,7 @@ class Rationals:
     class Irrational(ArithmeticError):
         pass
 
-    functions = {"abs": abs, "sign": _sign, "min": min, "max": max}
+    functions, ordered = {"abs": abs, "sign": _sign, "min": min, "max": max}, True
 
     @property
     def pi(self):
@@ -128,7 +128,7 @@ def multiprecision():
     import mpmath
 
     class Multiprecision:
-        pi = +mpmath.mp.pi
+        pi, ordered = +mpmath.mp.pi, True
         isfinite = staticmethod(mpmath.isfinite)
 
         @staticmethod

@@ -68,7 +68,7 @@ class Table:
     def __init__(self):
         self._nodes = {}
         self._count = 0
-        self.variables = []
+        self.variables, self.called = [], set()
         self.sample, self._signs = None, {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
@@ -108,6 +108,10 @@ class Table:
         node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
         self.variables.append(node)
         return node
+
+    def dependent(self, name, mask):
+        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved."""
+        return self._make("symbol", (self.one,), ONE, mask, name)
 
     def scaled(self, node, factor):
         """factor·node, the factor rational; over a sum it is distributed."""
@@ -246,6 +250,10 @@ class Table:
             return self._signs[total]
         return (total.coefficient or total.args[0][1]) < 0
 
+    def resample(self, sample):
+        """Decide by other values of the parameters from now on how R − r is written."""
+        self.sample, self._signs = sample, {}
+
     def _sample_sign(self, total):
         from vibcli.algebra.evaluate import Floats, evaluate
 
@@ -258,10 +266,18 @@ class Table:
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
         return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
 
-    def is_positive(self, node):
+    def is_positive(self, node, depth=4):
+        """Is a node positive whatever the values of the variables? Sums and products of what is, to some depth."""
         if node.op == "number":
             return node.coefficient > 0
-        return node in self.positive or node.name in ("exp", "cosh")
+        if node in self.positive or node.name in ("exp", "cosh"):
+            return True
+        if node.mask or not depth or node.op not in ("sum", "product") or node.coefficient < 0:
+            return False
+        found = all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args)
+        if found:
+            self.positive.add(node)
+        return found
 
     def power(self, base, exponent):
         """base^exponent, the exponent a rational or a node."""
@@ -289,6 +305,7 @@ class Table:
         mask = 0
         for arg in args:
             mask |= arg.mask
+        self.called.add(name)
         return self._make("call", tuple(args), ONE, mask, name)
 
 

@@ -27,15 +27,18 @@ def folded(table, name, args):
 
 
 def _at_multiple_of_pi(table, name, angle):
-    """sin or cos of a multiple of π/6 or π/4; None of other angles."""
+    """sin or cos of a multiple of π/6 or π/4, of another of π that of an angle below π/2; None of other angles."""
     if angle is not table.pi and not (angle.op == "product" and angle.args == ((table.pi, ONE),)):
         return None
-    turns = angle.coefficient * HALF + (Fraction(1, 4) if name == "cos" else ZERO)
-    turns %= 1
+    quarter = Fraction(1, 4) if name == "cos" else ZERO
+    turns = (angle.coefficient * HALF + quarter) % 1
     sign = -ONE if turns > HALF else ONE
     turns = min(turns % HALF, HALF - turns % HALF)
     square = _SQUARED_SINES.get(turns)
-    return None if square is None else table.scaled(table.sqrt(table.number(square)), sign)
+    if square is not None:
+        return table.scaled(table.sqrt(table.number(square)), sign)
+    small = 2 * abs(turns - quarter)
+    return None if small == angle.coefficient else table.scaled(table.call(name, table.pi * small), sign)
 
 
 def _is_negative(node):

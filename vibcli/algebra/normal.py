@@ -31,12 +31,12 @@ def expanded(node, kept=None):
         found = {(): node.coefficient} if node.coefficient else {}
         for part, c in node.args:
             for monomial, value in expanded(part, kept).items():
-                _add(found, monomial, c * value)
+                add(found, monomial, c * value)
         return found
     if node.op == "product":
         found = {(): node.coefficient}
         for base, exponent in node.args:
-            found = _multiplied(found, _expanded_power(base, exponent, kept))
+            found = multiplied(found, _expanded_power(base, exponent, kept))
         return found
     return {((node, ONE),): ONE}
 
@@ -50,14 +50,14 @@ def _denominators(node):
 def _expanded_power(base, exponent, kept):
     if base.op == "sum" and base not in kept:
         if exponent.denominator == 1 and 0 < exponent <= 6:
-            return reduce(_multiplied, [expanded(base, kept)] * int(exponent))
+            return reduce(multiplied, [expanded(base, kept)] * int(exponent))
         base = textbook(base)
         if base.op != "sum":
             return expanded(base.table.power(base, exponent), kept)
     return {((base, exponent),): ONE}
 
 
-def _add(found, monomial, value):
+def add(found, monomial, value):
     total = found.get(monomial, ZERO) + value
     if total:
         found[monomial] = total
@@ -67,7 +67,7 @@ def _add(found, monomial, value):
         raise TooLong
 
 
-def _multiplied(left, right):
+def multiplied(left, right):
     found = {}
     if len(left) * len(right) > 20 * MOST:
         raise TooLong
@@ -78,9 +78,9 @@ def _multiplied(left, right):
                 product = monomial[0][0].table.product(*monomial)  # a number too long to fold stays an atom
                 parts = {monomial: product.coefficient} if product.args == monomial else expanded(product, ())
                 for part, c in parts.items():
-                    _add(found, part, c * value)
+                    add(found, part, c * value)
             else:
-                _add(found, monomial, value)
+                add(found, monomial, value)
     return found
 
 
@@ -152,10 +152,10 @@ def _addition(terms, monomial, a, b):
         sine_first = value if a.name == "sin" else other
         cosine_first = other if a.name == "sin" else value
         new, factor = table.call("sin", u + w if sine_first == cosine_first else u - w), sine_first
-    polynomial = _multiplied({rest: ONE}, expanded(new))
+    polynomial = multiplied({rest: ONE}, expanded(new))
     _move(terms, (monomial, partner), None, None)
     for extra, c in polynomial.items():
-        _add(terms, extra, c * factor)
+        add(terms, extra, c * factor)
     return True
 
 
@@ -163,7 +163,7 @@ def _move(terms, old, new, value):
     for monomial in old:
         terms.pop(monomial)
     if new is not None:
-        _add(terms, new, value)
+        add(terms, new, value)
 
 
 def is_zero(node):
@@ -187,9 +187,9 @@ def _cleared(terms):
         whole = {tuple(pair for pair in above if pair[0] not in lowest): value}
         for atom, e in above:
             if atom in lowest:
-                whole = reduce(_multiplied, [expanded(atom, ())] * int(e), whole)
+                whole = reduce(multiplied, [expanded(atom, ())] * int(e), whole)
         for part, c in whole.items():
-            _add(found, part, c)
+            add(found, part, c)
     return found
 
 
@@ -203,12 +203,12 @@ def textbook(node):
 
 
 def _unnested(node):
-    """The node with 1/(a/b + 1) written as b/(a + b)."""
+    """The node with 1/(a/b + 1) written as b/(a + b), and 1/((a − b)² + 2ab) as 1/(a² + b²)."""
     table, simpler = node.table, {}
     for base in _denominators(node):
-        factors = factors_of(table, reduced(expanded(base, ())))
-        if len(factors) > 2:
-            simpler[base] = table.product(*factors)
+        shorter = table.product(*factors_of(table, reduced(expanded(base, ()))))
+        if shorter is not base:
+            simpler[base] = shorter
     return substitute([node], simpler)[0] if simpler else node
 
 
@@ -239,7 +239,7 @@ def factors_of(table, terms):
     scale = _scale(list(terms.values()))
     inner = {times(monomial, content, -1): value / scale for monomial, value in terms.items()}
     root = square_root(inner)
-    node = _node(table, inner) if root is None else _node(table, root)
+    node = _node(table, inner if root is None else reduced(root))
     return ((table.number(scale), ONE), (node, ONE if root is None else Fraction(2)), *content)
 
 
@@ -265,7 +265,7 @@ def square_root(terms):
     for signs in range(2 ** (k - 1)):
         candidate = {monomial: -value if signs >> i & 1 else value
                      for i, (monomial, value) in enumerate(roots[::-1])}
-        if _multiplied(candidate, candidate) == terms:
+        if multiplied(candidate, candidate) == terms:
             return candidate if candidate[roots[0][0]] > 0 else {m: -v for m, v in candidate.items()}
     return None
 

@@ -49,8 +49,8 @@ def plain_name(text):
     return text if text.isascii() else "".join(GREEK.get(letter, letter) for letter in text)
 
 
-def parse(text, equation=False):
-    """The syntax tree of `text`; with `equation`, of `left = right`."""
+def parse(text, equation=None):
+    """The syntax tree of `text`; of `left = right` where `equation` gives an example of one."""
     if len(text) > LONGEST:
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
                               "give parts of it names under parameters")
@@ -62,8 +62,13 @@ def parse(text, equation=False):
         parser.skip()
         if not parser.take("="):
             raise ExpressionError(parser.at, 1, "expected an equation, found an expression",
-                                  "write it as left = right, for example m*x'' + k*x = 0")
+                                  "write it as left = right, for example " + equation)
+        if parser.text.startswith("=", parser.at):
+            raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
         right = parser.expression(0)
+        parser.skip()
+        if parser.text.startswith("=", parser.at):
+            raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
         tree = ("equation", 0, len(text), tree, right)
     parser.finish()
     return tree

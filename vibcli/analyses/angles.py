@@ -2,8 +2,8 @@
 
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.quotient import single
 from vibcli.algebra.rationals import ONE
-from vibcli.analyses.closed import ratio
 
 
 def angles(terms, x, sample_zero):
@@ -46,13 +46,13 @@ def _linear(a, b, c):
             return [table.zero, table.pi, -table.pi]
         if a.is_zero:
             return [table.pi / 2, -table.pi / 2, 3 * table.pi / 2]
-        base = [table.call("atan", ratio(-b, a))]
+        base = [table.call("atan", single(-b / a))]
         return [x + table.pi * i for x in base for i in (-1, 0, 1, 2)]
     if b.is_zero:
-        first = table.call("asin", ratio(-c, a))
+        first = table.call("asin", single(-c / a))
         base = [first, table.pi - first]
     elif a.is_zero:
-        first = table.call("acos", ratio(-c, b))
+        first = table.call("acos", single(-c / b))
         base = [first, -first]
     else:
         size = table.sqrt(textbook(a * a + b * b))

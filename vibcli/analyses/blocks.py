@@ -36,6 +36,12 @@ def eigenvalues(apply, matrix, bits, enough, noise):
     apply(V): A V in fixed point; matrix: A in floats; enough(root): whether it is known well enough; noise:
     log2 of a bound of what is not known of A.
     """
+    form, norms = block_diagonal(apply, matrix, bits, enough, noise)
+    return form.all_roots(norms)
+
+
+def block_diagonal(apply, matrix, bits, enough, noise):
+    """The BlockForm of A, and for each of its blocks log2 of what bounds its rows of E."""
     form = BlockForm(matrix, bits)
     best, stalled = math.inf, 0
     for _ in range(20 + bits // 30):
@@ -46,7 +52,7 @@ def eigenvalues(apply, matrix, bits, enough, noise):
         if stalled > STALLED or (form.is_fine() and all(map(enough, form.all_roots(norms)))):
             break
         form.improve()
-    return form.all_roots(norms)
+    return form, norms
 
 
 class BlockForm:

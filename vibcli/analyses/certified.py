@@ -157,12 +157,12 @@ def reduced_by_mass(m, k, massive, bits):
     return (a + a.T) >> 1, lower, growth_bits(fx.forward(lower, fx.identity(n, bits), bits), bits)
 
 
-def condensed(k, massive, massless, bits, names=None):
+def condensed(k, massive, massless, bits, names=None, symmetric=True):
     """The stiffness left to the massive coordinates when the massless ones follow: z = −follow a."""
     inverse, growth = inverted(k[np.ix_(massless, massless)], names or massless, bits)
     follow = fx.product(inverse, k[np.ix_(massless, massive)], bits)
     left = k[np.ix_(massive, massive)] - fx.product(k[np.ix_(massive, massless)], follow, bits)
-    return (left + left.T) >> 1, follow, growth
+    return (left + left.T) >> 1 if symmetric else left, follow, growth
 
 
 def inverted(a, names, bits):

@@ -1,8 +1,9 @@
 """Damped free vibration: (λ² M + λ (C + G) + K) x = 0.
 
 Up to CERTIFIED coordinates in fixed point with a bound of every eigenvalue: modes without damping first,
-then the damping in them (quadratic.py), or directly where coordinates without inertia are damped
-(massless.py). Larger systems in floats (damped_floating.py), enclosed too where their bound is above ENOUGH.
+then the damping in them (quadratic.py), or directly where coordinates without inertia are damped or K is not
+symmetric (massless.py, circulatory.py). Larger systems in floats (damped_floating.py), enclosed too where their bound
+is above ENOUGH.
 """
 
 import math
@@ -18,14 +19,16 @@ FARTHEST = 2000
 
 
 def damped(elements, precise=None, exact=None, digits=None):
-    """The damped modes by ascending |λ|; None where nothing damps and nothing turns (no C and no G).
+    """The damped modes by ascending |λ|; None where nothing damps or turns (no C, no G) and K is symmetric.
+
+    With neither C nor G the first of each ±λ alone is given.
 
     `precise(dps)` evaluates the elements to dps digits, `exact()` as Fractions (None where they are
     irrational); without either the floats are taken for exact. `digits`: this many correct digits, and
     numbers of mpmath.
     """
     damps = any(c for c, _ in elements.dampers) or any(elements.C.values())
-    if not damps and not any(elements.G.values()):
+    if not damps and not any(elements.G.values()) and not elements.circulatory:
         return None
     import numpy as np
 
@@ -41,7 +44,11 @@ def damped(elements, precise=None, exact=None, digits=None):
 def _damped(elements, precise, exact, digits):
     if digits is not None:
         return damped_digits(elements, precise, exact, digits)
-    if elements.n > CERTIFIED:
+    if elements.n > CERTIFIABLE and elements.circulatory:
+        from vibcli.analyses.circulatory_floating import follower_floats
+
+        return follower_floats(elements)
+    if elements.n > CERTIFIED and not elements.circulatory:
         from vibcli.analyses.damped_floating import damped_floats
 
         modes = damped_floats(elements)
@@ -50,7 +57,7 @@ def _damped(elements, precise, exact, digits):
     from vibcli.analyses.damped_modes import collected
     from vibcli.analyses.precise import Floats
 
-    data = exact() if exact is not None else None
+    data = _exactly(exact, elements)
     unit = EVALUATED if data is None and precise is not None else EXACT
     answer = Answer(elements, data or elements, GOAL, WANTED, unit)
     if unit > EXACT and not answer.settled(math.log2(ESCALATE)):
@@ -67,8 +74,7 @@ def damped_digits(elements, precise, exact, digits):
     wanted = working_bits(digits)
     goal = GOAL + 2 * wanted
     if precise is None:
-        data = exact() if exact is not None else None
-        answer = Answer(elements, data or elements, goal, wanted, EXACT)
+        answer = Answer(elements, _exactly(exact, elements) or elements, goal, wanted, EXACT)
     else:
         for guard in (30, 90, 270):
             dps = digits + guard
@@ -76,6 +82,14 @@ def damped_digits(elements, precise, exact, digits):
             if answer.settled(-digits * math.log2(10)):
                 break
     return collected(answer, Digits, answer.shapes_in_digits())
+
+
+def _exactly(exact, elements):
+    """The data as Fractions, or None; on what K is not symmetric by, rounding has no part then."""
+    data = exact() if exact is not None else None
+    if data is not None and elements.circulatory:
+        data.K_size = {}
+    return data
 
 
 def depth(elements, scale):
@@ -96,18 +110,21 @@ def depth(elements, scale):
 class Answer:
     """The eigenvalues of `data`, which is `elements` in any arithmetic, with their bounds.
 
-    system: ModalDamping or massless.Reduced, which hold the basis of the vectors; unit: log2 of the relative
-    rounding of the data.
+    system: ModalDamping, massless.Reduced or circulatory.Follower, which hold the basis of the vectors; unit: log2 of
+    the relative rounding of the data; undamped: nothing depends on velocities but G; conservative: and K is symmetric;
+    follower: nothing depends on velocities, and K is not symmetric.
     """
 
-    __slots__ = ("conservative", "decided", "found", "scale", "system")
+    __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
 
     def __init__(self, elements, data, goal, wanted, unit):
         from vibcli.analyses import massless
         from vibcli.analyses.rigid import undamped_rigid
 
-        self.conservative = not any(c for c, _ in elements.dampers) and not any(elements.C.values())
-        dragged = bool(massless.dragged(elements))
+        follows, dragged = elements.circulatory, bool(massless.dragged(elements))
+        self.undamped = not any(c for c, _ in elements.dampers) and not any(elements.C.values())
+        self.conservative = self.undamped and not follows
+        self.follower = self.undamped and follows and not any(elements.G.values())
         self.scale, zeros = prepared(elements, dragged)
         self.decided = zeros is not None
         if dragged:
@@ -116,7 +133,11 @@ class Answer:
         strong, weak = depth(elements, self.scale)
         goal, deep = goal + strong + weak, goal - 50 + weak
         for _ in range(TRIES):
-            if dragged:
+            if self.follower:
+                from vibcli.analyses.circulatory import Follower
+
+                self.system = Follower(data, self.scale, None, goal, deep)
+            elif dragged or follows:
                 self.system = massless.Reduced(data, self.scale, zeros, goal, deep)
             else:
                 self.system = self._modal(elements, data, goal, deep, zeros, unit)
@@ -125,10 +146,17 @@ class Answer:
             if missing <= 0:
                 break
             goal += 2 * math.ceil(min(missing, FARTHEST)) + 20
-        if unit > EXACT or data.K_size:
+        if self.follower and (unit > EXACT or data.K_size):
+            self.found = self.system.rounded(data, self.scale, unit)
+        elif unit > EXACT or data.K_size:
             from vibcli.analyses.rounding import add_data_error
 
             add_data_error(self.found, self.system, data, self.scale, unit)
+        if follows:
+            from vibcli.analyses.circulatory import rested
+
+            self.found = rested(self.found, self.system.bits)
+            self.decided = all(d.re or d.im for d in self.found)
 
     def _modal(self, elements, data, goal, deep, zeros, unit):
         from vibcli.analyses.certified import enclosed
@@ -143,11 +171,13 @@ class Answer:
         return ModalDamping(answer, data, self.scale, still, goal, deep)
 
     def worst(self):
-        """log2 of the largest relative bound of an eigenvalue."""
+        """log2 of the largest relative bound of an eigenvalue; under follower forces of each of its parts."""
         from vibcli.analyses.fixed import log2
 
         bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
         sizes = [log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
+        if self.follower:
+            sizes = [log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
         return max((d.radius - size for d, size in zip(moving, sizes, strict=True)), default=-math.inf)
 
     def settled(self, goal):

@@ -33,9 +33,11 @@ def damped_floats(elements):
     form = FirstOrder(modal, c, size)
     damps = any(w for w, _ in elements.dampers) or any(elements.C.values())
     values, vectors, radius = form.general() if damps or (modal.values < 0).any() else form.conservative()
+    if not damps:
+        on_the_axis(values, radius)
     still = np.argsort(np.abs(values), kind="stable")[:form.still(elements, zeros)]
     values[still], radius[still] = 0.0, 0.0
-    return _modes(form, values, vectors, radius, scale)
+    return _modes(form, values, vectors, radius, scale, damps)
 
 
 class FirstOrder:
@@ -81,7 +83,7 @@ class FirstOrder:
             if small.sum() + large.sum() == len(values):
                 values = np.concatenate([slow[small], values[large]])
                 vectors = np.hstack([slow_vectors[:, small], vectors[:, large]])
-        return self._bounded(values, vectors)
+        return values, vectors, bounds(self.matrix, self.size, values, vectors)
 
     def _inverse(self):
         """A⁻¹ = [[0, Ω⁻¹], [−sΩ⁻¹, −sΩ⁻¹ C Ω⁻¹]] in the order (v, u)."""
@@ -92,20 +94,26 @@ class FirstOrder:
         out[k:, k:] = sign[:, None] * self.matrix[:k, :k] / self.omega[:, None] / self.omega
         return out
 
-    def _bounded(self, values, vectors):
-        """Radii from the residual seen by the left vectors, with the rounding of both."""
-        try:
-            left = np.linalg.inv(vectors)
-        except np.linalg.LinAlgError:
-            return values, vectors, np.full(len(values), math.sqrt(UNIT) * np.abs(values).max())
-        e = left @ (self.matrix @ vectors - vectors * values)
-        wide, size = np.abs(left), np.abs(vectors)
-        unsure = (self.size + 4 * math.sqrt(len(size)) * UNIT * np.abs(self.matrix)) @ size
-        unsure += 4 * UNIT * size * np.abs(values)
-        return values, vectors, (np.abs(e) + wide @ unsure).sum(axis=1)
+
+def on_the_axis(values, radius):
+    """Takes to the imaginary axis what nothing tells from it, where the spectrum mirrors itself in it."""
+    values.real[np.abs(values.real) <= radius] = 0.0
 
 
-def _modes(form, values, vectors, radius, scale):
+def bounds(matrix, rounding, values, vectors):
+    """Radii from the residual seen by the left vectors, with the rounding of both."""
+    try:
+        left = np.linalg.inv(vectors)
+    except np.linalg.LinAlgError:
+        return np.full(len(values), math.sqrt(UNIT) * np.abs(values).max())
+    e = left @ (matrix @ vectors - vectors * values)
+    wide, size = np.abs(left), np.abs(vectors)
+    unsure = (rounding + 4 * math.sqrt(len(size)) * UNIT * np.abs(matrix)) @ size
+    unsure += 4 * UNIT * size * np.abs(values)
+    return (np.abs(e) + wide @ unsure).sum(axis=1)
+
+
+def _modes(form, values, vectors, radius, scale, damps):
     """One mode for each rigid zero, real eigenvalue and conjugate pair."""
     k, found = form.k, []
     for i in form.rigid:
@@ -115,9 +123,15 @@ def _modes(form, values, vectors, radius, scale):
     for value, y, off in zip(values, vectors.T, radius, strict=True):
         if value.imag >= 0:
             x = y[:k] / (value or 1.0)
-            found.append((complex(value), x / np.linalg.norm(x), float(off / abs(value)) if value else 0.0))
+            least = abs(value) if damps else min(abs(part) or abs(value) for part in (value.real, value.imag))
+            found.append((complex(value), x / np.linalg.norm(x), float(off / least) if value else 0.0))
+    return numbered(found, form.shapes, scale)
+
+
+def numbered(found, shapes, scale):
+    """DampedMode objects of (λ̂, vector in the columns of `shapes`, relative error) in any order."""
     found.sort(key=lambda entry: abs(entry[0]))
-    basis, out = in_units(form.shapes, scale)[1], []
+    basis, out = in_units(shapes, scale)[1], []
     for place, (value, x, error) in enumerate(found, 1):
         value = complex(math.ldexp(value.real, scale.time), math.ldexp(value.imag, scale.time))
         size, shape = abs(value), basis @ x

@@ -4,6 +4,7 @@ import math
 from itertools import pairwise
 
 from vibcli.analyses import fixed as fx
+from vibcli.analyses.modal import kind
 
 ULP = 2.0 ** -52
 PROPORTIONAL = 1e-12
@@ -16,7 +17,8 @@ class DampedMode:
     omega = |λ|, zeta = −Re λ/|λ|, omega_d = Im λ or None, decay = −Re λ, growth_rate = Re λ where positive,
     else None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂) and
     zeta = −(λ₁ + λ₂)/(2 omega); a real one that belongs to no such pair has zeta None. shape: complex, with
-    shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|. note: what has to be said, or None.
+    shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|, without dampers of that relative to each of the two parts of λ
+    that is not zero. note: what has to be said, or None.
     """
 
     __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
@@ -30,6 +32,11 @@ class DampedMode:
         self.decay = -re if re else abs(re)
         self.growth_rate = re if re > 0 else None
 
+    @property
+    def kind(self):
+        """rigid, oscillation, decay, flutter or divergence."""
+        return kind(self.eigenvalue.real, self.omega_d)
+
 
 def collected(answer, numbers, shapes):
     """DampedMode objects by ascending |λ| of a damped.Answer; shapes: a column for each of its eigenvalues."""
@@ -38,7 +45,7 @@ def collected(answer, numbers, shapes):
     partner = pairs(system, found)
     for i in _by_size(found):
         d = found[i]
-        size = fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits)
+        size = fx.magnitude(math.isqrt(d.re * d.re + d.im * d.im), bits)
         re = 0 if _imaginary(d, size, answer) else d.re
         value = numbers.complex(re, d.im, bits - scale.time)
         square, zeta = math.isqrt(re * re + d.im * d.im), None
@@ -51,7 +58,8 @@ def collected(answer, numbers, shapes):
         note = _note(system, d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
-        error = numbers.error(d.radius - size) if square else 0.0
+        least = fx.magnitude(min(abs(re), d.im), bits) if answer.undamped and re and d.im else size
+        error = numbers.error(d.radius - least) if square else 0.0
         omega = numbers.number(square, bits - scale.time)
         out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
     return out

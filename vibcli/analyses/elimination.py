@@ -11,8 +11,8 @@ from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.quotient import single
 from vibcli.algebra.rationals import ONE, ZERO
-from vibcli.analyses.closed import ratio
 from vibcli.analyses.solving import Candidates, depends, polynomial, solve_equation, unpowered, vanishes
 
 
@@ -57,7 +57,7 @@ def _without(eliminated, nodes, unknowns, scene, thorough):
     """The Candidates when an unknown is expressed by the others as `eliminated` says."""
     i, x, power, slope, rest = eliminated
     others = [unknown for unknown in unknowns if unknown is not x]
-    expressed = unpowered(ratio(-rest, slope), power, x, scene)
+    expressed = unpowered(single(-rest / slope), power, x, scene)
     complete, found = not depends(slope, others) or _never_both(slope, rest, others, scene), []
     for expression in expressed:
         left = [_resultant(node, x, power, slope, rest) or substitute([node], {x: expression})[0]

@@ -57,6 +57,11 @@ def log2(a, bits):
     return abs(a).bit_length() - bits - 0.5 if a else -math.inf
 
 
+def magnitude(a, bits):
+    """log2 |a / 2^bits| as a float; −inf for 0."""
+    return math.log2(abs(a)) - bits if a else -math.inf
+
+
 def floats(a, bits):
     """The values of an array of fixed-point numbers as floats."""
     if bits < 900:

@@ -30,12 +30,12 @@ def approximate(elements, scale, zeros):
         return _assembled(elements, scale, zeros)
     n = elements.n
     rows = scaled_rows(elements.springs, scale.coordinates, scale.stiffness, n)
-    lower = _mass(elements, scale, range(n))
+    lower = mass_triangle(elements, scale, range(n))
     x = rows / lower if lower.ndim == 1 else _solved(lower, rows.T).T
     known = 1.0 if lower.ndim == 1 else 1.0 + _growth(lower)
     sigma, v, bound = singular_vectors(x, zeros, known)
     sigma[n - zeros:] = 0.0
-    return Approximate(sigma ** 2, _back(lower, v), bound + 2 * UNIT)
+    return Approximate(sigma ** 2, back_from(lower, v), bound + 2 * UNIT)
 
 
 def scaled_rows(terms, powers, scale, n):
@@ -64,7 +64,16 @@ def dense(terms, matrix, powers, scale, n):
     return out
 
 
-def _mass(elements, scale, massive):
+def stiffness(elements, scale):
+    """K̂ in floats, and the sum of the magnitudes of the terms of each entry."""
+    n, p = elements.n, scale.coordinates
+    springs = [(abs(w), {i: abs(x) for i, x in row.items()}) for w, row in elements.springs]
+    sums = elements.K_size or {at: abs(x) for at, x in elements.K.items()}
+    return (dense(elements.springs, elements.K, p, scale.stiffness, n),
+            dense(springs, sums, p, scale.stiffness, n))
+
+
+def mass_triangle(elements, scale, massive):
     """Lower triangular L with M̂ = L Lᵀ over the massive coordinates, or its diagonal alone."""
     n, p, massive = elements.n, scale.coordinates, list(massive)
     if elements.M:
@@ -95,23 +104,21 @@ def _growth(triangle):
     return float(np.linalg.norm(np.abs(inverse) @ np.abs(triangle), 2))
 
 
-def _back(lower, v):
+def back_from(lower, v):
+    """L⁻ᵀ v for what mass_triangle gives."""
     return v / lower[:, None] if lower.ndim == 1 else _solved(lower.T, v)
 
 
 def _assembled(elements, scale, zeros):
     """The same from the assembled stiffness, massless coordinates condensed."""
-    n, p = elements.n, scale.coordinates
-    k = dense(elements.springs, elements.K, p, scale.stiffness, n)
-    springs = [(abs(w), {i: abs(x) for i, x in row.items()}) for w, row in elements.springs]
-    sums = elements.K_size or {at: abs(x) for at, x in elements.K.items()}
-    size = dense(springs, sums, p, scale.stiffness, n)
+    n = elements.n
+    k, size = stiffness(elements, scale)
     bare = sorted(elements.massless)
     massive = [i for i in range(n) if i not in set(bare)]
     if bare:
         k, follow, size = _condensed(k, size, massive, bare)
-    lower = _mass(elements, scale, massive)
-    back = _back(lower, np.eye(len(massive)))
+    lower = mass_triangle(elements, scale, massive)
+    back = back_from(lower, np.eye(len(massive)))
     a, size = back.T @ k @ back, np.abs(back.T) @ size @ np.abs(back)
     values, q = np.linalg.eigh((a + a.T) / 2)
     error = 4 * len(a) * UNIT * np.linalg.norm(size, 2)

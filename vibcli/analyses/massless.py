@@ -1,9 +1,12 @@
-"""Damped vibration with coordinates that no inertia moves but dampers do: a system of reduced order.
+"""Damped vibration with coordinates that no inertia moves but dampers do, or with a K that is not symmetric.
 
     M a'' + C_aa a' + C_az z' + K_aa a + K_az z = 0        C_za a' + C_zz z' + K_za a + K_zz z = 0
 
 Massless directions without a damper follow statically and are condensed; then C_zz is regular and z' can be
 eliminated: first order in (a', a, z), 2 n_a + n_z eigenvalues, none of them infinite.
+
+Where K is not symmetric the massless directions do not follow from the left as they do from the right, so that the
+equations are taken along other columns than the coordinates.
 """
 
 import math
@@ -28,15 +31,17 @@ def dragged(elements):
 class Reduced:
     """Fixed-point C, K of the massive coordinates and the dragged directions in which C_zz is regular.
 
-    basis: columns that give all coordinates from those; massive: how many have inertia, scaled to M = I.
+    basis: columns that give all coordinates from those; left: columns along which the equations are taken; massive:
+    how many have inertia, scaled to M = I.
     """
 
-    __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "massive", "release", "zeros")
+    __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "left", "massive", "release", "symmetric", "zeros")
 
     def __init__(self, elements, scale, zeros, goal, deep):
         n, p = elements.n, scale.coordinates
         self.bits = bits = 2 * goal + spread(elements, scale)
         self.coupled, self.deep, self.zeros = goal - 30, deep, zeros
+        self.symmetric = not elements.circulatory
         m = fx.assembled(n, elements.inertias, elements.M, p, scale.mass, bits)
         c = fx.assembled(n, elements.dampers, turning(elements), p, scale.damping, bits)
         k = fx.assembled(n, elements.springs, elements.K, p, scale.stiffness, bits)
@@ -51,9 +56,9 @@ class Reduced:
         basis[np.ix_(moved, z)] = turn
         kept = [j for j in range(len(order)) if j - len(heavy) not in loose]
         _check_undamped(fx.product(basis.T, fx.product(c, basis, bits), bits), kept, bits)
-        basis, k = self._condense(basis, k, kept, still, bits)
-        c = fx.product(basis.T, fx.product(c, basis, bits), bits)
-        self._scale(basis, m, c, k, heavy)
+        left, basis, k = self._condense(basis, k, kept, still, bits)
+        c = fx.product(left.T, fx.product(c, basis, bits), bits)
+        self._scale(left, basis, m, c, k, heavy)
 
     def _condense(self, basis, k, kept, still, bits):
         """Lets the undamped massless directions follow."""
@@ -63,24 +68,28 @@ class Reduced:
         whole = np.concatenate([basis[:, kept], basis[:, gone], free], axis=1)
         k = fx.product(whole.T, fx.product(k, whole, bits), bits)
         if whole.shape[1] == len(kept):
-            return whole, k
+            return whole, whole, k
         a, z = list(range(len(kept))), list(range(len(kept), whole.shape[1]))
         names = [int(np.flatnonzero(whole[:, j] != 0)[0]) for j in z]
-        k, follow, _ = condensed(k, a, z, bits, names)
-        return whole[:, a] - fx.product(whole[:, z], follow, bits), k
+        lead = None if self.symmetric else condensed(k.T, a, z, bits, names)[1]
+        k, follow, _ = condensed(k, a, z, bits, names, self.symmetric)
+        basis = whole[:, a] - fx.product(whole[:, z], follow, bits)
+        left = basis if self.symmetric else whole[:, a] - fx.product(whole[:, z], lead, bits)
+        return left, basis, k
 
-    def _scale(self, basis, m, c, k, heavy):
+    def _scale(self, left, basis, m, c, k, heavy):
         """Takes the massive coordinates to M = I."""
         bits, h = self.bits, len(heavy)
         if h:
             _, lower, _ = reduced_by_mass(m[np.ix_(heavy, heavy)], k[:h, :h], heavy, bits)
             back = fx.identity(h, bits)
             back = (back << bits) // lower[:, None] if lower.ndim == 1 else fx.backward(lower, back, bits)
-            basis[:, :h] = fx.product(basis[:, :h], back, bits)
+            for columns in (basis,) if left is basis else (basis, left):
+                columns[:, :h] = fx.product(columns[:, :h], back, bits)
             for matrix in (c, k):
                 matrix[:, :h] = fx.product(matrix[:, :h], back, bits)
                 matrix[:h, :] = fx.product(back.T, matrix[:h, :], bits)
-        self.basis, self.c, self.k, self.massive = basis, c, k, h
+        self.left, self.basis, self.c, self.k, self.massive = left, basis, c, k, h
         self.release, _ = inverted(c[h:, h:], list(range(len(c) - h)), bits)
 
     def eigenvalues(self, wanted):
@@ -140,6 +149,8 @@ def _check_undamped(c, kept, bits):
 
 def _loose(c, bits):
     """Orthonormal directions of the dragged coordinates, and which of them no damper resists after all."""
+    if not len(c):
+        return c, []
     symmetric = (c + c.T) >> 1
     if (symmetric != c).any():
         raise PhysicsError("the damping of coordinates without inertia is not symmetric",

@@ -21,18 +21,31 @@ DIGITS = 60
 
 
 class Mode:
-    """One mode, q = shape · cos ωt with shapeᵀ M shape = 1.
+    """One mode, q = Re(shape e^{λt}), λ = growth_rate + i omega, with shapeᴴ M shape = 1.
 
-    omega: 0 exactly if rigid, None if unstable; growth_rate: > 0 if unstable, else None. error: bound of the
-    relative error of either. direction: shape but for one factor, its bits independent of units.
+    omega: 0 exactly if rigid, None where nothing oscillates (divergence); growth_rate: Re λ, None where it is zero;
+    both in flutter. error: bound of the relative error of each. direction: shape but for one factor, its bits
+    independent of units.
     """
 
     __slots__ = ("direction", "error", "growth_rate", "index", "omega", "rigid", "shape")
 
-    def __init__(self, index, rate, unstable, shape, direction, error):
+    def __init__(self, index, omega, growth_rate, shape, direction, error):
         self.index, self.shape, self.direction, self.error = index, shape, direction, error
-        self.omega, self.growth_rate = (None, rate) if unstable else (rate, None)
-        self.rigid = not rate
+        self.omega, self.growth_rate = omega, growth_rate
+        self.rigid = not omega and growth_rate is None
+
+    @property
+    def kind(self):
+        """rigid, oscillation, decay, flutter or divergence."""
+        return kind(self.growth_rate, self.omega)
+
+
+def kind(growth, omega):
+    """What a motion e^{(growth + i omega)t} is called; either number may be None for zero."""
+    if growth and growth > 0:
+        return "flutter" if omega else "divergence"
+    return "oscillation" if omega else "decay" if growth else "rigid"
 
 
 def undamped(elements, precise=None, digits=None):
@@ -157,8 +170,9 @@ def modes(answer, scale, numbers):
     out = []
     for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):
         rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
+        rates = (None, rate) if values[i] < 0 else (rate, None)
         error = numbers.error(errors[i]) if values[i] else 0.0
-        out.append(Mode(place, rate, values[i] < 0, full[:, i], direction[:, i], error))
+        out.append(Mode(place, *rates, full[:, i], direction[:, i], error))
     return out
 
 
@@ -172,5 +186,6 @@ def many_modes(answer, scale):
     for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):
         value = float(answer.values[i])
         rate = math.ldexp(math.sqrt(abs(value)), scale.time)
-        out.append(Mode(place, rate, value < 0, full[:, i], direction[:, i], float(answer.errors[i])))
+        rates = (None, rate) if value < 0 else (rate, None)
+        out.append(Mode(place, *rates, full[:, i], direction[:, i], float(answer.errors[i])))
     return out

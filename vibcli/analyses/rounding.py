@@ -16,14 +16,8 @@ def add_data_error(found, system, elements, scale, unit):
 
     K given with K_size carries 2⁻⁵³ of it even where the other data are exact.
     """
-    basis, p = np.abs(fx.floats(system.basis, system.bits)), scale.coordinates
-    sums = elements.K_size or elements.K
-    exact = not math.isfinite(unit)
-    m = _size(elements.inertias, elements.M, p, scale.mass, basis) * (not exact)
-    c = _size(elements.dampers, turning(elements), p, scale.damping, basis) * (not exact)
-    k = _size(elements.springs, {}, p, scale.stiffness, basis) * (not exact)
-    k += _size((), sums, p, scale.stiffness, basis) / 3
-    unit = -53.0 if exact else unit
+    m, c, k = magnitudes(system, elements, scale, unit)
+    unit = last_bit(unit)
     for d in found:
         if d.re or d.im:
             value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
@@ -35,14 +29,31 @@ def add_data_error(found, system, elements, scale, unit):
                 d.radius = float(np.logaddexp2(d.radius, math.log2(first) + unit))
 
 
-def _size(terms, matrix, powers, scale, basis):
-    """3 Σ |w| |sᵀ basis|ᵀ|sᵀ basis| + 3 |basis|ᵀ |matrix| |basis|, in scaled coordinates."""
-    out = np.zeros((basis.shape[1], basis.shape[1]))
+def last_bit(unit):
+    """log2 of the rounding that numbers carry which are exact but for the sums in K."""
+    return unit if math.isfinite(unit) else -53.0
+
+
+def magnitudes(system, elements, scale, unit):
+    """What the roundings of M, C and K are proportional to, in the columns of the system."""
+    right, p = np.abs(fx.floats(system.basis, system.bits)), scale.coordinates
+    left = np.abs(fx.floats(system.left, system.bits)) if hasattr(system, "left") else right
+    rounded = math.isfinite(unit)
+    m = _size(elements.inertias, elements.M, p, scale.mass, left, right) * rounded
+    c = _size(elements.dampers, turning(elements), p, scale.damping, left, right) * rounded
+    k = _size(elements.springs, {}, p, scale.stiffness, left, right) * rounded
+    k += _size((), elements.K_size or elements.K, p, scale.stiffness, left, right) / 3
+    return m, c, k
+
+
+def _size(terms, matrix, powers, scale, left, right):
+    """3 Σ |w| |sᵀ left|ᵀ|sᵀ right| + 3 |left|ᵀ |matrix| |right|, in scaled coordinates."""
+    out = np.zeros((left.shape[1], right.shape[1]))
     for weight, row in terms:
-        felt = sum(abs(_scaled(x, powers[i])) * basis[i] for i, x in row.items())
-        out += abs(_scaled(weight, -scale)) * np.multiply.outer(felt, felt)
+        ends = [sum(abs(_scaled(x, powers[i])) * basis[i] for i, x in row.items()) for basis in (left, right)]
+        out += abs(_scaled(weight, -scale)) * np.multiply.outer(*ends)
     for (i, j), x in matrix.items():
-        out += abs(_scaled(x, powers[i] + powers[j] - scale)) * np.multiply.outer(basis[i], basis[j])
+        out += abs(_scaled(x, powers[i] + powers[j] - scale)) * np.multiply.outer(left[i], right[j])
     return 3 * out
 
 

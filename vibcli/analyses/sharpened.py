@@ -45,6 +45,11 @@ def _vector(system, d, c, k):
         a[i, n], a[n, i] = start[i], mpmath.conj(start[i])
     right = mpmath.zeros(n + 1, 1)
     right[n] = 1
-    x = mpmath.lu_solve(a, right)
+    try:
+        x = mpmath.lu_solve(a, right)
+    except ZeroDivisionError:  # a multiple eigenvalue: a step beside it turns to its vectors
+        for i in range(n):
+            a[i, i] += mpmath.ldexp(1, -system.bits // 2)
+        x = mpmath.lu_solve(a[:n, :n], mpmath.matrix(start))
     size = mpmath.sqrt(sum(abs(x[i]) ** 2 for i in range(massive or n)))
     return np.array([x[i] / size for i in range(n)], object)

@@ -10,13 +10,15 @@ from functools import reduce
 from math import gcd, lcm
 from typing import NamedTuple
 
+from vibcli.algebra.bounded import within
 from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, sympy_arithmetic
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, expanded, reduced, textbook
+from vibcli.algebra.quadratic import quadratic_roots
+from vibcli.algebra.quotient import single
 from vibcli.algebra.rationals import HALF, ONE, ZERO
+from vibcli.algebra.roots import root as square_root
 from vibcli.analyses.angles import angles
-from vibcli.analyses.bounded import bounded
-from vibcli.analyses.closed import quadratic_roots, ratio, root_of
 
 SECONDS = 4.0
 VANISHING, MOST_ROOTS, MOST_RADICALS = 1e-12, 12, 3
@@ -42,7 +44,8 @@ def solve_equation(node, x, scene, thorough=False):
     """
     terms = polynomial(node, x)
     if terms is None:
-        return _angles(node, x, scene) or (bounded(SECONDS, _by_sympy, node, x, scene) if thorough else None)
+        found = _angles(node, x, scene)
+        return within(SECONDS, lambda: _by_sympy(node, x, scene), None) if not found and thorough else found
     terms = {e: c for e, c in terms.items() if not vanishes(c, scene.sample)}
     if not terms:
         return Candidates([], True, True)
@@ -78,7 +81,7 @@ def unpowered(power, step, x, scene):
     """The x with x^step = power; the negative one too where x may have any sign and the step is even."""
     if step == 1:
         return [power]
-    root = root_of(power, scene.sample) if step == 2 else scene.table.power(power, 1 / step)
+    root = square_root(power, [scene.sample]) if step == 2 else scene.table.power(power, 1 / step)
     even = step.numerator % 2 == 0 and x not in scene.table.positive
     return [-root, root] if even else [root]
 
@@ -87,10 +90,10 @@ def _power_roots(coefficients, scene, thorough):
     """(roots, whether they are all) of Σ cᵢ yⁱ, the coefficients from the highest down."""
     coefficients = _primitive(coefficients)
     if len(coefficients) == 2:
-        return [ratio(-coefficients[1], coefficients[0])], True
+        return [single(-coefficients[1] / coefficients[0])], True
     if len(coefficients) == 3:
         return list(dict.fromkeys(quadratic_roots(coefficients, scene.sample))), True
-    found = bounded(SECONDS, _factored, coefficients, scene) if thorough else None
+    found = within(SECONDS, lambda: _factored(coefficients, scene), None) if thorough else None
     return found or ([], False)
 
 
@@ -215,7 +218,7 @@ def _factored(coefficients, scene):
             complete = False
         elif degree:
             parts = [textbook(from_sympy(scene.table, part, back)) for part in sympy.Poly(factor, y).all_coeffs()]
-            roots = [ratio(-parts[1], parts[0])] if degree == 1 else quadratic_roots(parts, scene.sample)
+            roots = [single(-parts[1] / parts[0])] if degree == 1 else quadratic_roots(parts, scene.sample)
             found += list(dict.fromkeys(roots))
     return found, complete
 

@@ -5,7 +5,8 @@ import json
 import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
-from vibcli.errors import PhysicsError
+from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.questions import INSIGHT
 
 FLOAT_DIGITS = 12
 
@@ -26,7 +27,7 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
                 problem = _settled(problem, question, digits)
             solved.append((case, problem))
             if as_json:
-                found[case] = _data(problem, data, normalise, digits)
+                found[case] = _data(problem, data, normalise, digits, sections(problem))
             else:
                 report = _report(case, problem, sections(problem), normalise, digits, question)
                 click.echo(("\n\n" if found else "") + report.text())
@@ -64,7 +65,7 @@ def _print_json(found):
     click.echo(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1))
 
 
-def _data(problem, parts, normalise, digits):
+def _data(problem, parts, normalise, digits, sections):
     from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
@@ -73,24 +74,38 @@ def _data(problem, parts, normalise, digits):
 
         found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
-        found |= frequencies_data(problem, normalise, digits)
+        try:
+            found |= frequencies_data(problem, normalise, digits)
+        except NotInLetters as error:
+            if "equations" not in parts:
+                raise
+            found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
     if "equations" in parts:
-        if problem.equations.refusal:
-            raise problem.equations.refusal
+        refusal = problem.equations.refusal
+        if refusal and not isinstance(refusal, NotInLetters):
+            raise refusal
         found["energies"] = energies_data(problem)
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)
+    if words := [word for word in sections if word in INSIGHT]:
+        from vibcli.report.insight_data import insight_data
+
+        found["insight"] = insight_data(problem, words)
     return found
 
 
 def _report(case, problem, sections, normalise, digits, question):
+    from vibcli.report.figures import wrapped
     from vibcli.report.text import Report
 
     report = Report(problem, normalise)
     report.head(case, question)
     for section in sections:
         report.add(section)
+    if isinstance(report.refusal, NotInLetters) and "equations" in sections:
+        report.section("Not found in letters", wrapped(f"{report.refusal.message}: {report.refusal.hint}", indent=0))
+        report.refusal = None
     if digits is not None:
         _digits(report, problem, digits)
     return report
@@ -104,8 +119,9 @@ def _digits(report, problem, digits):
     found = frequencies_data(problem, digits=digits)
     lines = []
     for mode in found["modes"]:
-        value = f"ω = {mode['omega']} rad/s" if mode["omega"] is not None else f"growth rate {mode['growth_rate']} 1/s"
-        lines.append(f"mode {mode['index']}:  {value}")
+        values = [f"ω = {mode['omega']} rad/s"] if mode["omega"] is not None else []
+        values += [f"growth rate {mode['growth_rate']} 1/s"] if mode["growth_rate"] is not None else []
+        lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
     report.section(f"With {digits} digits", lines)

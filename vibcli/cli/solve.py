@@ -4,15 +4,19 @@ import click
 
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
+from vibcli.questions import INSIGHT, ON_REQUEST
 
-FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",), "equilibrium": ("equilibrium",),
-            "frequencies": ("frequencies",), "modes": ("modes",), "damping": ("damping",)}
+FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
+            "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
+            "damping": ("damping",), "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}
 
 
 @click.command("solve")
 @scene_options
 @number_options
-def command(file, settings, case, as_json, timings, digits, normalise):
+@click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
+              "estimates of the lowest one.")
+def command(file, settings, case, as_json, timings, digits, normalise, insight):
     """The whole solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes."""
     from vibcli.report.text import EVERYTHING
 
@@ -21,9 +25,9 @@ def command(file, settings, case, as_json, timings, digits, normalise):
     def sections(problem):
         wanted = problem.spec.get("find")
         if wanted is None:
-            return EVERYTHING
-        asked = {section for word in wanted for section in FOUND_BY[word]}
-        return [s for s in EVERYTHING if s in asked or s in ("given", "chosen", "coordinates")]
+            return EVERYTHING + INSIGHT * insight
+        asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
+        return [s for s in EVERYTHING + ON_REQUEST if s in asked]
 
     return print_scenes(problems, sections, as_json, timings, digits, normalise, ("equations", "frequencies"),
                         question=True)

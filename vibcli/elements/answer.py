@@ -19,7 +19,8 @@ ELEMENT = Element(
     example="mass_spring_damper",
 )
 _EQUATION = Element("equation", "An expected equation of motion, up to a non-zero factor.",
-                    {"value": Field(Quantity(equation=True), "the equation, as `left = right`", required=True)},
+                    {"value": Field(Quantity(equation="m*x'' + k*x = 0"), "the equation, as `left = right`",
+                                    required=True)},
                     short="value")
 
 

@@ -59,15 +59,22 @@ ELEMENT = Element(
 class Body:
     """A body as built: drawn place and mass centre, mass and J_C (nodes), frame, or its lumped motion.
 
-    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None.
+    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. normal: the unit vector
+    from the surface that it rolls or slides on to the body.
     """
 
-    __slots__ = ("centre", "drawn", "frame", "inertia", "lumped", "mass", "name", "pieces", "record", "rolling_radius")
+    __slots__ = ("centre", "drawn", "frame", "inertia", "lumped", "mass", "name", "normal", "pieces", "record",
+                 "rolling_radius")
 
     def __init__(self, name, record):
         self.name, self.record = name, record
-        self.drawn = self.centre = self.frame = self.lumped = self.rolling_radius = None
+        self.drawn = self.centre = self.frame = self.lumped = self.rolling_radius = self.normal = None
         self.mass = self.inertia = self.pieces = None
+
+
+    @property
+    def moves(self):
+        return any(key in self.record for key in MOTIONS)
 
 
 def build(record, scene):
@@ -158,6 +165,8 @@ def _place(body, motion, scene):
     """Give a placed body its frame, then its energies."""
     record = body.record
     body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.drawn)
+    if scene.releasing and motion and motion != "weld":
+        body.frame = scene.release(body)
     for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):
         if mass is not None:
             x, y = body.frame.point(*centre)

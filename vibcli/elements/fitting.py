@@ -58,7 +58,7 @@ def _lumped(record, reader):
                           "give `inertia: J`, `gyration: i` or a shape")
         return
     if not set(record["slide"].values) <= {"by"}:
-        reader.report(record.place("slide"), f"'{record.name}' has a direction or a carrier but no place",
+        reader.report(record.place("slide"), f"'{record.name}' slides along something but has no place",
                       "say where it is drawn with `at: [x, y]`")
     for key in ("inertia", "gyration"):
         if key in record:

@@ -1,14 +1,16 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
-from vibcli.fields import BODY, Element, Field, vector
+from vibcli.fields import BODY, Element, Field, Many, Motion, vector
 
 ELEMENT = Element(
     "point",
     "A named place: `[x, y]` is fixed; `{body: rod, at: [x, y]}` is carried by a body, `at` being where it is drawn "
-    "in the fixed frame.",
+    "in the fixed frame; `{at: [x, y], moves: [ux, uy]}` is driven.",
     {
         "at": Field(vector("m", "a place [x, y]"), "where it is drawn, in the fixed frame", required=True),
         "body": Field(BODY, "the body that carries it"),
+        "moves": Field(Many(Motion("m"), 2, 2, "a displacement [ux, uy]"), "its displacement, driven by expressions of "
+                       "the time: [0, Y*sin(Omega*t)]"),
     },
     short="at",
     example="hanging_rod",
@@ -17,7 +19,10 @@ ELEMENT = Element(
 
 def build(point, scene):
     """(drawn place, present place) of a point."""
-    drawn = scene.pair(point["at"])
-    if "body" not in point:
-        return drawn, drawn
-    return drawn, scene.frame(point["body"]).point(*drawn)
+    x, y = drawn = scene.pair(point["at"])
+    if "moves" in point:
+        if not any(scene.lower(part).mask for part in point["moves"]):
+            scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
+                         "let `at` say where it is")
+        x, y = (place + scene.driven_by(scene.lower(part)) for place, part in zip(drawn, point["moves"], strict=True))
+    return drawn, scene.frame(point["body"]).point(x, y) if "body" in point else (x, y)

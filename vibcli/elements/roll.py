@@ -34,6 +34,10 @@ def build(roll, body, scene):
         scene.report(roll.where, f"'{body.name}' has no radius to roll on", "give `radius`, or a shape that is round")
         return scene.still(body.drawn)
     carrier = scene.carrier(surface, "body")
+    if "curve" in surface:
+        scene.report(roll["surface"].where, "bodies roll on lines and circles, not on other curves",
+                     "`slide: {surface: …, by: …}` moves a particle along a curve")
+        return scene.still(body.drawn)
     on = _on_line if "line" in surface else _on_circle
     return on(roll, body, scene, surface, radius, carrier)
 
@@ -57,6 +61,7 @@ def _on_line(roll, body, scene, surface, radius, carrier):
         turn = scene.change(roll["turn"])
         travel = -(turn - carrier.angle) * side * radius
     place = carrier.point(x0 + travel * ex, y0 + travel * ey)
+    body.normal = carrier.turned(-side * ey, side * ex)
     return scene.new_frame(body.drawn, place, turn)
 
 
@@ -88,4 +93,6 @@ def _on_circle(roll, body, scene, surface, radius, carrier):
     turn = scene.change(roll["turn"]) if "turn" in roll else carrier.angle + swing * arm * sense / radius
     centre = carrier.point(cx, cy)
     frame = scene.new_frame((cx, cy), centre, carrier.angle + swing)
+    outward = -1 if inside or encloses else 1
+    body.normal = frame.turned(outward * (x0 - cx) / distance, outward * (y0 - cy) / distance)
     return scene.new_frame(body.drawn, frame.point(x0, y0), turn)

@@ -1,16 +1,21 @@
-"""Translation along a direction, the orientation kept in the carrier."""
+"""Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
-from vibcli.fields import BODY, Element, Field, Motion, vector
+from vibcli.fields import BODY, Element, Field, Motion, NameOf, vector
 
 ELEMENT = Element(
     "slide",
     "The body translates along a direction and keeps its orientation in its carrier: `slide: x` along +x, or "
-    "`slide: {along: [0, 1], by: y}`. Of a body without a place it is the displacement along the one axis.",
+    "`slide: {along: [0, 1], by: y}`. Of a body without a place it is the displacement along the one axis. With "
+    "`surface` it slides along a line, a circle or a curve without friction.",
     {
         "by": Field(Motion("m"), "the displacement: a coordinate, or an expression of coordinates", required=True),
         "along": Field(vector(None, "a direction [ex, ey]"), "the direction, of any length (default: [1, 0])"),
+        "surface": Field(NameOf("the name of a surface", "surfaces"), "the surface that it slides on: `by` is then the "
+                         "length of its path on a line (from its first place) or circle (counter-clockwise), and the "
+                         "horizontal displacement on a curve"),
         "carrier": Field(BODY, "the body relative to which it slides; a carried direction turns with it"),
     },
+    exclusive=(("along", "surface"), ("carrier", "surface")),
     short="by",
     example="spring_on_incline",
 )
@@ -19,11 +24,38 @@ ELEMENT = Element(
 def build(slide, body, scene):
     """The frame of a sliding body: x = x₀ + u·e, turned and displaced with the carrier."""
     x0, y0 = body.drawn
+    if "surface" in slide:
+        return _on_surface(slide, body, scene)
     carrier = scene.carrier(slide)
     ex, ey = scene.direction(slide["along"]) if "along" in slide else (scene.table.one, scene.table.zero)
     u = scene.change(slide["by"])
     x, y = carrier.point(x0 + u * ex, y0 + u * ey)
     return scene.new_frame((x0, y0), (x, y), carrier.angle)
+
+
+def _on_surface(slide, body, scene):
+    """The frame of a particle on a surface."""
+    surface, (x0, y0) = scene.surfaces[slide["surface"].text], body.drawn
+    carrier, u = scene.carrier(surface, "body"), scene.change(slide["by"])
+    if "line" in surface:
+        (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])
+        ex, ey = scene.unit(bx - ax, by - ay, surface.where)
+        off, x, y = (y0 - ay) * ex - (x0 - ax) * ey, x0 + u * ex, y0 + u * ey
+        normal = -ey, ex
+    elif "circle" in surface:
+        (cx, cy), radius = scene.pair(surface["circle"]), scene.positive(surface["radius"], "the radius of the circle")
+        off = scene.distance(x0 - cx, y0 - cy) - radius
+        x, y = scene.new_frame((cx, cy), (cx, cy), u / radius).point(x0, y0)
+        normal = (x - cx) / radius, (y - cy) / radius
+    else:
+        off, x = y0 - scene.height_of(surface, x0), x0 + u
+        y = scene.height_of(surface, x)
+        normal = scene.unit_normal(y, u)
+    off = off if scene.sign(off) > 0 else -off
+    scene.require_equal(off, scene.table.zero, slide.where, f"'{body.name}' is {{}} m off its surface as drawn",
+                        "draw it on the surface", size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
+    body.normal = carrier.turned(*normal)
+    return scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle)
 
 
 def lump(slide, scene):

@@ -1,26 +1,34 @@
-"""Surfaces that bodies roll on: lines and circles, fixed or carried by a body."""
+"""Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
-from vibcli.fields import BODY, Choice, Element, Field, Many, Quantity, vector
+from vibcli.fields import BODY, Choice, Element, Field, Many, NewName, Quantity, vector
 
 
 def _settle(record, reader):
     if "circle" in record and "radius" not in record:
         reader.report(record.where, "a circle needs 'radius'", "radius: the radius of the circle")
+    if "curve" in record and "in" not in record:
+        reader.report(record.where, "a curve needs 'in': the name of its abscissa", "as in {curve: x^2/(2*p), in: x}")
+    elif "curve" in record:
+        reader.local_names[id(record["curve"])] = record["in"]
 
 
 ELEMENT = Element(
     "surface",
-    "What a body rolls on: a straight line through two places, or a circle with the body inside or outside of it.",
+    "What a body rolls or slides on: a straight line through two places, a circle with the body inside or outside of "
+    "it, or (for sliding) a smooth curve y = f(x).",
     {
         "line": Field(Many(vector("m", "a place [x, y]"), 2, 2, "two places [[x, y], [x, y]]"),
                       "two places on the line; travel is positive from the first to the second"),
         "circle": Field(vector("m", "a place [x, y]"), "the centre of a circle"),
         "radius": Field(Quantity("m"), "the radius of the circle"),
         "side": Field(Choice("inside", "outside"), "on which side of the circle the body is (default: outside)"),
+        "curve": Field(Quantity("m"), "the height of a curve as a function of the abscissa named by `in`"),
+        "in": Field(NewName(), "the name of the abscissa of a curve, as in {curve: x^2/(2*p), in: x}"),
         "body": Field(BODY, "the body that carries the surface; fixed without it"),
     },
-    exclusive=(("line", "circle"), ("line", "radius"), ("line", "side")),
-    needs=(("line", "circle"),),
+    exclusive=(("line", "circle", "curve"), ("line", "radius"), ("line", "side"), ("curve", "radius"),
+               ("curve", "side"), ("line", "in"), ("circle", "in")),
+    needs=(("line", "circle", "curve"),),
     settle=_settle,
     example="rolling_in_a_track",
 )

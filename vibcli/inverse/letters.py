@@ -8,8 +8,9 @@ from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import quantities_in
 from vibcli.algebra.normal import textbook
+from vibcli.algebra.quadratic import determinant
 from vibcli.algebra.rationals import ONE, ZERO
-from vibcli.analyses.closed import determinant, root_of
+from vibcli.algebra.roots import root
 from vibcli.analyses.elimination import solve_equations
 from vibcli.analyses.solving import depends, polynomial, solve_equation
 from vibcli.asking import coordinate_name
@@ -115,7 +116,7 @@ def _vanishing(problem, condition):
     if "equilibrium" in problem.spec.sections or not problem.linear_in_letters:
         require_no_modes(condition)
     if condition.word:
-        return [_characteristic(problem, problem.scene.table.zero)]
+        return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
         head = one.tree[4] if one.tree[0] == "quantity" else None
         if head in SQUARES:
@@ -128,6 +129,22 @@ def _vanishing(problem, condition):
             value, (m, c, k) = _side(problem, other), _one_degree(problem)
             return [(c - 2 * m * value) * (m * value * value - c * value + k)]
     return [_side(problem, condition.left) - _side(problem, condition.right)]
+
+
+def _limit(problem):
+    """det K, and of two degrees under follower forces also the discriminant of det(K − λM), which vanishes where
+    flutter begins."""
+    M, C, _, K = problem.matrices_in_letters
+    still = _characteristic(problem, problem.scene.table.zero)
+    follows = any(K.get(pair[::-1]) is not node for pair, node in K.items())
+    if not follows and not any(term.weight.mask for term in problem.scene.forces):
+        return still
+    if C or len(problem.scene.q) != 2:
+        raise NotInLetters
+    zero = problem.scene.table.zero
+    (a, b), (c, d) = ([[matrix.get((i, j), zero) for matrix in (M, K)] for i in (0, 1)] for j in (0, 1))
+    mixed = a[0] * d[1] + a[1] * d[0] - b[0] * c[1] - b[1] * c[0]
+    return still * textbook(mixed * mixed - 4 * (a[0] * d[0] - b[0] * c[0]) * still)
 
 
 def require_no_modes(condition):
@@ -184,7 +201,7 @@ def _quantity(problem, tree):
 def _of_one_mode(problem, head):
     """Frequencies and damping of a scene with one coordinate."""
     m, c, k = _one_degree(problem)
-    omega, table = root_of(textbook(k / m)), problem.scene.table
+    omega, table = root(textbook(k / m), [problem.scene.sample]), problem.scene.table
     forms = {"omega": lambda: omega, "frequency": lambda: omega / (2 * table.pi),
              "period": lambda: 2 * table.pi / omega, "zeta": lambda: c / (2 * m * omega),
              "omega_d": lambda: table.sqrt(textbook(k / m - c * c / (4 * m * m)))}

@@ -81,8 +81,8 @@ def turns(problem, name):
 
 def geometry(scene):
     """The expressions that say where everything is, moves and pulls."""
-    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)
-    return [*(node for term in terms for node in term if node is not None), *scene.drawn.values(),
+    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces)
+    return [*(node for term in terms for node in term[:3] if node is not None), *scene.drawn.values(),
             *scene.energies.values()]
 
 

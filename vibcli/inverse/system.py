@@ -2,7 +2,8 @@
 
 Every condition is brought into the form L = R with L, R of one kind; its misfit (L − R)/(|L| + |R|) is bounded,
 vanishes where it holds, and changes its sign there or at a pole. In equilibrium L and R are the forces of each sign
-along a coordinate; at the limit of stability those that restore and those that drive away along the slowest mode.
+along a coordinate; at the limit of stability those that restore and those that drive away along the slowest mode, or
+the margin to flutter and divergence (margin.py).
 """
 
 from fractions import Fraction
@@ -13,6 +14,7 @@ from vibcli.algebra.expression import reachable
 from vibcli.algebra.rationals import ONE
 from vibcli.elements.choose import BALANCE
 from vibcli.errors import PhysicsError, SpecError
+from vibcli.inverse.margin import margin
 from vibcli.inverse.ranges import admissible
 from vibcli.measured import value_of
 
@@ -62,7 +64,12 @@ class System:
         return [(value_of(numeric, condition.left)[0], value_of(numeric, condition.right)[0])]
 
     def _slowest(self, numeric):
-        """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one."""
+        """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
+        loads or damping that may drive a mode, its margin to flutter and divergence."""
+        found = margin(numeric.elements)
+        if found is not None:
+            value, size = found
+            return 0.5 * (size + value), 0.5 * (size - value)
         modes = numeric.modes
         rigid = sum(mode.rigid for mode in modes)
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)

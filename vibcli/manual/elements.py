@@ -1,6 +1,6 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.fields import Element, Lazy, Many, Motion
+from vibcli.fields import Element, Equation, Lazy, Load, Many, Motion, OneOf
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
@@ -12,7 +12,9 @@ def expects(kind):
     if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
         return f"{kind.wants}, each a {opened(kind.kind)[0]}"
     if isinstance(kind, Motion):
-        return kind.wants + ", in coordinates"
+        return kind.wants + ", in coordinates and time"
+    if isinstance(kind, Load) and not isinstance(kind, Equation):
+        return kind.wants + ", in coordinates, velocities and time"
     if not isinstance(kind, (Element, Lazy)):
         return kind.wants
     _, element, _ = opened(kind)
@@ -37,7 +39,9 @@ def element_page(catalogue, word, scene=True):
         return blocks(head, paragraph(sentence(declared.about)), example)
     rows = [(key, expects(field.kind) + (" (required)" if field.required else ""), sentence(field.about))
             for key, field in declared.fields.items()]
-    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind), example)
+    remarks = [paragraph(part) if isinstance(part, str) else table(part) for part in topics.REMARKS.get(word, ())]
+    return blocks(head, paragraph(sentence(declared.about)), ["Keys", *table(rows)], _rules(declared.kind), *remarks,
+                  example)
 
 
 def _scene_using(catalogue, word):
@@ -57,14 +61,19 @@ def _rules(element):
             found.append(f"At most one of {either(group)} may stand.")
     if element.short is not None:
         found.append(f"A bare value stands for `{element.short}`.")
-    further = [opened(kind)[0] for kind in map(_single, element.fields.values()) if isinstance(kind, (Element, Lazy))]
+    further = [word for word in map(_inner, element.fields.values()) if word]
     if further:
-        found.append(f"More: `vibcli explain {further[0]}`, likewise {either(further[1:], 'and')}.")
+        likewise = f", likewise {either(further[1:], 'and')}" if further[1:] else ""
+        found.append(f"More: `vibcli explain {further[0]}`{likewise}.")
     return [line for text in found for line in paragraph(text)]
 
 
-def _single(field):
-    return field.kind.kind if isinstance(field.kind, Many) else field.kind
+def _inner(field):
+    """The word of the element that a key holds, or a list of it; None where it holds none."""
+    kind = field.kind.kind if isinstance(field.kind, Many) else field.kind
+    kind = next((part for part in kind.kinds.values() if isinstance(part, Element)), None) if isinstance(
+        kind, OneOf) else kind
+    return opened(kind)[0] if isinstance(kind, (Element, Lazy)) else None
 
 
 def _rules_of(element, key):
@@ -96,6 +105,8 @@ def key_page(catalogue, word, key, scene=True):
     head = [f"{word}.{key} — a key of {article(word)}" + (", required" if field.required else "")]
     rows = [("holds", expects(field.kind)), ("means", field.about)]
     rows += [("rules", _rules_of(declared.kind, key))] if _rules_of(declared.kind, key) else []
+    if isinstance(field.kind, Many) and _inner(field):
+        rows.append(("items", f"vibcli explain {_inner(field)}"))
     name = scenes.using(catalogue, (word, key), declared.example)
     if not scene:
         rows.append(("scene", f"vibcli explain {word}.{key}"))

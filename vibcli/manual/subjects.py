@@ -12,7 +12,8 @@ from vibcli.report import json_keys
 from vibcli.report.language import language
 from vibcli.spec import INSTEAD
 
-LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "body": ("body",), "place": ("O",)}
+LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "signal": ("q",), "body": ("body",), "place": ("O",),
+           "parameter": ("p",)}
 
 
 def topic_page(catalogue, word):
@@ -94,7 +95,8 @@ def usage(head):
 def quantities_table(catalogue):
     rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
-             "i counts modes from 1; q and r are coordinates, by name or by number."]
+             "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
+             "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`."]
     return [paragraph(lines[0]), table(rows), ["How they are compared", *table(topics.COMPARED)]]
 
 

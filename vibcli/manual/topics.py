@@ -1,7 +1,9 @@
 """Texts of the manual that no declaration holds: conventions, expressions, exit codes. Data alone.
 
-A topic is a list of parts: a text is a paragraph, a list of pairs a table.
+A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMARKS are such parts for elements.
 """
+
+from vibcli import signals
 
 EXIT_CODES = [
     ("0", "all well"),
@@ -32,6 +34,14 @@ FIND = {
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
+    "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
+    "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
+    "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
+              "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
+    "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
+                     "of the equilibrium included; in numbers, only where it is asked for",
+    "estimates": "bounds of the lowest natural frequency by Rayleigh and Dunkerley beside its exact value; in numbers, "
+                 "only where it is asked for",
 }
 
 COMPARED = [
@@ -50,8 +60,8 @@ IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` say
             "`vibcli explain quantities`.")
 
 EXPRESSIONS = [
-    "Wherever a value is wanted, an expression of the parameters may stand; in motions, stretches and energies "
-    "also of the coordinates.",
+    "Wherever a value is wanted, an expression of the parameters may stand; in motions, stretches, loads, energies and "
+    "constraints also of the coordinates and of the time `t`.",
     [
         ("numbers", "`3`, `0.5`, `1e-3`; decimals with a point, between 1e-60 and 1e60."),
         ("units", "A number followed by a unit is one value: `0.5 m`, `9.81 m/s^2`, `2 kN*m/rad`. It takes the longest "
@@ -60,9 +70,9 @@ EXPRESSIONS = [
          "same: `φ1` is `phi1`. `pi` is π. Upper and lower case differ."),
         ("operators", "`+ - * / ^` (or `**`) and parentheses. There is no implicit multiplication: `2*x`."),
         ("functions", "`sqrt(k/m)`, `cos(alpha)`: see `vibcli explain functions`."),
-        ("derivatives", "`x'` and `x''`, in `energies` (velocities only) and in the energies and equations of "
-         "`answers`."),
-        ("equations", "`left = right`, in `answers`."),
+        ("derivatives", "`x'` in loads and `energies`; `x'` and `x''` in the energies and equations of `answers`."),
+        ("time", "`t`: see `vibcli explain time`."),
+        ("equations", "`left = right`, in `answers` and `constraints`."),
     ],
     "Dimensions are checked in every expression. In a scene that uses units a plain number has none, save that 0 "
     "fits everywhere. A scene that uses no unit at all is taken in consistent SI numbers. A parameter without "
@@ -86,13 +96,18 @@ CONVENTIONS = [
         ("springs", "Stretch, tension and preload are positive in lengthening. A spring is undeformed as drawn "
          "unless `free_length` or `preload` says otherwise. Between bodies without a place it stretches by the "
          "motion of the second end minus that of the first."),
+        ("loads", "Forces act in the fixed frame, unless a `carrier` turns them; moments counter-clockwise. A rotating "
+         "unbalance acts along (cos(Omega*t), sin(Omega*t)), on a body without a place along its axis by "
+         "sin(Omega*t)."),
+        ("constraints", "They hold as drawn, and make later coordinates depend on earlier ones. Forces of ropes and "
+         "links are positive in tension."),
         ("gravity", "`g` acts along −y, or as the vector given; without the section nothing has weight."),
         ("equilibrium", "The one reached from the drawn position, or from the place that `equilibrium` gives. "
-         "Frequencies are those of small oscillations about it."),
+         "Frequencies are those of small oscillations about it. What depends on the time is left out of both."),
         ("omega, f, T", "omega is the angular frequency in rad/s, f = omega/(2 pi) the frequency in Hz, T = 1/f the "
          "period. They belong to the system without its dampers; gyroscopic terms stay."),
-        ("modes", "Numbered from 1 by ascending omega². Unstable modes come first (a growth rate instead of omega), "
-         "then rigid ones (omega = 0 exactly)."),
+        ("modes", "Numbered from 1 by ascending omega². Unstable modes come first (a growth rate instead of omega, "
+         "in flutter besides it), then rigid ones (omega = 0 exactly)."),
         ("mode shapes", "Normalised so that the first coordinate that moves is 1; `--normalise largest` or `mass` "
          "(shapeᵀ M shape = 1) on the command line. A shape of a damped mode is complex: its argument is the phase "
          "by which a coordinate leads the first one."),
@@ -135,8 +150,35 @@ CASES = [
 
 MOTIONS = [
     "How a body may move is one key of it; without any it is fixed. Each displacement and angle is a coordinate or "
-    "an expression of coordinates: `slide: x`, `pin: {at: O, by: 2*phi}`. A name that is no parameter becomes a "
-    "coordinate.",
+    "an expression of coordinates and the time: `slide: x`, `pin: {at: O, by: 2*phi}`, `pin: Omega*t`. A name that is "
+    "no parameter becomes a coordinate.",
+    "What ties several motions together stands under `constraints`, unless one is simply given by another: "
+    "`turn: -x/R`.",
+]
+
+TIME = [
+    "`t` is the time, in seconds. The scene is drawn at t = 0, and driven motions are counted from there. The time may "
+    "stand in",
+    [
+        ("motions", "`pin: {at: O, by: Omega*t}`, `slide: Y*sin(Omega*t)`: a motion that is prescribed. Where all of "
+         "it is, the body needs no mass."),
+        ("points", "`S: {at: [0, 0], moves: [0, Y*sin(Omega*t)]}`: a support that is shaken"),
+        ("forces", "`{at: block, force: F0*sin(Omega*t)}`, and any other load"),
+        ("constraints", "`x2 = x1 + Y*sin(Omega*t)`"),
+        ("energies", "`V: -F0*sin(Omega*t)*x`"),
+        ("answers", "in energies and equations: `equation[x]: m*x'' + k*x = F0*sin(Omega*t)`"),
+    ],
+    "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
+    "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
+    "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
+    "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so, `vibcli equations` works.",
+    "Responses in time do not work yet.",
+]
+
+SIGNALS = [
+    "Beside coordinates these can be asked for, as in `equilibrium[hoist.force]` or `mode[1][P.y]`. Forces are those "
+    "in equilibrium: only `equilibrium` takes them.",
+    list(signals.ABOUT),
 ]
 
 SHAPES = [
@@ -144,6 +186,42 @@ SHAPES = [
     "stands, and OC points along `angle`. m is the mass: `mass`, or `density` times area or length. "
     "`inertia` or `gyration` override the moment of inertia.",
 ]
+
+REMARKS = {
+    "constraint": [
+        "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as "
+        "far as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from "
+        "the others is allowed and told; one that contradicts them, or leaves nothing that moves, is an error.",
+        [
+            ("x2 = 2*x1", "an equation between coordinates, which may hold the time"),
+            ("{rope: [A, {over: wheel}, B]}", "a rope of constant length: see `vibcli explain pulley`"),
+            ("{gear: [a, b], radii: [r1, r2]}", "wheels that mesh and turn against each other, with `inside: true` in "
+             "one sense; `carrier: arm` where an arm carries their axes (planetary gears)"),
+            ("{belt: [a, b], radii: [r1, r2]}", "pulleys that turn in one sense, with `crossed: true` against each "
+             "other"),
+            ("{join: [P, Q]}", "two points pinned together: closes a loop"),
+            ("{link: [P, Q]}", "two points at a constant distance"),
+            ("{point: P, surface: track}", "a point on a line, circle or curve"),
+        ],
+        "Where a loop closes only by solving equations (linkages), the full equations keep all coordinates, with a "
+        "multiplier λ for each condition; equilibrium, small oscillations and frequencies are found in the independent "
+        "ones, and `equilibrium[q]` gives the dependent ones too.",
+    ],
+    "pulley of a rope": [
+        "The side is that where the rope touches: the upper one (+y) for `over`, the lower one for `under`, the one at "
+        "−x for `left_of` and at +x for `right_of`. The first or last stop may be a drum that the rope is wound on: "
+        "`{rope: [{right_of: drum}, load]}`.",
+        "On a body that turns the rope does not slip; round a place, or a body that does not turn, it slides freely. "
+        "Ropes are taken to be taut: one that would have to push in equilibrium is told.",
+    ],
+    "force": [
+        "Components are those along the fixed axes; with `carrier` they turn with that body, from the drawn position "
+        "on.",
+        "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
+        "coordinates, shift it. A load of velocities damps: `value: -c*x'`.",
+    ],
+    "point": ["A driven point is one that bodies can be pinned at, and springs, ropes and links can end at."],
+}
 
 EDITORS = [
     "`vibcli schema` prints the JSON Schema (draft 7) of scene files, from the same declarations as this manual and "
@@ -163,6 +241,8 @@ TOPICS = {
     "motions": ("how bodies may move", MOTIONS),
     "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
     "lumped": ("bodies without a place", LUMPED),
+    "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),
+    "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),
     "ground": ("the fixed end of springs and dampers", GROUND),
     "quantities": ("what `answers` may ask for, and how it is compared", None),
     "exit": ("exit codes", None),
@@ -176,4 +256,6 @@ ALIASES = {"expression": "expressions", "unit": "units", "function": "functions"
            "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
            "amplitude": "conventions", "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
            "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
-           "case": "cases", "tolerance": "quantities"}
+           "case": "cases", "tolerance": "quantities", "t": "time", "excitation": "time", "driven": "time",
+           "signal": "signals", "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope",
+           "unbalanced": "unbalance", "follower": "force.carrier", "multiplier": "constraint"}

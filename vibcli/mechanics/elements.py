@@ -5,8 +5,11 @@ Every element acts through a scalar function s(q); at the equilibrium it leaves 
     M = Σ w ∇s ∇sᵀ + M₊      C = Σ c ∇s ∇sᵀ + C₊      K = Σ k ∇s ∇sᵀ + K₊
 
 K₊ holds the geometric terms Σ V′∇²s and Σ m g ∇²y and whatever a scene gives as a matrix. Assembling the
-sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long as the method allows.
+sums loses digits (1 + 10¹⁶ == 10¹⁶), so the rows are kept apart as long as the method allows. Forces that no potential
+gives (follower forces) make K₊, and with it K, a matrix that is not symmetric.
 """
+
+ROUNDING = 2.0 ** -51
 
 
 class OscillatorElements:
@@ -14,29 +17,46 @@ class OscillatorElements:
 
     n: number of coordinates. inertias, springs, dampers: tuples of (weight, row), where a row is a
     dict {coordinate index: component}. M, C, G, K: what is not of that form, dicts {(i, j): value} with both
-    triangles written, empty where absent (G skew). K_size: for each entry of K, the sum of the magnitudes of the terms
-    it was added from, the scale of its rounding error. rational_rows: the spring rows as Fractions where they
-    are rational, else None. massless: indices of coordinates which no inertia moves, exactly.
+    triangles written, empty where absent (G skew); drag: the skew part of what loads add to C. K_size: for each entry
+    of K, the sum of the magnitudes of the terms it was added from, the scale of its rounding error. rational_rows: the
+    spring rows as Fractions where they are rational, else None. massless: indices of coordinates which no inertia
+    moves, exactly.
     """
 
-    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "inertias", "massless", "n", "rational_rows", "springs")
+    __slots__ = ("C", "G", "K", "K_size", "M", "dampers", "drag", "inertias", "massless", "n", "rational_rows",
+                 "springs")
 
     def __init__(self, n, inertias=(), springs=(), dampers=(), M=None, C=None, G=None, K=None,
-                 K_size=None, rational_rows=None, massless=()):
+                 K_size=None, rational_rows=None, massless=(), drag=None):
         self.n = n
         self.inertias, self.springs, self.dampers = tuple(inertias), tuple(springs), tuple(dampers)
         self.M, self.C, self.G, self.K = M or {}, C or {}, G or {}, K or {}
-        self.K_size = K_size or {}
+        self.K_size, self.drag = K_size or {}, drag or {}
         self.rational_rows, self.massless = rational_rows, tuple(massless)
+
+    @property
+    def circulatory(self):
+        """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""
+        size = self.K_size
+        return any(abs(x - self.K.get((j, i), 0)) > ROUNDING * (size.get((i, j), 0) + size.get((j, i), 0))
+                   for (i, j), x in self.K.items() if i != j)
 
     def matrices(self):
         """M, C, G, K assembled, each {(i, j): number}: for printing and for what needs no last digit."""
         return [_assembled(rows, extra) for rows, extra in (
-            (self.inertias, self.M), (self.dampers, self.C), ((), self.G), (self.springs, self.K))]
+            (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G), (self.springs, self.K))]
 
     def stiffness(self):
         """K assembled, {(i, j): number}."""
         return _assembled(self.springs, self.K)
+
+
+def summed(one, two):
+    """The sum of two matrices {(i, j): entry}."""
+    found = dict(one)
+    for pair, x in two.items():
+        found[pair] = found[pair] + x if pair in found else x
+    return found
 
 
 def _assembled(terms, extra):

@@ -6,9 +6,8 @@ from vibcli.algebra.rationals import HALF, ONE
 
 
 def rate(scene, s):
-    """ṡ = Σ (∂s/∂qᵢ) q̇ᵢ."""
-    speed = dict(zip(scene.q, scene.v, strict=True))
-    return scene.table.sum(*((slope * speed[q], ONE) for q, slope in gradient(s).items() if q in speed))
+    """ds/dt = Σ (∂s/∂qᵢ) q̇ᵢ + Σ (∂s/∂q̇ᵢ) q̈ᵢ + ∂s/∂t."""
+    return scene.rate(s)
 
 
 def potential(scene):
@@ -32,6 +31,12 @@ def dissipation(scene):
                            (scene.energies["Phi"], ONE))
 
 
+def generalised_force(scene, i):
+    """Q_q = Σ F ∂s/∂q of the forces and moments, from their virtual work δA = Σ F δs = Σ Q_q δq."""
+    q, zero = scene.q[i], scene.table.zero
+    return scene.table.sum(*((term.weight * gradient(term.s).get(q, zero), ONE) for term in scene.forces))
+
+
 def _squared_rates(scene, terms):
     """½ weight ṡ² of each term, as terms of a sum."""
     return [(term.weight * rate(scene, term.s) ** 2, HALF) for term in terms]
@@ -44,11 +49,12 @@ def _quadratic(scene, key, symbols):
 
 
 def effective_potential(scene):
-    """V − T at rest: what is stationary in (relative) equilibrium."""
+    """V − T at rest − Σ F s of constant forces: what is stationary in (relative) equilibrium."""
     from vibcli.algebra.calculus import substitute
 
     rest = dict.fromkeys(scene.v, scene.table.zero)
-    return potential(scene) - substitute([scene.energies["T"]], rest)[0]
+    loads = scene.table.sum(*((term.weight * term.s, ONE) for term in scene.forces))
+    return potential(scene) - substitute([scene.energies["T"]], rest)[0] - loads
 
 
 def textbook_energies(scene):

@@ -1,8 +1,10 @@
 """Equilibrium by virtual work, r(q) = 0, reached from the drawn position by descending the potential energy.
 
 Steps are those of a trust region on V(q) with its exact Hessian (Conn, Gould & Toint 2000, alg. 7.3.1): where the
-Hessian is singular or indefinite the step goes downhill. Coordinates are scaled by the size of the figure (angles
-by 1), so that units change nothing. The end is polished by plain Newton steps until the residual is that of rounding.
+Hessian is singular or indefinite the step goes downhill. Where loads have no potential, or motions are driven, the
+force −r is followed by implicit Euler steps that grow as it fades (pseudo-transient continuation, Kelley & Keyes 1998).
+Coordinates are scaled by the size of the figure (angles by 1), so that units change nothing; dependent coordinates
+follow by closing their loops. The end is polished by plain Newton steps until the residual is that of rounding.
 """
 
 import math
@@ -37,27 +39,31 @@ def is_balanced(numbers, terms=8):
 
 def find_equilibrium(problem, start):
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
-    search = _Search(problem)
+    search = _Search(problem, start)
     q = search.vector(start)
     numbers = search.at(q)
-    radius, steps = search.first_radius, 0
+    step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
+    steps = 0
     while not search.flat(numbers):
+        search.blocked = False
         steps += 1
         if steps > STEPS or search.far(q):
             raise search.unbounded(q)
-        q, numbers, radius, moved = search.step(q, numbers, radius)
+        q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
     if search.relative(numbers) > 1e-9 or search.faded(numbers):
         raise search.unbounded(q)
-    return Equilibrium(search.named(q), False, search.relative(numbers), steps)
+    return Equilibrium(search.here, False, search.relative(numbers), steps)
 
 
 class _Search:
     """The potential energy of a scene as a function to be descended."""
 
-    def __init__(self, problem):
+    first_drift = 0.1
+
+    def __init__(self, problem, start):
         import numpy as np
 
         self.np, self.problem, self.scene = np, problem, problem.scene
@@ -65,17 +71,34 @@ class _Search:
         size = figure_size(problem)
         self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
         self.first_radius = 0.5 if size else math.inf
-        self.potential = problem.potential
         self.met = [0.0] * len(self.names)
+        self.here, self.blocked = dict(start), False
 
     def vector(self, values):
         return self.np.array([values[name] for name in self.names], dtype=float)
 
-    def named(self, q):
+    def named_plainly(self, q):
         return {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
 
+    def named(self, q):
+        """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
+        cannot be."""
+        target = self.named_plainly(q)
+        if self.scene.loops is None:
+            return target
+        loops, floats = self.scene.loops, {**self.problem.floats, self.scene.time.name: 0.0}
+        found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
+        self.blocked |= found is None
+        return None if found is None else {name: found[name] for name in self.here}
+
     def at(self, q):
-        numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **self.named(q)})
+        """The Numbers of a position, which becomes the present one."""
+        position = self.named(q)
+        if position is None:
+            raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
+                               "cannot close", "draw the scene nearer to its equilibrium")
+        self.here = position
+        numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **position})
         if not all(map(math.isfinite, numbers.residual)):
             raise PhysicsError("the forces of this scene are not defined in a position that the search for its "
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
@@ -100,7 +123,9 @@ class _Search:
         return self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
 
     def energy(self, q):
-        return evaluate([self.potential], Floats, {**self.problem.floats, **self.named(q)})[0]
+        position = self.named(q)
+        return math.inf if position is None else evaluate([self.problem.potential], Floats,
+                                                          {**self.problem.floats, **position})[0]
 
     def flat(self, numbers):
         return self.relative(numbers) <= 1e-13
@@ -147,15 +172,38 @@ class _Search:
             radius = 0.25 * min(radius, float(np.linalg.norm(p)))
         return q, numbers, radius, False
 
+    def drift(self, q, numbers, dt):
+        """One implicit Euler step of q̇ = −r in scaled coordinates, halved where the force grows by much."""
+        np = self.np
+        force = -np.array(numbers.residual) * self.scale
+        K = self.hessian(numbers)
+        size = float(np.max(np.abs(K))) or float(np.max(np.abs(force))) or 1.0
+        here = self.here
+        for _ in range(60):
+            p = np.linalg.lstsq(K + size / dt * np.eye(len(q)), force, rcond=None)[0]
+            longest = float(np.max(np.abs(p)))
+            trial = q + self.scale * p * min(1.0, 0.5 / longest if longest else 1.0)
+            if self.named(trial) is not None:
+                after = self.at(trial)
+                ratio = self.relative(numbers) / (self.relative(after) or 1e-300)
+                if ratio > 0.2:
+                    if np.array_equal(trial, q):
+                        return q, numbers, dt, False
+                    return trial, after, dt * min(max(ratio, 0.5), 10.0), True
+                self.here = here
+            dt *= 0.25
+        return q, numbers, dt, False
+
     def _nearer(self, trial, numbers):
         return self.relative(self.at(trial)) < self.relative(numbers)
 
     def polished(self, q, numbers):
         """Newton steps as long as they lower the residual."""
         for _ in range(POLISH):
-            trial = q + self.scale * self.newton(numbers)
+            trial, here = q + self.scale * self.newton(numbers), self.here
             after = self.at(trial)
             if self.relative(after) >= self.relative(numbers):
+                self.here = here
                 break
             q, numbers = trial, after
         return q, numbers
@@ -164,6 +212,11 @@ class _Search:
         np = self.np
         start = self.vector(self.problem.drawn_floats)
         name = self.names[int(np.argmax(np.abs(q - start) / self.scale))]
+        if self.blocked:
+            place = ", ".join(f"{other} = {value:.6g}" for other, value in self.named_plainly(q).items())
+            return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
+                                f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, "
+                                "or draw the scene nearer to its equilibrium")
         return PhysicsError(f"no equilibrium is reached from the drawn position: nothing holds '{name}', "
                             "the potential energy keeps falling along it",
                             "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
@@ -200,13 +253,4 @@ def _trust_step(values, slope, radius):
 
 def figure_size(problem):
     """The extent of the drawn figure in metres; 0 where nothing has a place."""
-    scene = problem.scene
-    places = [body.drawn for body in scene.bodies.values() if body.frame is not None]
-    ends = [scene.pair(end) for record in (problem.spec.get("springs") or {}).values()
-            for end in record.get("between", ()) if isinstance(end, list)]
-    nodes = [node for place in places + ends for node in place]
-    values = evaluate(nodes, Floats, {**problem.floats, **problem.drawn_floats})
-    if not values:
-        return 0.0
-    extent = max(max(values[0::2]) - min(values[0::2]), max(values[1::2]) - min(values[1::2]))
-    return extent or max(map(abs, values))
+    return problem.scene.extent({**problem.floats, **problem.drawn_floats})

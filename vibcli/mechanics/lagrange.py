@@ -1,35 +1,36 @@
-"""Lagrange's equations of the second kind in letters: d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q = 0.
+"""Lagrange's equations of the second kind in letters: d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q = 0.
 
 The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K q = 0, q being the deviation from it:
 in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
 """
 
 from vibcli.algebra.calculus import gradient
-from vibcli.algebra.normal import textbook
+from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.algebra.rationals import HALF, ONE
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, rate
 
 LETTERS = 16        # most coordinates for which equations are written in letters
 
 
 class Equations:
-    """full: left sides of the equations of motion; M, C, G, K: matrices {(i, j): expression or float} of the small
-    oscillations, their entries in letters or in numbers (`in_letters`); linear: left sides of their equations;
-    refusal: the PhysicsError of a scene that has no equilibrium, or None."""
+    """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
+    name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
+    {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
+    linear: left sides of their equations, drive: {i: Q(t)} of their right sides; refusal: the PhysicsError of a scene
+    that has no equilibrium, or None."""
 
-    __slots__ = ("C", "G", "K", "M", "full", "in_letters", "linear", "refusal")
+    __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "linear", "multipliers", "names",
+                 "refusal")
 
 
 def equation_of(scene, i, T=None, V=None, Phi=None):
     """The left side of the equation of motion of coordinate i, as it comes from the energies."""
     T, V, Phi = T or kinetic(scene), V or potential(scene), Phi or dissipation(scene)
     q, v, zero = scene.q[i], scene.v[i], scene.table.zero
-    speed = dict(zip(scene.q, scene.v, strict=True)) | dict(zip(scene.v, scene.a, strict=True))
-    momentum = gradient(gradient(T).get(v, zero))
-    rate = scene.table.sum(*((slope * speed[x], ONE) for x, slope in momentum.items() if x in speed))
-    left = rate - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
-    return left + _gyroscopic(scene, i)
+    momentum = rate(scene, gradient(T).get(v, zero))
+    left = momentum - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
+    return left + _gyroscopic(scene, i) - generalised_force(scene, i)
 
 
 def _gyroscopic(scene, i):
@@ -46,14 +47,39 @@ def full_equations(scene):
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
+def _with_multipliers(scene, found):
+    """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, and the conditions G = 0 of a loose scene."""
+    nodes = [textbook(constraint.node) for constraint in scene.constraints]
+    found.conditions = [_primitive(node) for node in nodes]
+    symbols = [scene.table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
+    found.multipliers = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
+    slopes = [gradient(node) for node in nodes]
+    for i, q in enumerate(scene.q):
+        ties = [(textbook(slope[q]) * symbol, ONE) for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
+        found.full[i] = scene.table.sum((found.full[i], ONE), *ties)
+
+
+def _primitive(node):
+    """A condition without its common factor."""
+    try:
+        return factors_of(node.table, reduced(expanded(node)))[1][0]
+    except (TooLong, IndexError):
+        return node
+
+
 def equations(problem):
     """The Equations of a problem; without an equilibrium only the full ones, and the refusal of the others."""
     found = Equations()
-    scene = problem.scene
-    found.full = full_equations(scene) if len(scene.q) <= LETTERS else []
+    scene, loose = problem.scene, problem.loose
+    found.names, found.multipliers, found.conditions, found.drive = list(loose.coordinates), {}, [], {}
+    found.full = full_equations(loose) if len(loose.q) <= LETTERS else []
+    if loose is not scene and found.full:
+        _with_multipliers(loose, found)
     found.M, found.C, found.G, found.K = [{}] * 4
     found.in_letters, found.linear, found.refusal = False, [], None
     try:
+        if scene.timed:
+            found.drive = problem.excitation
         found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
         if found.in_letters:
             found.M, found.C, found.G, found.K = problem.matrices_in_letters
@@ -68,7 +94,7 @@ def equations(problem):
 def matrices_in_letters(form):
     """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
     M = _assembled(form.table, form.inertias, [form.M])
-    C = _assembled(form.table, form.dampers, [form.C])
+    C = _assembled(form.table, form.dampers, [form.C, form.drag])
     geometric = [{pair: force * second for pair, second in curvature.items()} for force, curvature, _ in form.curved]
     K = _assembled(form.table, form.springs, geometric + form.K)
     return M, C, _simplified({pair: [node] for pair, node in form.G.items()}, form.table), K

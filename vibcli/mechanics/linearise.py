@@ -1,17 +1,24 @@
 """Small oscillations about a position: rows ∇s and weights of every element, in any arithmetic.
 
-With s(q) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s + ½ k s²) + Σ f s, Φ = ½ Σ c ṡ²:
+With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s + ½ k s²) + Σ f s, Φ = ½ Σ c ṡ², δA = Σ F δs:
 
-    M = Σ w ∇s ∇sᵀ + ∂²T/∂q̇²      C = Σ c ∇s ∇sᵀ + ∂²Φ/∂q̇²
-    K = Σ k ∇s ∇sᵀ + Σ (N + k s) ∇²s + Σ f ∇²s + ∂²V/∂q² − ∂²T/∂q²      r = Σ (N + k s) ∇s + Σ f ∇s + ∂V/∂q − ∂T/∂q
+    M = Σ w ∇s ∇sᵀ + ∂²T/∂q̇²                C + G = Σ c ∇s ∇sᵀ + 2 Σ w ∇s (∂ₜ∇s)ᵀ − Σ ∇s (∂F/∂q̇)ᵀ + ∂²Φ/∂q̇² + …
+    r = Σ P ∇s + ∂V/∂q − ∂T/∂q              P = N + k s,  f,  w ∂ₜₜs,  c ∂ₜs,  −F
+    K = ∂r/∂q = Σ k ∇s ∇sᵀ + Σ P ∇²s + Σ w ∇s (∂ₜₜ∇s)ᵀ + Σ c ∇s (∂ₜ∇s)ᵀ − Σ ∇s (∂F/∂q)ᵀ + …
 
-The second term of K is the geometric stiffness of preloads (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
+Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
+G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements
+that oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
+excitation; and so are loads that depend on the time, which add nothing to Σ P ∇²s.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import evaluate, evaluate_rational
+from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.elements import OscillatorElements
+
+ALIKE = 2.0**-46
 
 
 class Linearisation:
@@ -21,18 +28,19 @@ class Linearisation:
     being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}.
     """
 
-    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "inertias", "n", "residual", "springs", "table")
+    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "drag", "inertias", "n", "residual", "springs", "table")
 
 
 def linearise(scene):
     """The Linearisation of a scene as functions of the coordinates."""
     number = {node: i for i, node in enumerate(scene.q)}
     found = Linearisation()
-    found.n, found.table = len(scene.q), scene.table
+    found.n, found.table, found.drag = len(scene.q), scene.table, {}
     found.inertias = [(term.weight, _row(term.s, number)) for term in scene.inertias]
-    found.dampers = [(term.weight, _row(term.s, number)) for term in scene.dampers]
+    dampers = scene.at_still("dampers")
+    found.dampers = [(term.weight, _row(term.s, number)) for term in dampers]
     found.springs, found.curved = [], []
-    for term in scene.springs:
+    for term in scene.at_still("springs"):
         row = _row(term.s, number)
         found.springs.append((term.weight, row))
         found.curved.append((term.force + term.weight * term.s, _curvature(row, number), row))
@@ -40,7 +48,69 @@ def linearise(scene):
         row = _row(term.s, number)
         found.curved.append((term.weight, _curvature(row, number), row))
     _written_out(scene, found, number)
+    slips = {}
+    for term in scene.forces:
+        _loaded(scene, found, number, term, slips)
+    _split(found, slips, found.drag)
+    slips = {}
+    if scene.timed:
+        for kind, terms in (("inertias", scene.inertias), ("dampers", dampers)):
+            for term in terms:
+                _driven(scene, found, number, term, kind, slips)
+    _split(found, slips, found.G)
     return found
+
+
+def _loaded(scene, found, number, term, slips):
+    """A force F with the virtual work F δs."""
+    rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
+    force, row = substitute([term.weight], rest)[0], _row(term.s, number)
+    at_once = scene.table.sum(*((part, c) for part, c in _parts(force) if part.mask & scene.time.mask))
+    found.curved.append((at_once - force, _curvature(row, number), row))
+    found.residual.append({i: -(at_once * slope) for i, slope in row.items() if not at_once.is_zero})
+    slopes = gradient(term.weight)
+    by_place = {number[q]: slope for q, slope in slopes.items() if q in number}
+    by_speed = {speeds[v]: slope for v, slope in slopes.items() if v in speeds}
+    found.K.append(_at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_place.items()}, rest))
+    for (i, j), node in _at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_speed.items()},
+                                 rest).items():
+        slips.setdefault((i, j), []).append(node)
+
+
+def _parts(node):
+    return node.args if node.op == "sum" else ((node, ONE),)
+
+
+def _driven(scene, found, number, term, kind, slips):
+    """What an inertia or a damper adds where its s(q, t) depends on the time explicitly."""
+    first = gradient(term.s).get(scene.time)
+    if first is None:
+        return
+    row = _row(term.s, number)
+    turning, weight = _row(first, number), term.weight
+    if kind == "dampers":
+        force, bend = first, turning
+    else:
+        force = gradient(first).get(scene.time, scene.table.zero)
+        bend = _row(force, number)
+        for i, x in row.items():
+            for j, slope in turning.items():
+                slips.setdefault((i, j), []).append(2 * weight * x * slope)
+    found.curved.append((weight * force, _curvature(row, number), row))
+    found.K.append({(i, j): weight * x * slope for i, x in row.items() for j, slope in bend.items()})
+
+
+def _split(found, slips, skew_parts):
+    """Adds the symmetric part of {(i, j): [terms]} to C, the skew part to `skew_parts`."""
+    total = {pair: found.table.sum(*((node, ONE) for node in terms)) for pair, terms in slips.items()}
+    zero = found.table.zero
+    for i, j in {tuple(sorted(pair)) for pair in total}:
+        one, two = total.get((i, j), zero), total.get((j, i), zero)
+        same, skew = textbook((one + two) / 2), textbook((one - two) / 2)
+        for matrix, pairs in ((found.C, {(i, j): same, (j, i): same}), (skew_parts, {(i, j): skew, (j, i): -skew})):
+            for pair, node in pairs.items():
+                if not node.is_zero:
+                    matrix[pair] = matrix.get(pair, zero) + node
 
 
 def _row(s, number):
@@ -68,6 +138,13 @@ def _written_out(scene, found, number):
     slope_T = {number[q]: s for q, s in gradient(T).items() if q in number}
     found.K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
     found.residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
+    drag = [force]
+    if scene.timed:
+        drag.append({i: gradient(p)[scene.time] for i, p in momentum.items() if scene.time in gradient(p)})
+        for pair, node in _at_rest(_blocks(drag[1], speeds), rest).items():
+            found.C[pair] = found.C.get(pair, scene.table.zero) + node
+    found.K += [_at_rest(_blocks(part, number), rest) for part in drag]
+    found.residual += [_at_rest(part, rest) for part in drag]
     for key, rows in scene.matrices.items():
         _outright(scene, found, key, rows)
 
@@ -126,7 +203,7 @@ def _each(form, change):
     for kind in ("inertias", "springs", "dampers"):
         setattr(found, kind, [(change(weight), entries(row)) for weight, row in getattr(form, kind)])
     found.curved = [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved]
-    for kind in ("M", "C", "G"):
+    for kind in ("M", "C", "G", "drag"):
         setattr(found, kind, entries(getattr(form, kind)))
     found.K = [entries(part) for part in form.K]
     found.residual = [entries(part) for part in form.residual]
@@ -176,10 +253,12 @@ def in_numbers(form, arithmetic, values, rational=None):
     for part in form.residual:
         for i, node in part.items():
             _gather(residual, residual_size, i, known[node])
+    if arithmetic.ordered:
+        _even_out(K, size)
     elements = OscillatorElements(
         n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
-        C=data.entries(form.C), G=data.entries(form.G), K=K, K_size=size, massless=massless(form, known),
-        rational_rows=_rational_rows(form, rational))
+        C=data.entries(form.C), G=data.entries(form.G), drag=data.entries(form.drag), K=K, K_size=size,
+        massless=massless(form, known), rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
 
@@ -187,6 +266,14 @@ def _accumulate(K, size, pair, term):
     if term:
         K[pair] = K.get(pair, 0) + term
         size[pair] = size.get(pair, 0) + abs(term)
+
+
+def _even_out(K, size):
+    """K of forces with a potential is symmetric: what differs by rounding alone is made equal."""
+    for (i, j), one in list(K.items()):
+        other = K.get((j, i), 0)
+        if i < j and one != other and abs(one - other) <= ALIKE * max(size[i, j], size.get((j, i), 0)):
+            K[i, j] = K[j, i] = (one + other) / 2
 
 
 def _gather(residual, size, i, term):
@@ -222,3 +309,10 @@ def _rational_rows(form, rational):
         return None
     known = dict(zip(nodes, values, strict=True))
     return [{i: known[node] for i, node in row.items()} for _, row in form.springs]
+
+
+def nodes_of(form):
+    """Every expression of a Linearisation."""
+    nodes = []
+    _each(form, lambda node: nodes.append(node) or node)
+    return nodes

@@ -6,6 +6,7 @@ rigid-body mode) from one that terms of third and higher order hold or drive awa
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import HALF
+from vibcli.mechanics.linearise import in_numbers
 
 STEPS = (-0.1, -0.02, 0.02, 0.1)
 ROUNDING = 1e-11
@@ -22,20 +23,38 @@ def _along(problem, shape):
     shape = [complex(x).real for x in shape]
     sizes = [1.0 if not problem.dimension(name) else problem.figure_size or 1.0 for name in scene.coordinates]
     largest = max(abs(x) / size for x, size in zip(shape, sizes, strict=True))
-    terms = [term.force * term.s + term.weight * term.s * term.s * HALF for term in scene.springs]
-    terms += [term.weight * term.s for term in scene.weights] + [scene.energies["V"], -scene.energies["T"]]
-    rest = dict.fromkeys((node.name for node in scene.v), 0.0)
+    direction = {name: x / largest for name, x in zip(scene.coordinates, shape, strict=True)}
 
-    def energies(step):
-        moved = {name: at[name] + step * x / largest for name, x in zip(scene.coordinates, shape, strict=True)}
-        return evaluate(terms, Floats, {**problem.floats, **rest, **moved})
+    def place(step):
+        moved = {name: at[name] + step * x for name, x in direction.items()}
+        return {**problem.at_rest, **problem.closed(at, {**at, **moved})}
 
-    start = energies(0.0)
-    gains = []
-    for step in STEPS:
-        parts = [a - b for a, b in zip(energies(step), start, strict=True)]
-        noise = ROUNDING * sum(max(abs(part), abs(whole)) for part, whole in zip(parts, start, strict=True))
-        gains.append(0 if not abs(sum(parts)) > noise else sum(parts))
+    gains = list((_gains if problem.conservative else _work_done)(problem, place, direction))
     if any(gain < 0 for gain in gains):
         return FALLING
     return HELD if any(gains) else FREE
+
+
+def _gains(problem, place, direction):
+    """V(q + t d) − V(q) at each step; 0 where it is rounding."""
+    scene = problem.scene
+    terms = [term.force * term.s + term.weight * term.s * term.s * HALF for term in scene.springs]
+    terms += [-term.weight * term.s for term in scene.forces]
+    terms += [term.weight * term.s for term in scene.weights] + [scene.energies["V"], -scene.energies["T"]]
+    start = evaluate(terms, Floats, place(0.0))
+    for step in STEPS:
+        parts = [a - b for a, b in zip(evaluate(terms, Floats, place(step)), start, strict=True)]
+        yield _or_none(sum(parts), sum(max(abs(part), abs(whole)) for part, whole in zip(parts, start, strict=True)))
+
+
+def _work_done(problem, place, direction):
+    """t r(q + t d)·d at each step, where loads have no potential."""
+    for step in STEPS:
+        numbers = in_numbers(problem.form, Floats, place(step))
+        rows = zip(numbers.residual, numbers.residual_size, direction.values(), strict=True)
+        work, size = map(sum, zip(*((r * d * step, abs(s * d * step)) for r, s, d in rows), strict=True))
+        yield _or_none(work, size)
+
+
+def _or_none(value, size):
+    return value if abs(value) > ROUNDING * size else 0

@@ -1,11 +1,11 @@
 """Equilibrium and element data to any number of digits, by Newton's method in mpmath from the float solution."""
 
-from vibcli.algebra.evaluate import multiprecision
+from vibcli.algebra.evaluate import evaluate, multiprecision
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.linearise import in_numbers
 
-ROUNDED = 40
+ROUNDED, NOTHING = 40, 1e-20
 
 
 def elements_to(problem, digits):
@@ -15,24 +15,35 @@ def elements_to(problem, digits):
     with mpmath.workdps(digits + 10):
         arithmetic = multiprecision()
         values = problem.values(arithmetic)
-        if problem.equilibrium.drawn:
-            return in_numbers(problem.drawn_form, arithmetic, values, problem.rational).elements
-        return in_numbers(problem.form, arithmetic, {**values, **equilibrium_to(problem, values, arithmetic)},
-                          problem.rational).elements
+        form = problem.drawn_form if problem.equilibrium.drawn else problem.form
+        return in_numbers(form, arithmetic, values | place_to(problem, values, arithmetic), problem.rational).elements
+
+
+def place_to(problem, values, arithmetic):
+    """{coordinate: number} of the equilibrium at the working precision; of a linear scene in floats, where it is of no
+    matter."""
+    if problem.equilibrium.drawn:
+        drawn = problem.scene.drawn
+        return dict(zip((q.name for q in drawn), evaluate(list(drawn.values()), arithmetic, values), strict=True))
+    return problem.equilibrium.values if problem.is_linear else equilibrium_to(problem, values, arithmetic)
 
 
 def equilibrium_to(problem, values, arithmetic):
-    """{coordinate: mpf} in equilibrium at the working precision."""
+    """{coordinate: mpf} in equilibrium at the working precision, dependent coordinates included."""
     import mpmath
 
-    names = problem.scene.coordinates
-    q = [mpmath.mpf(problem.equilibrium.values[name]) for name in names]
+    names, loops = problem.scene.coordinates, problem.scene.loops
+    position = {name: mpmath.mpf(value) for name, value in problem.equilibrium.values.items()}
     for _ in range(60):
-        numbers = in_numbers(problem.form, arithmetic, {**values, **dict(zip(names, q, strict=True))})
+        if loops is not None:
+            found = loops.refined({**values, problem.scene.time.name: mpmath.mpf(0), **position}, arithmetic)
+            position = {name: found[name] for name in position}
+        numbers = in_numbers(problem.form, arithmetic, {**values, **position})
         step = _newton_step(numbers, mpmath)
-        q = [a + d for a, d in zip(q, step, strict=True)]
-        if max(map(abs, step)) <= mpmath.eps * 100 * (1 + max(map(abs, q))):
-            return dict(zip(names, q, strict=True))
+        for name, change in zip(names, step, strict=True):
+            position[name] += change
+        if max(map(abs, step)) <= mpmath.eps * 100 * (1 + max(map(abs, position.values()))):
+            return position
     raise PhysicsError("the equilibrium does not converge to more digits: it is degenerate", "ask for fewer digits")
 
 
@@ -53,12 +64,31 @@ def _newton_step(numbers, mpmath):
     return step
 
 
+def require_inertia(problem, elements):
+    """PhysicsError where the inertia along a coordinate vanishes in equilibrium, though not as drawn."""
+    from vibcli.algebra.evaluate import Floats
+
+    drawn = in_numbers(problem.drawn_form, Floats, problem.floats).elements.matrices()[0]
+    here = elements.matrices()[0]
+    for i, name in enumerate(problem.scene.coordinates):
+        if abs(here.get((i, i), 0)) < NOTHING * abs(drawn.get((i, i), 0)):
+            raise PhysicsError(f"nothing that has a mass moves with '{name}' in the equilibrium: it is a dead centre",
+                               "give the bodies their inertia, or start elsewhere with `equilibrium:`")
+
+
 def rounded_elements(problem):
-    """The element data at an equilibrium that was searched for, each number correctly rounded."""
+    """The element data at an equilibrium that was searched for, each number correctly rounded.
+
+    What falls with the digits is rounding of what cancels, and zero.
+    """
     exact = elements_to(problem, ROUNDED)
+    largest = max((abs(x) for x in exact.K_size.values()), default=0)
+    if any(abs(x) < NOTHING * largest for x in exact.K.values()) or all(abs(x) < NOTHING for x in exact.K.values()):
+        sharper = elements_to(problem, 2 * ROUNDED)
+        exact.K = {pair: x for pair, x in exact.K.items() if abs(sharper.K.get(pair, 0)) > NOTHING * abs(x)}
     return OscillatorElements(
         exact.n, _rows(exact.inertias), _rows(exact.springs), _rows(exact.dampers), M=_floats(exact.M),
-        C=_floats(exact.C), G=_floats(exact.G), K=_floats(exact.K),
+        C=_floats(exact.C), G=_floats(exact.G), drag=_floats(exact.drag), K=_floats(exact.K),
         K_size={pair: abs(float(x)) for pair, x in exact.K.items()},
         rational_rows=exact.rational_rows, massless=exact.massless)
 

@@ -10,6 +10,7 @@ from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.linearise import at_position, linearise, residual_terms
+from vibcli.mechanics.steady import steady
 
 LOOSE = 1e-9
 
@@ -20,7 +21,7 @@ def settle_static_preloads(scene):
         return {}
     names = [record.name for _, record in scene.static_preloads]
     unknowns = [node for node, _ in scene.static_preloads]
-    form = at_position(linearise(scene), scene.drawn)
+    form = at_position(steady(scene, linearise(scene)), scene.drawn_position)
     columns = [_column(form, unknown) for unknown in unknowns]
     sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
@@ -32,7 +33,7 @@ def settle_static_preloads(scene):
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
-    scene.springs = [term._replace(force=substitute([term.force], values)[0]) for term in scene.springs]
+    scene.replace(values)
     return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 

@@ -3,10 +3,11 @@
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import is_zero, textbook
 from vibcli.algebra.rationals import ONE
-from vibcli.errors import PhysicsError
+from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.mechanics.lagrange import matrices_in_letters
 from vibcli.mechanics.linearise import at_position, in_numbers, linearise
 from vibcli.mechanics.preload import solve_linear
+from vibcli.mechanics.steady import steady
 from vibcli.scene.build import SAMPLES, build_scene, sample_values
 
 
@@ -27,12 +28,13 @@ def equilibrium_in_letters(problem):
     """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
     scene = problem.scene
     if problem.balanced_as_drawn:
-        return dict(zip(scene.coordinates, scene.drawn.values(), strict=True))
+        return scene.drawn_coordinates
+    if problem.equilibrium_letters is not None:
+        return {q.name: node for q, node in problem.equilibrium_letters.values.items()}
     if not problem.is_linear:
-        raise PhysicsError("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
+        raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",
-                           "draw it in equilibrium (`preload: static` helps), or give numbers with "
-                           "--set")
+                           "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
     _, _, _, K = matrices_in_letters(problem.form)
     n, zero = len(scene.q), scene.table.zero
     load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in problem.drawn_residual]
@@ -46,10 +48,14 @@ def equilibrium_in_letters(problem):
     try:
         shift = dict(zip(held, solve_linear(rows, zero), strict=True))
     except ZeroDivisionError:
-        raise PhysicsError("the equilibrium of this scene is not unique in letters",
+        raise NotInLetters("the equilibrium of this scene is not unique in letters",
                            "give numbers with --set") from None
-    drawn = list(scene.drawn.values())
-    return {name: textbook(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}
+    if n == 1:
+        from vibcli.algebra.quotient import single as simplest
+    else:
+        from vibcli.algebra.polynomials import factored as simplest
+    drawn = list(scene.drawn_coordinates.values())
+    return {name: simplest(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}
 
 
 def drawn_stable(spec, given, scene):
@@ -65,7 +71,7 @@ def _falls_as_drawn(scene):
     """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
     values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
     try:
-        numbers = in_numbers(at_position(linearise(scene), scene.drawn), Floats, values)
+        numbers = in_numbers(at_position(steady(scene, linearise(scene)), scene.drawn_position), Floats, values)
     except ZeroDivisionError:  # said where the drawn position is asked for
         return False
     return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)

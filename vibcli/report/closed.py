@@ -11,21 +11,27 @@ def closed_data(problem):
         return {"modes": None, "damped": None}
     table = problem.scene.table
     modes = []
-    for i, mode in enumerate(forms.modes, 1):
-        resting = mode.omega.is_zero
+    for mode in forms.modes:
+        still = mode.unstable or mode.omega.is_zero
         shape = mode.shape or [None] * len(names)
         modes.append({
-            "index": i, "omega": language(mode.omega), "frequency": language(mode.omega / (2 * table.pi)),
-            "period": None if resting else language(2 * table.pi / mode.omega), "growth_rate": None,
-            "shape": {name: None if value is None else language(value)
-                      for name, value in zip(names, shape, strict=True)},
-            "error": 0.0})
-    found = {"modes": modes, "damped": None}
-    if forms.polynomial:
-        found["characteristic_polynomial"] = [language(node).replace("λ", "omega^2") for node in forms.polynomial]
-    if forms.zeta is not None:
-        omega = forms.modes[0].omega
-        found["damped"] = [{"index": 1, "eigenvalue": None, "omega": language(omega), "zeta": language(forms.zeta),
-                            "omega_d": language(forms.omega_d), "decay": language(forms.zeta * omega),
-                            "growth_rate": None, "shape": {names[0]: "1"}, "error": 0.0}]
+            "index": mode.index, "omega": None if mode.unstable else language(mode.omega),
+            "frequency": None if mode.unstable else language(mode.omega / (2 * table.pi)),
+            "period": None if still else language(2 * table.pi / mode.omega),
+            "growth_rate": language(mode.omega) if mode.unstable else None,
+            "shape": _shape(names, shape), "error": 0.0})
+    damped = [{"index": mode.index, "eigenvalue": None, "omega": language(mode.omega), "zeta": language(mode.zeta),
+               "omega_d": language(mode.omega_d), "decay": language(mode.zeta * mode.omega), "growth_rate": None,
+               "shape": _shape(names, mode.shape or [None] * len(names)), "error": 0.0}
+              for mode in forms.modes if mode.zeta is not None]
+    found = {"modes": modes, "damped": damped or None}
+    if forms.polynomials:
+        square = table.parameter("omega") ** 2
+        whole = [table.sum(*((c * square ** i, 1) for i, c in enumerate(reversed(polynomial))))
+                 for polynomial in forms.polynomials]
+        found["characteristic_polynomial"] = [language(node) for node in whole]
     return found
+
+
+def _shape(names, shape):
+    return {name: None if value is None else language(value) for name, value in zip(names, shape, strict=True)}

@@ -4,6 +4,7 @@ import re
 
 from vibcli.algebra.rationals import ONE
 from vibcli.report.notation import Plain, enclosed
+from vibcli.report.roots import place
 
 
 class Language(Plain):
@@ -30,11 +31,11 @@ class Language(Plain):
         return text if exponent == 1 else self.power(text, self._ascii(exponent))
 
     def product(self, value, args):
-        above, below, root_above, root_below = self.factors(value, args)
+        value, above, below, root_above, root_below = self.factors(value, args)
         tops = [self.powered(base, e, False) for base, e in above]
         bottoms = [self.powered(base, e, False) for base, e in below]
         if root_above:
-            tops.append(self.root(root_above, root_below))
+            tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
         if value.denominator > 1:

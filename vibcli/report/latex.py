@@ -2,6 +2,7 @@
 
 from vibcli.algebra.rationals import ONE
 from vibcli.report.notation import GREEK, Notation, decimal, shown_as_decimal, split_name
+from vibcli.report.roots import place
 
 
 def _escaped(word):
@@ -45,20 +46,25 @@ class Latex(Notation):
 
     def call(self, name, arg, exponent):
         known = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}.get(name, name)
-        head = rf"\operatorname{{{known}}}" if known in ("sign", "abs") else "\\" + known
+        if known == "abs":
+            return rf"\left|{self.write(arg, 0)}\right|"
+        head = rf"\operatorname{{{known}}}" if known == "sign" else "\\" + known
         head += "" if exponent == 1 else f"^{{{decimal(exponent)}}}"
         inner = self.write(arg, 0)
         return f"{head} {inner}" if arg.op in ("symbol", "pi") else rf"{head}\left({inner}\right)"
 
+    def over(self, text, below):
+        return rf"\frac{{{text}}}{{{below}}}"
+
     def product(self, value, args):
-        above, below, root_above, root_below = self.factors(value, args)
+        value, above, below, root_above, root_below = self.factors(value, args)
         alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
         thin = r" \, "
         lone_root = root_below and not root_above
         plain = not below and not lone_root and (value.denominator == 1 or shown_as_decimal(value))
         tops = [self.powered(base, e, alone and (not plain or value == 1)) for base, e in above]
         if root_above:
-            tops.append(self.root(root_above, root_below))
+            tops.insert(place(above, root_above), self.root(root_above, root_below))
         if plain:
             if value != 1 or not tops:
                 tops.insert(0, decimal(value))

@@ -2,8 +2,11 @@
 
 import re
 from fractions import Fraction
+from operator import itemgetter
 
-from vibcli.algebra.rationals import HALF, ONE
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.rationals import ONE
+from vibcli.report.roots import LARGEST, is_constant, place, split
 
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
           "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
@@ -55,15 +58,24 @@ class Notation:
     def _sum(self, node, tightness):
         terms = sorted(node.args, key=_rank)
         parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
-        pieces = [(value < 0, self._term(abs(value), part)) for value, part in parts]
+        rooted = sum(_is_rooted(part) for part, _ in terms)
+        below = _common_denominator(node, [value for value, _ in parts])
+        pieces = [(value < 0, self._term(abs(value) * below, part)) for value, part in parts]
         if node.coefficient:
-            pieces.append((node.coefficient < 0, self.number(abs(node.coefficient))))
+            place = 0 if all(is_constant(part) for part, _ in node.args) else len(pieces)
+            pieces.insert(place, (node.coefficient < 0, self.number(abs(node.coefficient) * below)))
         if pieces[0][0]:
-            first = next((i for i, piece in enumerate(pieces) if not piece[0]), 0)
-            pieces.insert(0, pieces.pop(first))
-        text = ("−" if pieces[0][0] else "") + pieces[0][1]
-        text += "".join((" − " if negative else " + ") + piece for negative, piece in pieces[1:])
+            pieces = _positive_first(pieces, rooted)
+        turned = below > 1 and pieces[0][0]
+        text = ("−" if pieces[0][0] and not turned else "") + pieces[0][1]
+        text += "".join((" − " if negative is not turned else " + ") + piece for negative, piece in pieces[1:])
+        if below > 1:
+            text = self.minus("−" * turned) + self.over(self.minus(text), below)
+            return self.brackets(text) if tightness else text
         return self.brackets(self.minus(text)) if tightness else self.minus(text)
+
+    def over(self, text, below):
+        return f"({text})/{below}"
 
     def _term(self, value, part):
         if part.op == "product":
@@ -84,25 +96,12 @@ class Notation:
         return self.function(node.name, [self.write(arg, 0) for arg in node.args])
 
     def factors(self, value, args):
-        """(above, below, under the root above, below it): lists of (node, exponent) and the rational parts."""
-        above, below, root_above, root_below = [], [], [], []
-        for base, exponent in sorted(args, key=_factor_rank):
-            if exponent.denominator == 2:
-                whole = exponent - HALF if exponent > 0 else exponent + HALF
-                (up, down) = (root_above, root_below) if exponent > 0 else (root_below, root_above)
-                if base.op == "number" and base.coefficient.denominator > 1:
-                    down.append((base.table.number(base.coefficient.denominator), ONE))
-                    base = base.table.number(base.coefficient.numerator)
-                if base is not base.table.one:
-                    up.append((base, ONE))
-                exponent = whole
-            if exponent > 0:
-                above.append((base, exponent))
-            elif exponent < 0:
-                below.append((base, -exponent))
-        return above, below, root_above, root_below
+        """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
+        return split(value, sorted(args, key=_factor_rank))
 
     def powered(self, base, exponent, alone):
+        if base.op == "call" and base.name in ("abs", "sign") and exponent != 1:
+            return self.power(self.brackets(self.write(base, 0)), self.number(exponent))
         if base.op == "call" and base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh") and exponent != 1:
             return self.call(base.name, base.args[0], exponent)
         if exponent == 1:
@@ -142,17 +141,19 @@ class Plain(Notation):
         return f"{name}({', '.join(args)})"
 
     def call(self, name, arg, exponent):
+        if name == "abs":
+            return f"|{self.write(arg, 0)}|"
         head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
         inner = self.write(arg, 0)
         return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
 
     def product(self, value, args):
-        above, below, root_above, root_below = self.factors(value, args)
+        value, above, below, root_above, root_below = self.factors(value, args)
         single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
         tops = [self.powered(base, e, single and value == 1) for base, e in above]
         bottoms = [self.powered(base, e, False) for base, e in below]
         if root_above:
-            tops.append(self.root(root_above, root_below))
+            tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
         if value.denominator > 1 and not shown_as_decimal(value):
@@ -183,7 +184,7 @@ def enclosed(text):
 
 def shown_as_decimal(value):
     """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
-    return value.denominator > 48
+    return value.denominator > LARGEST
 
 
 def decimal(value):
@@ -196,12 +197,47 @@ def decimal(value):
     return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
 
 
+def _positive_first(pieces, rooted):
+    """The terms of a sum, (negative, text), the positive ones first; the `rooted` last ones stay there if others can
+    begin."""
+    front = pieces[:len(pieces) - rooted]
+    if rooted and not all(negative for negative, _ in front):
+        return sorted(front, key=itemgetter(0)) + pieces[len(pieces) - rooted:]
+    return sorted(pieces, key=itemgetter(0))
+
+
+def _is_rooted(node):
+    """Does a term of parameters hold the root of a letter or of a sum?"""
+    return not node.mask and node.op == "product" and any(
+        e.denominator == 2 and not is_constant(base) for base, e in node.args)
+
+
+def _common_denominator(node, values):
+    """The denominator that all terms of a sum of parameters share; 1 where they do not."""
+    values = [*values, node.coefficient] if node.coefficient else values
+    below = {value.denominator for value in values}
+    return 1 if node.mask or len(below) > 1 or shown_as_decimal(values[0]) else below.pop()
+
+
 def _rank(pair):
     """Accelerations first, then velocities, then coordinates, each in the order of the coordinates; constants last."""
     node = pair[0]
     deepest = _most_primes(node)
     moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
-    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), node.index
+    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), *_letters(node), node.index
+
+
+def _letters(node):
+    """Of terms of parameters those without a root first, then in the order of letters, higher powers first."""
+    if node.mask:
+        return False, []
+    factors = node.args if node.op == "product" else ((node, ONE),)
+    return _is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors)
+
+
+def _first_letter(node):
+    return node.index if node.op == "symbol" else min(
+        (part.index for part in reachable([node]) if part.op == "symbol"), default=node.index)
 
 
 def _lowest(mask):
@@ -225,8 +261,8 @@ def _most_primes(node):
 def _factor_rank(pair):
     """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
     base = pair[0]
-    if base.op == "number":
-        kind = 0
+    if base.op == "number" or (base.op == "sum" and is_constant(base)):
+        kind = -1 if base.op == "number" else 0
     elif base.op in ("symbol", "pi") and not base.mask:
         kind = 1
     elif base.op in ("sum", "call"):

@@ -1,7 +1,11 @@
 """Results as plain data with the documented keys of --json: SI units, null where there is nothing."""
 
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.normal import expanded
+from vibcli.algebra.rationals import ONE
 from vibcli.report.language import language
 from vibcli.report.latex import latex
+from vibcli.report.sides import equation
 
 TURN = 6.283185307179586
 
@@ -13,14 +17,16 @@ def energies_data(problem):
 
 def equations_data(problem):
     """[{coordinate, text, latex, linear_text, linear_latex}]."""
-    equations = problem.equations
+    equations, loose = problem.equations, problem.loose
     found = []
-    for i, name in enumerate(problem.scene.coordinates):
+    for i, name in enumerate(equations.names):
         entry = {"coordinate": name, "text": None, "latex": None}
         if equations.full:
-            entry["text"] = language(equations.full[i]) + " = 0"
-            entry["latex"] = latex(equations.full[i]) + " = 0"
-        text, tex = linear_row(problem, equations, i)
+            entry["text"] = equation(loose, equations.full[i], language)
+            entry["latex"] = equation(loose, equations.full[i], latex)
+        text, tex = (None, None)
+        if name in problem.scene.coordinates:
+            text, tex = linear_row(problem, equations, problem.scene.coordinates.index(name))
         found.append(entry | {"linear_text": text, "linear_latex": tex})
     return found
 
@@ -28,11 +34,13 @@ def equations_data(problem):
 def linear_row(problem, equations, i):
     """The equation of small oscillations of coordinate i: (text, LaTeX), in letters or with numbers."""
     if equations.in_letters:
-        return language(equations.linear[i]) + " = 0", latex(equations.linear[i]) + " = 0"
+        right = equations.drive.get(i, problem.scene.table.zero)
+        return tuple(f"{write(equations.linear[i])} = {write(right)}" for write in (language, latex))
     if problem.symbolic:
         return None, None
-    row = numeric_row(problem, equations, i)
-    return joined(row, "*", language), joined(row, r" \, ", latex)
+    row, drive = numeric_row(problem, equations, i), numeric_drive(problem, equations, i)
+    return tuple(f"{joined(row, times, write)} = {joined(drive, times, write)}"
+                 for times, write in (("*", language), (r" \, ", latex)))
 
 
 def numeric_row(problem, equations, i):
@@ -48,14 +56,28 @@ def numeric_row(problem, equations, i):
     return row
 
 
+def numeric_drive(problem, equations, i):
+    """[(coefficient, function of the time)] of what drives coordinate i; the time function is 1 where it is a load
+    without letters."""
+    node = equations.drive.get(i)
+    if node is None:
+        return []
+    row, table, time = {}, problem.scene.table, problem.scene.time.mask
+    for monomial, value in expanded(node).items():
+        moving = table.product(*(pair for pair in monomial if pair[0].mask & time))
+        fixed = table.product((table.number(value), ONE), *(pair for pair in monomial if not pair[0].mask & time))
+        row[moving] = row.get(moving, 0.0) + evaluate([fixed], Floats, problem.at_rest)[0]
+    return [(value, moving) for moving, value in row.items()]
+
+
 def joined(row, times, write, minus="-"):
-    """Σ coefficient·symbol = 0 as text."""
+    """Σ coefficient·symbol as text."""
     parts = []
     for value, symbol in row:
         sign = (minus if value < 0 else "") if not parts else (f" {minus} " if value < 0 else " + ")
         factor = "" if abs(value) == 1 else f"{abs(value):.6g}{times}"
         parts.append(f"{sign}{factor}{write(symbol)}")
-    return ("".join(parts) or "0") + " = 0"
+    return "".join(parts) or "0"
 
 
 def matrices_data(problem):
@@ -78,18 +100,26 @@ def _entry(value, symbolic):
     return value if isinstance(value, str) else language(value)
 
 
+def reactions_data(problem):
+    """{signal: value} of the forces in equilibrium; null where statics leaves one open."""
+    return {reaction.signal: reaction.value for reaction in problem.reactions}
+
+
 def equilibrium_data(problem):
-    """{coordinates: {name: value}, stable, residual}."""
+    """{coordinates: {name: value}, dependent: {name: value}, stable, residual}."""
     if problem.symbolic:
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
         values = equilibrium_in_letters(problem)
         coordinates = {name: language(node) for name, node in values.items()}
-        return {"coordinates": coordinates, "stable": None, "residual": None}
+        dependent = {name: language(node) for name, node in problem.scene.dependent.items()}
+        return {"coordinates": coordinates, "dependent": dependent, "stable": None, "residual": None}
     from vibcli.measured import is_stable
 
     found = problem.equilibrium
-    return {"coordinates": dict(found.values), "stable": is_stable(problem), "residual": found.residual}
+    values = {name: found.values[name] for name in problem.scene.coordinates}
+    return {"coordinates": values, "dependent": problem.dependent_values, "stable": is_stable(problem),
+            "residual": found.residual}
 
 
 def modes_data(problem, modes, normalise="first", write=float):
@@ -149,6 +179,8 @@ def amplitude(value, write):
 def frequencies_data(problem, normalise="first", digits=None):
     """What `vibcli frequencies --json` prints."""
     found = {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
+    if "reactions" in problem.spec.get("find", ()) and not problem.symbolic:
+        found["reactions"] = reactions_data(problem)
     if problem.symbolic:
         from vibcli.report.closed import closed_data
 

@@ -10,13 +10,15 @@ from vibcli.report.results import TURN
 
 ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
               "linear terms"}
+GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
 
 
 def repeated(modes):
     """The indices of modes whose frequencies coincide within their bounds: any mix of their shapes is a mode."""
     found = set()
     for a, b in pairwise(modes):
-        if a.omega and b.omega and float(b.omega - a.omega) <= (a.error + b.error) * float(b.omega):
+        both = a.kind == b.kind == "oscillation"
+        if both and abs(float(b.omega - a.omega)) <= (a.error + b.error) * float(b.omega):
             found |= {a.index, b.index}
     return found
 
@@ -24,12 +26,16 @@ def repeated(modes):
 def mode_row(mode, kind=None, same=False):
     """A row of the table of natural frequencies: number, ω, f, T, error bound, remark."""
     number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
-    if mode.omega is None:
-        return number, "–", "–", "–", error, f"unstable: grows as exp({figure(float(mode.growth_rate), mode.error)}·t)"
-    omega = float(mode.omega)
-    if not omega:
+    if mode.rigid:
         return number, "0", "0", "∞", "exact", ZERO_MODES[kind]
-    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, "repeated" * same
+    remark = "repeated" * same
+    if mode.growth_rate is not None:
+        rate = figure(float(mode.growth_rate), mode.error).replace("-", "−", mode.growth_rate < 0)
+        remark = f"{GROWING.get(mode.kind, 'decays')} as exp({rate}·t)"
+    if not mode.omega:
+        return number, "–", "–", "–", error, remark
+    omega = float(mode.omega)
+    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, remark
 
 
 def damped_row(mode):
@@ -38,7 +44,7 @@ def damped_row(mode):
     if not note and mode.omega_d is None and mode.omega:
         note = "over-damped" if mode.zeta is not None else "real eigenvalue"
     if mode.growth_rate:
-        note = "unstable"
+        note = "flutter" if mode.kind == "flutter" else "unstable"
     return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), mode.error),
             figure(_float(mode.omega_d), mode.error),
             figure(TURN / float(mode.omega_d), mode.error) if mode.omega_d else "–",

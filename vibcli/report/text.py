@@ -5,15 +5,17 @@ from vibcli import units
 from vibcli.algebra.parse import plain_name
 from vibcli.analyses.shapes import WORDS
 from vibcli.errors import PhysicsError
+from vibcli.questions import INSIGHT
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.figures import figure, table, width, with_unit, wrapped
 from vibcli.report.notation import plain
-from vibcli.report.results import joined, numeric_row
+from vibcli.report.results import joined, numeric_drive, numeric_row
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shape_rows
+from vibcli.report.sides import equation
 from vibcli.spec import QUOTE
 
-EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "energies", "equations", "frequencies", "damping",
-              "modes")
+EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
+              "damping", "modes")
 LONGEST = 2400
 
 
@@ -52,7 +54,12 @@ class Report:
     def add(self, name):
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are printed."""
         try:
-            getattr(self, "_" + name)()
+            if name in INSIGHT:
+                from vibcli.report.insight import add
+
+                add(self, name)
+            else:
+                getattr(self, "_" + name)()
         except PhysicsError as error:
             self.refusal = self.refusal or error
 
@@ -86,7 +93,41 @@ class Report:
             unit = _unit(problem.dimension(name))
             rows.append(f"{plain.symbol(name)} [{unit}]" + (f"  {about}" if about else ""))
         n = len(rows)
-        self.section(f"Generalised coordinates ({n} degree{'s' if n > 1 else ''} of freedom)", rows)
+        self.section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)", rows + self._tied())
+
+    def _tied(self):
+        """How constraints leave these coordinates."""
+        scene = self.problem.scene
+        freedom = scene.freedom
+        if not freedom.conditions:
+            return []
+        closed = [plain.symbol(name) for name in scene.loops.names] if scene.loops else []
+        explicit = [f"{plain.symbol(name)} = {short(node)}" for name, node in scene.dependent.items()
+                    if plain.symbol(name) not in closed]
+        lines = wrapped(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
+                        f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else "")
+                        + "   ".join(explicit), indent=2)
+        if closed:
+            lines.append(", ".join(closed) + (" follow" if len(closed) > 1 else " follows") + " by closing the loops")
+        lines += [f"'{name}' is redundant: it follows from the other constraints" for name in freedom.redundant]
+        return lines
+
+    def _virtual_work(self):
+        scene = self.problem.loose
+        asked = "virtual_work" in self.problem.spec.get("find", ())
+        if not (scene.forces or asked) or not 0 < len(scene.q) <= 16:
+            return
+        from vibcli.mechanics.virtual_work import generalised_forces
+
+        names = [plain.symbol(name) for name in scene.coordinates]
+        shown, lengths = abbreviated(scene.table, generalised_forces(scene), self.roots)
+        lines = ["δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names)]
+        for name, node in zip(names, shown, strict=True):
+            rests = scene.constraints or node.is_zero
+            lines += wrapped(f"Q_{name} = {short(node)}" + ("" if rests else " = 0"), indent=4)
+        driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
+        self.section("Virtual work of weights, springs and steady loads" + driven + ", at rest in equilibrium", lines)
+        self.lines += self._lengths(lengths)
 
     def _equilibrium(self):
         problem = self.problem
@@ -105,10 +146,17 @@ class Report:
         elif stable == "stable" and kinds:
             stable = "stable, but only terms beyond the linear ones hold it"
         where = "the drawn position" if found.drawn else "shifted from the drawn position"
-        lines = [f"{', '.join(values)}   ({where})",
+        values += [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
+                   for name, value in problem.dependent_values.items() if name not in found.values]
+        lines = [*wrapped(f"{', '.join(values)}   ({where})", indent=2),
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
+        if any("rope" in record for record in (problem.spec.get("constraints") or {}).values()):
+            from vibcli.mechanics.reactions import slack
+
+            lines += [f"{signal} = {figure(value)} N would be a push: the rope goes slack"
+                      for signal, value in slack(problem)]
         self.section("Equilibrium", lines)
 
     def _preload(self, node, name):
@@ -123,14 +171,30 @@ class Report:
 
     def _equilibrium_in_letters(self):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
+        from vibcli.report.letters import equilibrium_lines
 
         problem = self.problem
         values = equilibrium_in_letters(problem)
-        lines = [", ".join(f"{plain.symbol(name)} = {plain(node)}" for name, node in values.items())
-                 + ("   (the drawn position)" if problem.balanced_as_drawn else "")]
+        first, = equilibrium_lines(values)
+        lines = wrapped(first + ("   (the drawn position)" if problem.balanced_as_drawn else ""), indent=2)
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)
+
+    def _reactions(self):
+        problem = self.problem
+        if not problem.symbolic:
+            rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
+                     f"{figure(reaction.value)} {'N·m' if reaction.signal.endswith('moment') else 'N'}")
+                    for reaction in problem.reactions if reaction.value != 0.0]
+            self.section("Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
+                         table(rows, ("force", "value")))
+        from vibcli.mechanics.reactions import along_the_motion
+
+        lines = []
+        for signal, node in along_the_motion(problem).items():
+            lines += wrapped(f"{signal} = {short(node)}", indent=4)
+        self.section("Reactions along a motion", lines)
 
     def _energies(self):
         energies = self.problem.energies
@@ -148,26 +212,35 @@ class Report:
 
     def _equations(self):
         problem, scene = self.problem, self.problem.scene
-        equations = problem.equations
+        equations, loose = problem.equations, problem.loose
+        if not loose.q:
+            return
         if equations.full:
-            shown, lengths = abbreviated(scene.table, equations.full, self.roots)
+            shown, lengths = abbreviated(loose.table, equations.full + equations.conditions, self.roots)
+            names = [f"{plain.symbol(name)}:  " for name in equations.names] + [""] * len(equations.conditions)
             lines = []
-            for name, node in zip(scene.coordinates, shown, strict=True):
-                lines += wrapped(f"{plain.symbol(name)}:  {short(node)} = 0", indent=4)
+            for name, node in zip(names, shown, strict=True):
+                lines += wrapped(name + equation(loose, node, short), indent=4)
             self.section("Equations of motion", lines)
             self.lines += self._lengths(lengths)
+            if equations.multipliers:
+                told = ", ".join(f"{plain(symbol)}: the multiplier of '{name}'"
+                                 for symbol, name in equations.multipliers.items())
+                self.lines += wrapped(told, indent=6, first=2)
         else:
             self.section("Equations of motion", [f"not written out for {len(scene.coordinates)} coordinates"])
         if equations.refusal:
             raise equations.refusal
         lines = []
         if equations.linear:
-            for name, node in zip(scene.coordinates, equations.linear, strict=True):
-                lines += wrapped(f"{plain.symbol(name)}:  {plain(node)} = 0", indent=4)
+            for i, (name, node) in enumerate(zip(scene.coordinates, equations.linear, strict=True)):
+                right = plain(equations.drive.get(i, scene.table.zero))
+                lines += wrapped(f"{plain.symbol(name)}:  {plain(node)} = {right}", indent=4)
         numbers = not problem.symbolic and len(scene.coordinates) <= 16
         if numbers:
             lines += [""] * bool(lines) + ["in numbers (SI units):"] * bool(lines) + self._numeric_equations(equations)
-        where = "" if problem.symbolic or problem.equilibrium.drawn else ", the coordinates counted from it"
+        drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+        where = "" if drawn else ", the coordinates counted from it"
         if lines:
             self.section(f"Small oscillations about the equilibrium{where}", lines)
 
@@ -178,8 +251,9 @@ class Report:
         found.M, found.C, found.G, found.K = self.problem.elements.matrices()
         lines = []
         for i, name in enumerate(self.problem.scene.coordinates):
-            row = numeric_row(self.problem, found, i)
-            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain, '−')}", indent=4)
+            row, drive = numeric_row(self.problem, found, i), numeric_drive(self.problem, equations, i)
+            lines += wrapped(f"{plain.symbol(name)}:  {joined(row, '·', plain, '−')} = "
+                             f"{joined(drive, '·', plain, '−')}", indent=4)
         return lines
 
     def _frequencies(self):
@@ -200,26 +274,12 @@ class Report:
 
     def _frequencies_in_letters(self):
         from vibcli.mechanics.symbolic import equilibrium_in_letters
+        from vibcli.report.letters import damping_lines, frequency_lines
 
         equilibrium_in_letters(self.problem)  # refused where there is none
         forms = self.problem.closed_forms
-        if forms is None:
-            lines = ["no closed form that is readable; give the parameters values with --set"]
-        elif forms.polynomial:
-            lines = ["λ = ω² are the roots of"] + [f"{plain(node)} = 0" for node in forms.polynomial]
-        else:
-            lines = [f"ω{sub(i)} = {plain(mode.omega)}" for i, mode in enumerate(forms.modes, 1)]
-            if len(forms.modes) > 1:
-                lines.append("(numbered as at sample values of the letters; f = ω/(2π), T = 2π/ω)")
-            else:
-                lines.append("f = ω/(2π), T = 2π/ω")
-        if self.problem.scene.dampers and (forms is None or forms.zeta is None):
-            lines.append("the damped modes are found in numbers only; give the parameters values with --set")
-        self.section("Natural frequencies [rad/s]", lines)
-        if forms is not None and forms.zeta is not None:
-            self.section("Damping", [f"ζ = {plain(forms.zeta)}",
-                                     f"ω_d = ω·√(1 − ζ²) = {plain(forms.omega_d)}  for ζ < 1",
-                                     "decay δ = ζ·ω"])
+        self.section("Natural frequencies [rad/s]", frequency_lines(self.problem, forms))
+        self.section("Damping", damping_lines(forms) if forms is not None else [])
 
     def _damping(self):
         if self.problem.symbolic or self.problem.damped is None:
@@ -250,18 +310,13 @@ class Report:
             self.section(title, shape_rows(names, shapes))
 
     def _modes_in_letters(self):
+        from vibcli.report.letters import shape_lines
+
         forms = self.problem.closed_forms
         names = self.problem.scene.coordinates
         if forms is None or len(names) < 2:
             return
-        lines = [f"mode {i}:  " + ",  ".join(f"{plain.symbol(name)} = {plain(value)}"
-                                            for name, value in zip(names, mode.shape, strict=True))
-                 for i, mode in enumerate(forms.modes, 1) if mode.shape and mode.readable]
-        if not lines and forms.ratio is not None:
-            lines = [f"{plain.symbol(names[1])}/{plain.symbol(names[0])} = {plain(forms.ratio)}   for ω = ω₁, ω₂"]
-        if not lines:
-            lines = ["no closed form that is readable; give the parameters values with --set"]
-        self.section("Mode shapes (the first coordinate that moves is 1)", lines)
+        self.section("Mode shapes (the first coordinate that moves is 1)", shape_lines(names, forms))
 
     def text(self):
         return "\n".join(self.lines).replace("\u00a0", " ")
@@ -281,10 +336,6 @@ def _moves(problem, name):
                 words = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}[key]
                 return f"{words} of {body_name}"
     return ""
-
-
-def sub(number):
-    return str(number).translate(str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉"))
 
 
 def short(node):

@@ -6,16 +6,18 @@
 from fractions import Fraction
 
 from vibcli import units
-from vibcli.algebra.calculus import substitute
+from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import Table
+from vibcli.algebra.expression import Table, reachable
 from vibcli.algebra.meaning import lower
-from vibcli.algebra.normal import is_zero, root_of_square, textbook
+from vibcli.algebra.normal import TooLong, expanded, is_zero, reduced, root_of_square, textbook
 from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.rationals import ONE
 from vibcli.elements import gravity
 from vibcli.errors import Diagnostic, SpecError
 from vibcli.fields import load
 from vibcli.parameters import Parameters, unusable
+from vibcli.scene.closing import Freedom, close
 from vibcli.scene.ends import Ends
 from vibcli.scene.frame import Frame
 from vibcli.scene.order import carriers_first
@@ -26,16 +28,19 @@ SAMPLES = range(20, 28)     # where other samples start
 SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
 
-def build_scene(spec, given=None, start=0):
+def build_scene(spec, given=None, start=0, loose=False, releasing=False):
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
+
+    A `loose` scene keeps all coordinates: its constraints are held by multipliers. `releasing`: the supports of bodies
+    give way by further coordinates, whose generalised forces are the reactions.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
     for attempt in range(start, start + ATTEMPTS):
-        scene = Scene(spec, attempt, given or {})
+        scene = Scene(spec, attempt, given or {}, releasing)
         try:
-            scene.assemble()
+            scene.assemble(loose)
         except ExpressionError as error:
             scene.report(None, error.message)
         if not scene.diagnostics or not set(scene.parameters.free) - set(given or {}):
@@ -48,8 +53,8 @@ def build_scene(spec, given=None, start=0):
 class Scene(Terms, Ends):
     """The scalar functions of a scene, and the services by which elements make them."""
 
-    def __init__(self, spec, attempt, given):
-        self.spec, self.diagnostics = spec, []
+    def __init__(self, spec, attempt, given, releasing=False):
+        self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
         self.table = table = Table()
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
@@ -58,29 +63,41 @@ class Scene(Terms, Ends):
         free |= {name: free[name] * SIZES[attempt % len(SIZES)] for name in spec.choices if name in free}
         self.sample = self.parameters.values(Floats, {**free, **given})
         table.sample = self.sample
-        self.q = [table.variable(name) for name in self.coordinates]
-        self.v = [table.variable(name + "'") for name in self.coordinates]
-        self.a = [table.variable(name + "''") for name in self.coordinates]
+        named = "t" in spec.parameters or "t" in spec.coordinates
+        self.time = table.variable("the time" if named else "t")
+        self.q, self.v, self.a = ([table.variable(name + primes) for name in self.coordinates]
+                                  for primes in ("", "'", "''"))
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
                          for name, node in zip(self.coordinates, nodes, strict=True)}
+        self._symbols[self.time.name, 0] = self.time
         self.drawn = {node: self._drawn_value(name) for name, node in zip(self.coordinates, self.q, strict=True)}
-        self._drawn_at_rest = {**self.drawn, **dict.fromkeys(self.v, table.zero)}
+        self._drawn_at_rest = {**self.drawn, **dict.fromkeys(self.v, table.zero), self.time: table.zero}
+        self.speeds = self._speeds()
+        self.constraints, self.loops, self.dependent, self.driven = [], None, {}, {}
+        self.freedom = Freedom(len(self.q), 0, ())
         self.surfaces = spec.get("surfaces") or {}
         self.bodies, self.points = {}, {}
         self.ground = Frame((table.zero, table.zero), (table.zero, table.zero), table.zero)
         self.start_terms()
 
-    def assemble(self):
-        """Build the bodies, carriers first, then what connects them."""
+    def _speeds(self):
+        """{x: dx/dt} of coordinates, velocities and the time."""
+        return dict(zip((*self.q, *self.v, self.time), (*self.v, *self.a, self.table.one), strict=True))
+
+    def assemble(self, loose=False):
+        """Build the bodies, carriers first, then what connects them, then close the loops that constraints make."""
         spec = self.spec
         self.gravity = gravity.build(spec.get("gravity"), self) if "gravity" in spec.sections else None
         order = carriers_first(spec, self.report)
         for name in order:
+            self.owner = name
             self.bodies[name] = load("body").build(spec.get("bodies")[name], self)
         if self.diagnostics:
             return
-        for section, element in (("springs", "spring"), ("dampers", "damper")):
+        for section, element in (("springs", "spring"), ("dampers", "damper"), ("forces", "force"),
+                                 ("constraints", "constraint")):
             for record in (spec.get(section) or {}).values():
+                self.owner = record.name
                 try:
                     load(element).build(record, self)
                 except ZeroDivisionError:
@@ -88,16 +105,28 @@ class Scene(Terms, Ends):
         for section in ("energies", "matrices"):
             if section in spec.sections:
                 load(section).build(spec.get(section), self)
+        if self.driven:
+            shaken = list(self.springs), list(self.dampers)
+            self.replace(self.driven)
+            self.shaking, (self.shaken, self.shaken_dampers) = True, shaken
+            self.points = {name: (drawn, tuple(substitute(place, self.driven)))
+                           for name, (drawn, place) in self.points.items()}
+        if self.constraints and not loose and not self.diagnostics:
+            self.dependent = close(self)
+        self.timed = self.depends_on_time()
 
     def report(self, where, message, hint=None):
         self.diagnostics.append(Diagnostic(where, message, hint))
 
     # expressions
 
-    def lower(self, expression):
-        """The node of a parsed field."""
+    def lower(self, expression, local=None):
+        """The node of a parsed field; `local`: (name, node) of a name that is good there alone."""
+        def symbol(name, primes, tree):
+            return local[1] if local and name == local[0] and not primes else self._symbol(name, primes, tree)
+
         try:
-            node = lower(expression.tree, self.table, self._symbol)
+            node = lower(expression.tree, self.table, symbol)
         except ExpressionError as error:
             self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
@@ -121,8 +150,87 @@ class Scene(Terms, Ends):
         return node
 
     def _symbol(self, name, primes, tree):
-        known = self._symbols.get((name, primes))
-        return known if known is not None else self.parameters.nodes[name]
+        if name in self.parameters.in_letters:
+            return self.parameters.in_letters[name]
+        return self.parameters.nodes[name] if name in self.parameters.nodes else self.symbol(name, primes)
+
+    def symbol(self, name, primes=0):
+        """The node of a coordinate, its velocity or acceleration; of a dependent one, what it equals."""
+        if primes == 2 and (name, 2) not in self._symbols:
+            self._symbols[name, 2] = self.rate(self._symbols[name, 1])
+        return self._symbols[name, primes]
+
+    def driven_by(self, node):
+        """A driven displacement: where it depends on the time, a symbol that is zero as drawn and stands for it until
+        the scene is assembled."""
+        if not node.mask & self.time.mask:
+            return node
+        symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
+        self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
+        return symbol
+
+    def release(self, body):
+        """Let the support of a body give way: by x and y in the fixed axes, and by a rotation."""
+        x, y, turn = (self._released(f"{body.name}.reaction.{part}") for part in ("x", "y", "moment"))
+        frame = body.frame
+        return self.new_frame(frame.drawn, (frame.place[0] + x, frame.place[1] + y), frame.angle + turn)
+
+    def _released(self, name):
+        q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
+        self.coordinates.append(name)
+        for nodes, node in ((self.q, q), (self.v, v), (self.a, a)):
+            nodes.append(node)
+        self.drawn[q] = self._drawn_at_rest[q] = self._drawn_at_rest[v] = self.table.zero
+        self.speeds = self._speeds()
+        return q
+
+    def rename(self, independent):
+        """Keep these coordinates as the independent ones."""
+        kept = [self.q.index(q) for q in independent]
+        self.coordinates = [self.coordinates[i] for i in kept]
+        self.q, self.v, self.a = ([nodes[i] for i in kept] for nodes in (self.q, self.v, self.a))
+        self.speeds = self._speeds()
+
+    def define(self, name, node, velocity):
+        """Let a dependent coordinate be `node`, wherever its name stands from now on."""
+        self._symbols.update({(name, 0): node, (name, 1): velocity})
+        del self._symbols[name, 2]
+        for primes in (0, 1):
+            raw = self.table.variable(name + "'" * primes)
+            self._drawn_at_rest.pop(raw)
+            self.drawn.pop(raw, None)
+        if node.op == "symbol" and node in self.drawn:
+            self._drawn_at_rest[node] = self.drawn[node]
+
+    def rate(self, node):
+        """dnode/dt = Σ (∂node/∂x) ẋ over coordinates, velocities and the time."""
+        return self.table.sum(*((slope * self.speeds[x], ONE) for x, slope in gradient(node).items()
+                                if x in self.speeds))
+
+    @property
+    def drawn_position(self):
+        """{symbol: its value as drawn} of all coordinates and the time."""
+        return {**self.drawn, self.time: self.table.zero}
+
+    @property
+    def drawn_coordinates(self):
+        """{name: node as drawn} of the independent coordinates."""
+        return {q.name: self.drawn[q] for q in self.q}
+
+    def extent(self, values):
+        """The size of the drawn figure in metres, {name: float} given; 0 where nothing has a place."""
+        places = [body.drawn for body in self.bodies.values() if body.frame is not None]
+        places += [self.pair(end) for record in (self.spec.get("springs") or {}).values()
+                   for end in record.get("between", ()) if isinstance(end, list)]
+        found = evaluate([node for place in places for node in place], Floats, values)
+        if not found:
+            return 0.0
+        size = max(max(found[0::2]) - min(found[0::2]), max(found[1::2]) - min(found[1::2]))
+        return size or max(map(abs, found))
+
+    def unit_of(self, name):
+        """A natural size of a coordinate: 1 of an angle, the extent of the figure of a length."""
+        return (self.extent(self.sample) or 1.0) if self.spec.dimensions.of(name) else 1.0
 
     def _drawn_value(self, name):
         record = self.spec.coordinates[name]
@@ -135,7 +243,8 @@ class Scene(Terms, Ends):
     def change(self, expression):
         """How much an expression has changed since the drawn position."""
         node = self.lower(expression)
-        return node - self.at_drawn(node)[0]
+        change = node - self.at_drawn(node)[0]
+        return self.driven_by(change) if change.mask == self.time.mask else change
 
     def pair(self, expressions):
         return self.lower(expressions[0]), self.lower(expressions[1])
@@ -154,9 +263,28 @@ class Scene(Terms, Ends):
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def require_equal(self, a, b, where, message, hint=None):
-        """Report `message` with both values where they differ in the drawn position."""
-        if not self.agree(*self.at_drawn(a, b)):
+    def vanishes(self, node):
+        """Is an expression zero in all positions: by algebra, or term by term at the sample?"""
+        if is_zero(node):
+            return True
+        try:
+            terms = reduced(expanded(node))
+        except (TooLong, ZeroDivisionError):
+            return False
+        groups = {}
+        for monomial, value in terms.items():
+            moving = tuple(pair for pair in monomial if pair[0].mask)
+            fixed = self.table.product(*(pair for pair in monomial if not pair[0].mask))
+            groups.setdefault(moving, []).append(self.table.scaled(fixed, value))
+        for parts in groups.values():
+            sizes = evaluate(parts, Floats, self.sample)
+            if not abs(sum(sizes)) <= 1e-12 * sum(map(abs, sizes)):
+                return False
+        return True
+
+    def require_equal(self, a, b, where, message, hint=None, size=0.0):
+        """Report `message` with both values where they differ in the drawn position by more than `size`."""
+        if not self.agree(*self.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
             self.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
 
     # geometry
@@ -182,10 +310,23 @@ class Scene(Terms, Ends):
             return self.table.sqrt(textbook(dx * dx + dy * dy))
         if is_zero(dx * dy0 - dy * dx0):
             return (dx * dx0 + dy * dy0) / self.distance(dx0, dy0)
-        root = root_of_square(dx * dx + dy * dy)
+        square = dx * dx + dy * dy
+        root = root_of_square(square)
         if root is not None:
             return root if self.sign(root) > 0 else -root
-        return self.table.sqrt(dx * dx + dy * dy)
+        return self.table.sqrt(textbook(square) if square.mask & self.time.mask else square)
+
+    def unrooted(self, nodes):
+        """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn."""
+        simpler = {}
+        for part in reachable(nodes):
+            roots = {base: root_of_square(base) for base, e in part.args
+                     if e.denominator == 2 and base.mask} if part.op == "product" else {}
+            if any(root is not None for root in roots.values()):
+                factors = [(base, e) if (root := roots.get(base)) is None else
+                           (root if self.sign(root) > 0 else -root, 2 * e) for base, e in part.args]
+                simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
+        return substitute(nodes, simpler) if simpler else nodes
 
     def frame(self, name):
         frame = self.bodies[name.text].frame
@@ -202,6 +343,23 @@ class Scene(Terms, Ends):
 
     def still(self, drawn):
         return Frame(drawn, drawn, self.table.zero)
+
+    def place_of(self, end):
+        """Where an end is now: a place [x, y], or a named point or body."""
+        return self.pair(end) if isinstance(end, list) else self.place(end)[1]
+
+    def height_of(self, surface, x):
+        """f(x) of a curve y = f(x)."""
+        return self.lower(surface["curve"], (surface["in"], x))
+
+    def unit_normal(self, y, u):
+        """The upward normal (−y′, 1)/√(1 + y′²) of a curve, y being a function of the displacement u."""
+        slope = self.table.zero
+        for x, partial in gradient(y).items():
+            if x in gradient(u):
+                slope = partial / gradient(u)[x]
+        length = self.table.sqrt(slope * slope + 1)
+        return -slope / length, 1 / length
 
     def pivot(self, pin, body):
         """(pin as drawn, pin now, frame that carries it)."""
@@ -226,7 +384,8 @@ class Scene(Terms, Ends):
                 return self.ground.drawn, self.ground.drawn, self.ground
             return body.centre, body.frame.point(*body.centre), body.frame
         record = self.spec.get("points")[name.text]
-        drawn, present = load("point").build(record, self)
+        drawn, present = self.points[name.text] = (self.points.get(name.text)
+                                                   or load("point").build(record, self))
         return drawn, present, self.carrier(record, "body")
 
 

@@ -90,15 +90,18 @@ class Ends:
             return None
         if end.text == "ground":
             return self.table.zero
-        body = self.bodies.get(end.text)
-        if body is None:
+        if end.text not in self.bodies:
             self.report(end.where, f"the point '{end.text}' does not turn", TURNING)
             return None
+        return self.angle_of(end, "write `k` or `c` instead of `torsion`")
+
+    def angle_of(self, end, hint="give it a `turn`, or a place and a `pin`"):
+        """The rotation of a body; None where it has none, which is reported."""
+        body = self.bodies[end.text]
         if body.frame is not None:
             return body.frame.angle
         if body.lumped[0] == "slide":
-            self.report(end.where, f"'{end.text}' slides: it has no rotation for a torsion element",
-                        "write `k` or `c` instead of `torsion`")
+            self.report(end.where, f"'{end.text}' slides: it has no rotation", hint)
             return None
         return body.lumped[1]
 

@@ -14,6 +14,16 @@ class Frame:
         dx, dy = x - self.drawn[0], y - self.drawn[1]
         if self.angle.is_zero:
             return self.place[0] + dx, self.place[1] + dy
-        table = self.angle.table
-        cos, sin = table.call("cos", self.angle), table.call("sin", self.angle)
-        return self.place[0] + dx * cos - dy * sin, self.place[1] + dx * sin + dy * cos
+        dx, dy = self.turned(dx, dy)
+        return self.place[0] + dx, self.place[1] + dy
+
+    def turned(self, x, y):
+        """R(angle)·(x, y): a direction that the body carries."""
+        cos, sin = self.angle.table.call("cos", self.angle), self.angle.table.call("sin", self.angle)
+        return x * cos - y * sin, x * sin + y * cos
+
+    def seen(self, x, y):
+        """Where the body, were it still as drawn, would have the place that is now (x, y): the inverse of `point`."""
+        dx, dy = x - self.place[0], y - self.place[1]
+        cos, sin = self.angle.table.call("cos", self.angle), self.angle.table.call("sin", self.angle)
+        return self.drawn[0] + dx * cos + dy * sin, self.drawn[1] + dy * cos - dx * sin

@@ -42,7 +42,7 @@ def _carriers(record, spec):
         at = motion.get("at")
         if hasattr(at, "text"):
             names.append(at.text)
-        if key == "roll":
+        if "surface" in motion:
             surface = (spec.get("surfaces") or {})[motion["surface"].text]
             names += [surface["body"].text] if "body" in surface else []
     if "weld" in record:

@@ -2,45 +2,110 @@
 
 from typing import NamedTuple
 
-from vibcli.algebra.calculus import gradient
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.expression import reachable
+from vibcli.scene.closing import Constraint
 
 
 class Term(NamedTuple):
-    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring."""
+    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, `owner`
+    the name of the element that it came from."""
 
     weight: object
     s: object
     force: object = None
+    owner: str = None
 
 
 class Terms:
     """The part of a Scene that collects what its elements contribute."""
 
     def start_terms(self):
-        self.inertias, self.springs, self.dampers, self.weights = [], [], [], []
+        self.inertias, self.springs, self.dampers, self.weights, self.forces = [], [], [], [], []
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
         self.static_preloads = []
+        self.owner, self.shaking = None, False
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
-        if s.mask and not weight.is_zero:
-            self.inertias.append(Term(weight, s))
+        if s.mask & ~self.time.mask and not weight.is_zero:
+            self.inertias.append(Term(weight, s, owner=self.owner))
 
     def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""
         if self.gravity is not None:
             for g, s in zip(self.gravity, (x, y), strict=True):
-                if s.mask and not g.is_zero:
-                    self.weights.append(Term(-mass * g, s))
+                if s.mask & ~self.time.mask and not g.is_zero:
+                    self.weights.append(Term(-mass * g, s, owner=self.owner))
 
     def add_spring(self, k, preload, s):
         """preload·s + ½·k·s² to V."""
-        self.springs.append(Term(k, s, preload))
+        self.springs.append(Term(k, s, preload, self.owner))
 
     def add_damper(self, c, s):
         """½·c·ṡ² to Φ."""
-        self.dampers.append(Term(c, s))
+        self.dampers.append(Term(c, s, owner=self.owner))
+
+    def add_force(self, force, s):
+        """The virtual work δA = force·δs; the force depends on time, coordinates and velocities as it likes."""
+        if s.mask and not force.is_zero:
+            self.forces.append(Term(force, s, owner=self.owner))
+
+    def add_constraint(self, record, node, form, part=""):
+        """The condition node = 0."""
+        self.constraints.append(Constraint(record.name + part, node, record.where, form))
+
+    def replace(self, values):
+        """Every expression of the scene with symbols replaced, {symbol: node}."""
+        kinds = ("inertias", "springs", "dampers", "weights", "forces", *(("shaken", "shaken_dampers") if self.shaking
+                                                                          else ()))
+        terms = [term for kind in kinds for term in getattr(self, kind)]
+        frames = {id(body.frame): body.frame for body in self.bodies.values() if body.frame is not None}.values()
+        lumps = [body for body in self.bodies.values() if body.lumped is not None]
+        nodes = [node for term in terms for node in term[:3] if node is not None]
+        nodes += [node for frame in frames for node in (*frame.place, frame.angle)]
+        nodes += [body.lumped[1] for body in lumps] + list(self.energies.values())
+        nodes += [constraint.node for constraint in self.constraints]
+        touching = [body for body in self.bodies.values() if body.normal is not None]
+        nodes += [node for body in touching for node in body.normal]
+        new = dict(zip(nodes, self.unrooted(substitute(nodes, values)), strict=True))
+        for kind in kinds:
+            setattr(self, kind, [Term(*(node if node is None else new[node] for node in term[:3]), term.owner)
+                                 for term in getattr(self, kind)])
+        for frame in frames:
+            frame.place, frame.angle = tuple(new[node] for node in frame.place), new[frame.angle]
+        for body in lumps:
+            body.lumped = body.lumped[0], new[body.lumped[1]]
+        for body in touching:
+            body.normal = tuple(new[node] for node in body.normal)
+        self.energies = {key: new[node] for key, node in self.energies.items()}
+        self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
+
+    def at_still(self, kind):
+        """The springs or dampers with the driven displacements that oscillate left out; those in `shaken` are functions
+        of them."""
+        if not self.shaking:
+            return getattr(self, kind)
+        held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
+        moved = {symbol: node for symbol, node in self.driven.items() if symbol not in held}
+        found = []
+        for term in self.shaken if kind == "springs" else self.shaken_dampers:
+            nodes = [node for node in term[:3] if node is not None]
+            new = dict(zip(nodes, substitute(nodes, {**held, **moved}), strict=True))
+            found.append(Term(*(node if node is None else new[node] for node in term[:3]), term.owner))
+        return found
+
+    def oscillates(self, symbol):
+        """Does a driven displacement depend on the time through sines and cosines alone?"""
+        waves = {part: self.table.one for part in reachable([self.driven[symbol]]) if part.name in ("sin", "cos")}
+        return not substitute([self.driven[symbol]], waves)[0].mask & self.time.mask
+
+    def depends_on_time(self):
+        """Does anything in the scene depend on the time explicitly?"""
+        terms = (*self.inertias, *self.springs, *self.dampers, *self.weights, *self.forces)
+        nodes = [node for term in terms for node in term[:3] if node is not None] + list(self.energies.values())
+        return any(node.mask & self.time.mask for node in nodes)
 
     def static_preload(self, record):
         """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""
@@ -56,7 +121,8 @@ class Terms:
             self.report(record.place(key), "V depends on the coordinates alone, not on velocities")
         if set(self.a) & set(found):
             self.report(record.place(key), "energies do not depend on accelerations")
-        if key != "V" and not velocities & set(found):
+        moving = {"T": {*velocities, *self.q}, "Phi": velocities}
+        if key in moving and not moving[key] & set(found):
             self.report(record.place(key), f"{key} must depend on a velocity such as {self.coordinates[0]}'"
                         if self.coordinates else f"{key} must depend on a velocity")
         self.energies[key] = self.energies[key] + node

@@ -1,0 +1,63 @@
+"""Square roots taken factor by factor."""
+
+from fractions import Fraction
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced
+from vibcli.algebra.quotient import fraction
+from vibcli.algebra.rationals import HALF, ONE
+
+
+def root(node, samples=()):
+    """√node of a quotient whose value is positive. A perfect square gives its root: with the sign that makes it
+    positive at all `samples` ({letter: float}), else between bars."""
+    table = node.table
+    if node.is_zero:
+        return node
+    scale, *factors = _squares(table, fraction(node))
+    if scale < 0:
+        turned = next((i for i, (base, e) in enumerate(factors) if base.op == "sum" and e.numerator % 2), None)
+        if turned is None:
+            return table.sqrt(node)
+        base, e = factors[turned]
+        factors[turned], scale = (table.sum((base, -ONE)), e), -scale
+    roots = ((positive(base, samples) if _is_even(e) else base, e * HALF) for base, e in factors)
+    return table.product((table.sqrt(table.number(scale)), ONE), *roots)
+
+
+def _is_even(e):
+    return e.denominator == 1 and e.numerator % 2 == 0
+
+
+def _squares(table, factors):
+    """The rational, and factors in which the square of a sum stands as a square."""
+    scale, found = Fraction(1), {}
+    for base, e in factors:
+        if base.op == "number" and e.denominator == 1:
+            scale *= Fraction(base.coefficient) ** int(e)
+            continue
+        for part, power in _parts(table, base) if base.op == "sum" else ((base, ONE),):
+            if part.op == "number" and e.denominator == 1:
+                scale *= Fraction(part.coefficient) ** int(e * power)
+            else:
+                found[part] = found.get(part, 0) + e * power
+    return scale, *found.items()
+
+
+def _parts(table, base):
+    try:
+        parts = factors_of(table, reduced(expanded(base, ())))
+    except TooLong:
+        return ((base, ONE),)
+    return parts if len(parts) != 2 or parts[1][1] != 1 else ((base, ONE),)
+
+
+def positive(base, samples):
+    """±base, or |base| where its sign is not the same at all samples."""
+    table = base.table
+    if table.is_positive(base):
+        return base
+    values = [evaluate([base], Floats, sample)[0] for sample in samples]
+    if values and all(value > 0 for value in values):
+        return base
+    return -base if values and all(value < 0 for value in values) else table.call("abs", base)

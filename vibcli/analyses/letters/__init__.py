@@ -1,0 +1,1 @@
+"""Natural frequencies, mode shapes and damping in letters."""

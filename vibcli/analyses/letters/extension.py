@@ -1,0 +1,87 @@
+"""Arithmetic with a root λ of a polynomial: elements u₀ + u₁λ + … are lists of coefficients."""
+
+
+class Extension:
+    """F[λ]/(p) for an irreducible p over a field F. `modulus`: [p₀, …, p_d] with p_d ≠ 0; `zero` of F."""
+
+    def __init__(self, field, modulus):
+        self.field, self.zero, self.one = field, field(0), field(1)
+        lead = modulus[-1]
+        self.modulus = [c / lead for c in modulus]
+
+    def reduced(self, element):
+        element = list(element)
+        d = len(self.modulus) - 1
+        while len(element) > d:
+            top = element.pop()
+            if top:
+                for i in range(d):
+                    element[len(element) - d + i] -= top * self.modulus[i]
+        return _trimmed(element)
+
+    def times(self, a, b):
+        found = [self.zero] * (len(a) + len(b) - 1 if a and b else 0)
+        for i, x in enumerate(a):
+            for j, y in enumerate(b):
+                found[i + j] += x * y
+        return self.reduced(found)
+
+    def minus(self, a, b):
+        n = max(len(a), len(b))
+        a, b = (list(x) + [self.zero] * (n - len(x)) for x in (a, b))
+        return _trimmed([x - y for x, y in zip(a, b, strict=True)])
+
+    def inverse(self, a):
+        """1/a by Euclid's algorithm on (p, a)."""
+        r, s = (list(self.modulus), a), ([], [self.one])
+        while len(r[1]) > 1:
+            quotient, rest = self._divided(r[0], r[1])
+            r = r[1], rest
+            s = s[1], self.minus(s[0], self._product(quotient, s[1]))
+        return self.reduced([c / r[1][0] for c in s[1]])
+
+    def _product(self, a, b):
+        found = [self.zero] * (len(a) + len(b) - 1 if a and b else 0)
+        for i, x in enumerate(a):
+            for j, y in enumerate(b):
+                found[i + j] += x * y
+        return found
+
+    def _divided(self, a, b):
+        a, quotient = list(a), [self.zero] * max(0, len(a) - len(b) + 1)
+        while len(a) >= len(b):
+            factor, shift = a[-1] / b[-1], len(a) - len(b)
+            quotient[shift] = factor
+            a = _trimmed([x - factor * b[i - shift] if i >= shift else x for i, x in enumerate(a)][:-1])
+        return quotient, a
+
+    def null_vectors(self, rows):
+        """A basis of the solutions of A x = 0; in each vector the first free coordinate is 1."""
+        n, work, pivots = len(rows[0]), [list(row) for row in rows], []
+        for column in reversed(range(n)):
+            row = next((i for i in range(len(pivots), len(work)) if work[i][column]), None)
+            if row is None:
+                continue
+            at = len(pivots)
+            work[at], work[row] = work[row], work[at]
+            inverse = self.inverse(work[at][column])
+            work[at] = [self.times(inverse, x) for x in work[at]]
+            for i, other in enumerate(work):
+                if i != at and other[column]:
+                    factor = other[column]
+                    work[i] = [self.minus(x, self.times(factor, y)) for x, y in zip(other, work[at], strict=True)]
+            pivots.append(column)
+        return [self._solution(n, work, pivots, free) for free in range(n) if free not in pivots]
+
+    def _solution(self, n, work, pivots, free):
+        vector = [[] for _ in range(n)]
+        vector[free] = [self.one]
+        for row, column in zip(work, pivots, strict=False):
+            vector[column] = self.minus([], row[free])
+        return vector
+
+
+def _trimmed(element):
+    while element and not element[-1]:
+        element.pop()
+    return element

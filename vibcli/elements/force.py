@@ -1,0 +1,111 @@
+"""Loads: forces at points, moments on bodies, generalised forces; their virtual work is δA = Σ F δs = Σ Q_q δq.
+
+A force with a `carrier` keeps its direction in that body (a follower force). An unbalance e of mass m₀ turning at Ω
+acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
+"""
+
+from vibcli.fields import BODY, Element, Field, Load, NameOf, OneOf, Quantity, vector
+
+_AT = OneOf("the name of a point or body (name a place under `points`)",
+            scalar=NameOf("the name of a point or body", "points", "bodies"))
+
+
+def _settle(record, reader):
+    if "speed" in record.keys and "unbalance" not in record.keys:
+        reader.report(record.place("speed"), "'speed' is that of an unbalance, and there is none", "leave it out")
+    for first, others in (("force", ("at",)), ("moment", ("body",)), ("value", ("coordinate",)),
+                          ("unbalance", ("at", "speed"))):
+        for key in others if first in record.keys else ():
+            if key not in record.keys:
+                reader.report(record.where, f"a force with '{first}' needs '{key}'",
+                              f"{key}: {ELEMENT.fields[key].about}")
+    if "carrier" in record and "force" not in record.keys:
+        reader.report(record.place("carrier"), "'carrier' turns a force with a body: here is no `force`",
+                      "leave it out")
+
+
+ELEMENT = Element(
+    "force",
+    "A load, any expression of the time t, coordinates and velocities: a force [Fx, Fy] at a point or body (one number "
+    "on a body without a place), a moment on a body, a generalised force on a coordinate, or a rotating unbalance.",
+    {
+        "at": Field(_AT, "the point or body that it acts on"),
+        "force": Field(OneOf("a force, or its components [Fx, Fy]", scalar=Load("N"),
+                             sequence=vector("N", "components [Fx, Fy]", Load)), "the force"),
+        "carrier": Field(BODY, "the body with which the force turns (a follower force); fixed without it"),
+        "body": Field(BODY, "the body that a moment acts on"),
+        "moment": Field(Load("N*m"), "the moment, counter-clockwise"),
+        "coordinate": Field(NameOf("the name of a coordinate", "coordinates"), "the coordinate of a generalised force"),
+        "value": Field(Load(), "the generalised force: its work is value·δq"),
+        "unbalance": Field(Quantity("kg*m"), "a rotating unbalance: mass times eccentricity"),
+        "speed": Field(Quantity("rad/s"), "its angular speed"),
+    },
+    exclusive=(("force", "moment", "value", "unbalance"), ("at", "body", "coordinate")),
+    needs=(("force", "moment", "value", "unbalance"),),
+    settle=_settle,
+    example="forces",
+)
+
+
+def build(record, scene):
+    """Add the virtual work of a load to the scene."""
+    if "value" in record:
+        scene.add_force(scene.lower(record["value"]), scene.symbol(record["coordinate"].text))
+    elif "moment" in record:
+        angle = scene.angle_of(record["body"], "write `at:` and `force:`")
+        if angle is not None:
+            scene.add_force(scene.lower(record["moment"]), angle)
+    elif "unbalance" in record:
+        _unbalance(record, scene)
+    else:
+        _force(record, scene)
+
+
+def _force(record, scene):
+    load, axis = record["force"], _axis(record, scene)
+    if (axis is not None) == isinstance(load, list):
+        where = load[0].where if isinstance(load, list) else load.where
+        message, hint = (("has no place: its force is one number", "write `force: F`") if axis is not None else
+                         ("has a place: its force has two components", "write `[Fx, Fy]`"))
+        scene.report(where, f"'{record['at'].text}' {message}", hint)
+    elif axis is not None:
+        if "carrier" in record:
+            scene.report(record.place("carrier"), f"'{record['at'].text}' has no place: its force does not turn",
+                         "leave `carrier` out")
+        scene.add_force(scene.lower(load), axis)
+    else:
+        fx, fy = scene.pair(load)
+        if "carrier" in record:
+            fx, fy = scene.frame(record["carrier"]).turned(fx, fy)
+        _at_point(record, scene, fx, fy)
+
+
+def _axis(record, scene):
+    """The displacement of a lumped body that a force acts on; None of what has a place."""
+    body = scene.bodies.get(record["at"].text)
+    if body is None or body.frame is not None:
+        return None
+    if body.lumped[0] == "turn":
+        scene.report(record.place("at"), f"'{body.name}' turns: what acts on it is a moment",
+                     "write `body:` and `moment:`")
+    return body.lumped[1]
+
+
+def _at_point(record, scene, fx, fy):
+    x, y = scene.place(record["at"])[1]
+    if not (x.mask or y.mask):
+        scene.report(record.place("at"), f"'{record['at'].text}' never moves: this force does no work",
+                     "a point of a body is P: {body: name, at: [x, y]} under `points`")
+    scene.add_force(fx, x)
+    scene.add_force(fy, y)
+
+
+def _unbalance(record, scene):
+    """m₀ e Ω² (cos Ωt, sin Ωt); along the one axis of a lumped body m₀ e Ω² sin Ωt."""
+    speed, axis = scene.lower(record["speed"]), _axis(record, scene)
+    size, phase = scene.lower(record["unbalance"]) * speed * speed, speed * scene.time
+    sin, cos = scene.table.call("sin", phase), scene.table.call("cos", phase)
+    if axis is not None:
+        scene.add_force(size * sin, axis)
+    else:
+        _at_point(record, scene, size * cos, size * sin)

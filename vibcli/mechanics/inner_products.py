@@ -1,0 +1,36 @@
+"""Inner products of element data: yᴴ A x = Σ w (∇s·y)* (∇s·x) + Σ A₊ᵢⱼ yᵢ* xⱼ, by element and never assembled.
+
+Of a stiff spring that hardly stretches, (∇s·φ) is small though the components of φ are not: squaring it afterwards
+keeps the digits.
+"""
+
+from vibcli.mechanics.elements import OscillatorElements
+
+
+def inner(terms, extra, y, x):
+    """yᴴ A x of rows and weights and a matrix {(i, j): number}; A is real."""
+    y = [conjugate(part) for part in y]
+    total = sum(weight * along(row, y) * along(row, x) for weight, row in terms)
+    return total + sum(entry * y[i] * x[j] for (i, j), entry in extra.items())
+
+
+def along(row, x):
+    """∇s·x."""
+    return sum(slope * x[i] for i, slope in row.items())
+
+
+def conjugate(x):
+    return x.conjugate() if hasattr(x, "_mpc_") or isinstance(x, complex) else x
+
+
+def only(elements, kept):
+    """The element data of which a number is `kept`: the terms in which one is, and such entries of the matrices."""
+    def terms(found):
+        return [(weight, row) for weight, row in found if kept(weight) or any(map(kept, row.values()))]
+
+    def entries(found):
+        return {pair: x for pair, x in found.items() if kept(x)}
+
+    return OscillatorElements(
+        elements.n, terms(elements.inertias), terms(elements.springs), terms(elements.dampers), M=entries(elements.M),
+        C=entries(elements.C), G=entries(elements.G), K=entries(elements.K), drag=entries(elements.drag))

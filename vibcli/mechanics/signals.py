@@ -1,0 +1,80 @@
+"""Signals as functions of the coordinates, and the forces in equilibrium (vibcli/signals.py lists them)."""
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.errors import PhysicsError
+from vibcli.reading import Name
+
+
+def displacement(scene, text):
+    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
+    if text in scene.spec.coordinates:
+        return scene.symbol(text)
+    name, _, part = text.partition(".")
+    if part in ("x", "y"):
+        place = scene.place(Name(name, None))[1]["xy".index(part)]
+    elif part == "angle":
+        body = scene.bodies[name]
+        place = body.frame.angle if body.frame is not None else body.lumped[1]
+    elif part == "stretch":
+        place = _stretch(scene, name)
+    else:
+        return None
+    return place - scene.at_drawn(place)[0]
+
+
+def _stretch(scene, name):
+    terms = [term for term in (*scene.springs, *scene.dampers) if term.owner == name]
+    if len(terms) == 1:
+        return terms[0].s
+    square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length
+    return scene.table.sqrt(square)
+
+
+def force(problem, text):
+    """The value of a force in equilibrium."""
+    name, _, part = text.partition(".")
+    if name in (problem.spec.get("springs") or {}):
+        return _tension(problem, name)
+    if name in (problem.spec.get("dampers") or {}):
+        return 0.0
+    known = {reaction.signal: reaction for reaction in problem.reactions}
+    if part in ("normal", "friction"):
+        return _contact(problem, name, part, known)
+    if name in (problem.spec.get("points") or {}):
+        text = f"{_pinned_at(problem, name)}.{part}"
+    found = known.get(text)
+    if found is None:
+        pieces = [signal for signal in known if signal.startswith(text + ".")]
+        raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
+                           "see `find: [reactions]` for those that it has")
+    if found.value is None:
+        raise PhysicsError(f"statics alone does not fix '{text}': the scene is supported by more than it needs",
+                           "take a redundant support out")
+    return found.value
+
+
+def _tension(problem, name):
+    terms = [term for term in problem.scene.springs if term.owner == name]
+    nodes = [term.force + term.weight * term.s for term in terms]
+    values = evaluate(nodes, Floats, problem.at_rest)
+    return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
+
+
+def _pinned_at(problem, point):
+    """The one body pinned at a named point."""
+    found = [name for name, record in (problem.spec.get("bodies") or {}).items()
+             if getattr((record.get("pin") or {}).get("at"), "text", None) == point]
+    if len(found) != 1:
+        what = "no body is" if not found else "several bodies are"
+        raise PhysicsError(f"{what} pinned at '{point}'", "ask for the reaction of a body, as in rod.reaction.x")
+    return found[0]
+
+
+def _contact(problem, name, part, known):
+    """The reaction of a body on a surface along its normal, or along its tangent."""
+    body = problem.scene.bodies[name]
+    if body.normal is None:
+        raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
+    nx, ny = evaluate(list(body.normal), Floats, problem.at_rest)
+    x, y = (known[f"{name}.reaction.{axis}"].value for axis in "xy")
+    return x * nx + y * ny if part == "normal" else x * ny - y * nx

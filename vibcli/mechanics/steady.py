@@ -1,0 +1,174 @@
+"""What a scene that depends on time is when its excitation is left out.
+
+M, C, G and K of the small oscillations must not depend on the time; what else does is excitation. Terms that hold the
+time are dropped from the residual and from K after expansion, when those of rotating frames have cancelled; the rows of
+M and C are taken at t = 0. Whether M, C, G, K then are those of every instant is tested at the equilibrium: periodic
+coefficients (a shaken pivot) are refused by name.
+"""
+
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.evaluate import Floats
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.normal import TooLong, collected, expanded, reduced
+from vibcli.algebra.rationals import ONE
+from vibcli.errors import PhysicsError
+from vibcli.mechanics.linearise import Linearisation, at_position, in_numbers, residual_terms
+
+INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
+WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
+
+
+def without_time(scene, node):
+    """The terms of an expression that do not depend on the time."""
+    time = scene.time.mask
+    if not node.mask & time:
+        return node
+    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
+                                   if not any(atom.mask & time for atom, _ in monomial)})
+
+
+def _terms(scene, node):
+    try:
+        return reduced(expanded(node))
+    except (TooLong, ZeroDivisionError):
+        raise PhysicsError("the terms of this scene that depend on time are too long to be told from those that do not",
+                           "describe the driven motion in fewer steps") from None
+
+
+def steady(scene, form):
+    """The Linearisation without its excitation; that of a scene without time is returned as it is."""
+    if not scene.timed:
+        return form
+    time, table = scene.time.mask, scene.table
+    found = Linearisation()
+    found.n, found.table = form.n, table
+    residual, stiffness = {}, {}
+    found.springs = []
+    for weight, row in form.springs:
+        if any(node.mask & time for node in (weight, *row.values())):
+            for i, x in row.items():
+                for j, y in row.items():
+                    stiffness.setdefault((i, j), []).append(weight * x * y)
+        else:
+            found.springs.append((weight, row))
+    found.curved = []
+    for force, curvature, row in form.curved:
+        if any(node.mask & time for node in (*row.values(), *curvature.values())):
+            _gather(residual, {i: force * slope for i, slope in row.items()})
+            _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
+        else:
+            found.curved.append((without_time(scene, force), curvature, row))
+    found.residual, found.K = [], []
+    for parts, kept, bucket in ((form.residual, found.residual, residual), (form.K, found.K, stiffness)):
+        for part in parts:
+            kept.append({key: node for key, node in part.items() if not node.mask & time})
+            _gather(bucket, {key: node for key, node in part.items() if node.mask & time})
+    found.residual.append(_summed(scene, residual))
+    found.K.append(_summed(scene, stiffness))
+    start = {scene.time: table.zero}
+    found.inertias, found.dampers = (_at(form.inertias, start), _at(form.dampers, start))
+    for kind in ("M", "C", "G", "drag"):
+        entries = getattr(form, kind)
+        setattr(found, kind, dict(zip(entries, substitute(list(entries.values()), start), strict=True)))
+    return found
+
+
+def _gather(bucket, entries):
+    for key, node in entries.items():
+        bucket.setdefault(key, []).append(node)
+
+
+def _summed(scene, bucket):
+    found = {key: without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
+             for key, nodes in bucket.items()}
+    return {key: node for key, node in found.items() if not node.is_zero}
+
+
+def _at(terms, start):
+    nodes = [node for weight, row in terms for node in (weight, *row.values())]
+    moved = dict(zip(nodes, substitute(nodes, start), strict=True))
+    return [(moved[weight], {i: moved[node] for i, node in row.items() if not moved[node].is_zero})
+            for weight, row in terms]
+
+
+def require_autonomous(problem, values):
+    """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
+    scene = problem.scene
+    wanted = _matrices(problem.form, values)
+    for instant in INSTANTS:
+        at = {**values, scene.time.name: instant}
+        if scene.loops is not None:
+            at = scene.loops.followed({**values, scene.time.name: 0.0}, at) or at
+        found = _matrices(problem.timed_form, at)
+        for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
+            _compare(scene, key, wanted[key], found[key], size)
+
+
+def _matrices(form, values):
+    numbers = in_numbers(form, Floats, values)
+    found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
+    return {**found, "size": numbers.elements.K_size}
+
+
+def _compare(scene, key, wanted, found, size):
+    largest = max(map(abs, (*wanted.values(), *found.values())), default=0.0)
+    for pair in {*wanted, *found}:
+        scale = max(abs(found.get(pair, 0.0)), (size or {}).get(pair, 0.0), 1e-6 * largest)
+        if not abs(found.get(pair, 0.0) - wanted.get(pair, 0.0)) <= SAME * scale:
+            raise PhysicsError(f"{WORDS[key]} of '{scene.coordinates[pair[0]]}' depends on the time: there are no "
+                               "natural frequencies", "such a motion is excited through its parameters; its full "
+                               "equations are those of `vibcli equations`")
+
+
+def excitation(scene, form, position):
+    """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters."""
+    place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
+    rows = residual_terms(at_position(form, place))
+    for i, terms in _shaken(scene).items():
+        rows[i] += substitute(terms, place)
+    found = {}
+    for i, terms in enumerate(rows):
+        total = scene.table.sum(*((term, -ONE) for term in terms))
+        if total.mask & scene.time.mask:
+            parts = {monomial: value for monomial, value in _terms(scene, total).items()
+                     if any(atom.mask & scene.time.mask for atom, _ in monomial)}
+            if parts:
+                found[i] = collected(scene.table, parts)
+    return found
+
+
+def _shaken(scene):
+    """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs, and
+    Σ c ∂s/∂q ∂s/∂u u̇ of dampers."""
+    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+    if not scene.shaking:
+        return found
+    zero = scene.table.zero
+    still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
+    moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
+    for kind, terms in (("springs", scene.shaken), ("dampers", scene.shaken_dampers)):
+        for term in terms:
+            here = [symbol for symbol in still if symbol in reachable([term.s])]
+            slopes = gradient(term.s)
+            for q, i in number.items():
+                for symbol in here if q in slopes else ():
+                    part = _slope_by(scene, term, slopes[q], symbol, kind)
+                    found.setdefault(i, []).append(substitute([part], {**still, **moved})[0]
+                                                   * _function(scene, symbol, kind))
+    return found
+
+
+def _slope_by(scene, term, slope, symbol, kind):
+    """What multiplies u(t), or u̇(t) of a damper."""
+    stand_in = scene.table.variable(symbol.name + " small")
+    s, row = substitute([term.s, slope], {symbol: stand_in})
+    if kind == "dampers":
+        part = term.weight * row * gradient(s).get(stand_in, scene.table.zero)
+    else:
+        part = gradient((term.force + term.weight * s) * row).get(stand_in, scene.table.zero)
+    return substitute([part], {stand_in: symbol})[0]
+
+
+def _function(scene, symbol, kind):
+    node = scene.driven[symbol]
+    return scene.rate(node) if kind == "dampers" else node

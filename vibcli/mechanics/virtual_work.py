@@ -1,0 +1,23 @@
+"""Equilibrium by virtual work: δA = Σ Q_q δq with Q_q = 0 for each coordinate (Kovacić & Radomirović 2018, §1.1.3).
+
+Q_q is the generalised force of all weights, springs and loads: Q_q = Σ F ∂s/∂q − ∂V/∂q, at rest.
+"""
+
+from vibcli.algebra.normal import textbook
+from vibcli.algebra.rationals import ONE
+from vibcli.mechanics.linearise import linearise, residual_terms
+from vibcli.mechanics.steady import steady
+
+
+def generalised_forces(scene):
+    """[Q_q] of all coordinates of a scene, simplified."""
+    return [textbook(_total(scene, terms)) for terms in residual_terms(steady(scene, linearise(scene)))]
+
+
+def generalised_force_at_rest(problem, i):
+    """Q of the independent coordinate i, what constraints tie to it included."""
+    return _total(problem.scene, residual_terms(problem.form)[i])
+
+
+def _total(scene, terms):
+    return scene.table.sum(*((term, -ONE) for term in terms))

@@ -1,0 +1,51 @@
+"""Stages of a Problem that run only where they are asked for: reactions, shares, sensitivities, estimates."""
+
+from functools import cached_property
+
+from vibcli.stage import Stage
+
+
+class OnRequest:
+    """The part of a Problem that says more than equations and frequencies."""
+
+    @cached_property
+    def sharp_modes(self):
+        """The modes to the digits that shares and derivatives need."""
+        from vibcli.analyses.sharp import sharp_modes
+
+        return self._named(sharp_modes, self)
+
+    @cached_property
+    def sharp_damped(self):
+        """The damped modes to as many digits; asked for only where something damps."""
+        from vibcli.analyses.sharp import sharp_damped
+
+        return self._named(sharp_damped, self)
+
+    @Stage
+    def reactions(self):
+        """Forces in constraints and supports in equilibrium, by multipliers."""
+        from vibcli.mechanics.reactions import reactions
+
+        return reactions(self)
+
+    @Stage
+    def shares(self):
+        """Whose energy the modes have."""
+        from vibcli.analyses.shares import shares
+
+        return shares(self)
+
+    @Stage
+    def sensitivities(self):
+        """Derivatives of frequencies and damping ratios by the parameters."""
+        from vibcli.analyses.sensitivities import sensitivities
+
+        return sensitivities(self)
+
+    @Stage
+    def estimates(self):
+        """Estimates of the lowest frequency by Rayleigh and Dunkerley."""
+        from vibcli.analyses.estimates import estimates
+
+        return estimates(self)
