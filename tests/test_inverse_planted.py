@@ -60,7 +60,7 @@ def measurable(problem):
 def collected(path):
     """Every fourth (parameter, quantity, its number) of a problem in numbers that chooses nothing itself."""
     problem = problem_of(path)
-    if problem.symbolic:
+    if problem.symbolic or problem.scene.loops is not None:     # some seconds for each place that is looked at
         return []
     names = [name for name, record in problem.spec.parameters.items()
              if "value" in record and whole_literal(record["value"].tree) and "unused" not in record]

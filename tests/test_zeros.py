@@ -1,14 +1,12 @@
-"""Zeros by looking, several unknowns by Newton steps, equations in letters, and the time that these may take."""
+"""Zeros by looking, several unknowns by Newton steps, equations in letters."""
 
 import math
-import time
 from types import SimpleNamespace
 
 import pytest
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table
-from vibcli.analyses.bounded import bounded
 from vibcli.analyses.elimination import solve_equations
 from vibcli.analyses.several import common_zeros, halton
 from vibcli.analyses.solving import polynomial, solve_equation
@@ -144,7 +142,7 @@ def test_equations_of_one_unknown(letters):
     assert solved(a / (x + b) - c, x, letters.scene) == (["-(b*c - a)/c"], True)
     assert solved(letters.sqrt(a * x) - b, x, letters.scene) == (["b^2/a"], True)
     assert solved(letters.sqrt(x + a) - b, x, letters.scene)[0] == ["b^2 - a"]
-    assert solved(x ** 4 - a, x, letters.scene) == (["a^(1/4)"], True)
+    assert solved(x ** 4 - a, x, letters.scene) == (["sqrt(sqrt(a))"], True)
     assert solved(letters.z ** 2 - a * a, letters.z, letters.scene) == (["-a", "a"], True)
     assert len(solved(x * x - (a + b) * x + a * b, x, letters.scene)[0]) == 2
     assert solve_equation(x - x + a - a, x, letters.scene).always
@@ -188,31 +186,3 @@ def test_two_unknowns(letters):
     assert sorted(pairs) == [(0.7, 1.3), (1.3, 0.7)] and found.complete
     linear = solve_equations([a * x + b * y - 1, x - y], [x, y], letters.scene)
     assert [[language(node) for node in pair] for pair in linear.tuples] == [["1/(a + b)", "1/(a + b)"]]
-
-
-# time
-
-
-def test_work_is_given_up_in_time():
-    start = time.monotonic()
-    assert bounded(0.05, lambda: [None for _ in iter(int, 1)]) is None
-    assert time.monotonic() - start < 30
-    assert bounded(5.0, lambda x: x + 1, 2) == 3
-
-
-def test_an_error_passes_and_the_timer_is_off():
-    import signal
-
-    with pytest.raises(KeyError):
-        bounded(5.0, {}.__getitem__, 3)
-    assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
-
-
-def test_no_timer_no_work():
-    from threading import Thread
-
-    found = []
-    thread = Thread(target=lambda: found.append(bounded(5.0, lambda: 3)))
-    thread.start()
-    thread.join()
-    assert found == [None]

@@ -38,7 +38,12 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False):
     are those of the first sample in which the drawing fits together.
     """
     for attempt in range(start, start + ATTEMPTS):
-        scene = Scene(spec, attempt, given or {}, releasing)
+        try:
+            scene = Scene(spec, attempt, given or {}, releasing)
+        except SpecError:   # a parameter that this sample leaves without value
+            if attempt == start + ATTEMPTS - 1:
+                raise
+            continue
         try:
             scene.assemble(loose)
         except ExpressionError as error:
