@@ -483,7 +483,6 @@ def test_a_pendulum_tied_to_a_shaken_support(turn, tie):
     assert value(scene, "omega[1]") == pytest.approx(5, rel=1e-12)
 
 
-@pytest.mark.xfail(strict=True, raises=pytest.fail.Exception, reason="what oscillates is left out of the residual")
 def test_no_equilibrium_where_a_spring_is_pulled_round():
     scene = problem("""
         parameters: {Omega: 3 rad/s}
@@ -685,20 +684,17 @@ def test_the_tooth_force():
     assert abs(value(problem(GEARED), "equilibrium[teeth.force]")) == pytest.approx(20, rel=1e-12)
 
 
-@pytest.mark.xfail(strict=True, raises=AssertionError, reason="gears tie turns alone, not the places of their axles")
 def test_bearings_carry_the_tooth_force():
     """The teeth push gear one down at its right, gear two up at its left."""
     scene = problem(GEARED)
     assert [value(scene, f"equilibrium[{name}.reaction.y]") for name in ("one", "two")] == pytest.approx([20, -20])
 
 
-@pytest.mark.xfail(strict=True, raises=PhysicsError, reason="the released support turns, which parts the rope")
 def test_a_rope_around_a_body_that_does_not_turn_has_one_tension():
     scene = problem(TACKLE)
     assert value(scene, "equilibrium[cord.force]") == pytest.approx(30, rel=1e-12)
 
 
-@pytest.mark.xfail(strict=True, raises=AssertionError, reason="reactions that turn with a frame count as excitation")
 def test_what_is_carried_round_is_held():
     """The rod, 0.1 m off the axis, pushes the bead towards it by m Ω² e: as drawn, along −y."""
     scene = problem("""

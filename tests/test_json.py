@@ -11,7 +11,7 @@ from vibcli.cli import run
 
 PROBLEMS = sorted((Path(__file__).parents[1] / "problems").rglob("*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex"]
-EQUILIBRIUM = ["coordinates", "dependent", "stable", "residual"]
+EQUILIBRIUM = ["coordinates", "dependent", "stable", "residual", "condition", "warning"]
 MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
 DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "decay", "growth_rate", "shape", "error"]
@@ -63,7 +63,8 @@ def numbers(data):
 
 
 def well_formed(data, command):
-    assert set(data) - {"cases", "characteristic_polynomial", "chosen", "closed_forms", "remark"} == KEYS[command]
+    optional = {"cases", "characteristic_polynomial", "chosen", "closed_forms", "equilibria", "remark", "search"}
+    assert set(data) - optional == KEYS[command]
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
     assert all(math.isfinite(x) for x in numbers(data))
@@ -72,7 +73,7 @@ def well_formed(data, command):
         return
     if "equilibrium" in data:
         assert list(data["equilibrium"]) == EQUILIBRIUM
-        assert list(data["equilibrium"]["coordinates"]) == data["coordinates"]
+        assert set(data["equilibrium"]["coordinates"]) == set(data["coordinates"])
         for keys, modes in ((MODE, data["modes"]), (DAMPED, data["damped"])):
             assert all(set(mode) == set(keys) for mode in modes or ())
             assert all(set(mode["shape"]) == set(data["coordinates"]) for mode in modes or () if mode["shape"])
@@ -99,7 +100,7 @@ def test_numbers(ask):
     assert data["title"] == "Two cars"
     assert data["coordinates"] == ["x", "y"]
     assert data["equilibrium"] == {"coordinates": {"x": 0.0, "y": 0.0}, "dependent": {}, "stable": True,
-                                   "residual": 0.0}
+                                   "residual": 0.0, "condition": 1.0, "warning": None}
     assert data["matrices"] == {"M": [[2.0, 0.0], [0.0, 2.0]], "C": [[3.0, -3.0], [-3.0, 3.0]], "G": None,
                                 "K": [[800.0, -800.0], [-800.0, 800.0]]}
     rigid, elastic = data["modes"]

@@ -7,7 +7,7 @@ from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.naming import check, cyclic
 from vibcli.parameters import independent
-from vibcli.questions import ASKED, BARE, STATE_FUNCTIONS, dimension
+from vibcli.questions import ASKED, BARE, SEVERAL, STATE_FUNCTIONS, dimension
 from vibcli.signals import near_signals, signal_dimension
 
 
@@ -115,7 +115,8 @@ def can_be_asked(spec, reader, expression, tree):
     if asked is None:
         reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
         return False
-    if len(indices) != len(asked.indices) and not (head == "J" and len(indices) == 1):
+    kinds = (*asked.indices, "equilibrium") if head in SEVERAL and len(indices) > len(asked.indices) else asked.indices
+    if len(indices) != len(kinds) and not (head == "J" and len(indices) == 1):
         takes = {0: "no index", 1: "one index", 2: "two indices"}[len(asked.indices)]
         reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {_usage(head)}")
         return False
@@ -123,7 +124,7 @@ def can_be_asked(spec, reader, expression, tree):
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
                       "write " + " or ".join(tree[3].partition(".")[0] + (a and "." + a) for a in asked.attributes))
         return False
-    pairs = zip(asked.indices, indices, strict=False)
+    pairs = zip(kinds, indices, strict=False)
     if not all(_index(spec, reader, place, head, kind, index) for kind, index in pairs):
         return False
     bodies = spec.get("bodies") or {}
@@ -139,6 +140,8 @@ def _index(spec, reader, place, head, kind, index):
     bodies, points = spec.get("bodies") or {}, spec.get("points") or {}
     if kind == "mode":
         good, valid = index.isdecimal() and index.isascii() and 1 <= int(index) <= 2 * n, [str(i + 1) for i in range(n)]
+    elif kind == "equilibrium":
+        good, valid = index.isdecimal() and index.isascii() and int(index) > 0, ["1", "2", "3"]
     elif kind == "coordinate":
         good, valid = coordinate_name(spec, index) is not None, list(spec.coordinates)
     elif kind == "signal":

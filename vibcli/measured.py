@@ -9,6 +9,7 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.asking import coordinate_name, is_choice
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.mechanics.signals import displacement, force
+from vibcli.questions import ASKED, SEVERAL
 
 ROUNDING = 1e-14
 
@@ -18,6 +19,8 @@ def measure(problem, tree):
     head, indices, attribute = tree[4], tree[5], tree[6]
     if is_choice(problem.spec, tree) and problem.chosen is not None:
         return problem.chosen.value(head, int(indices[0])), ROUNDING
+    if head in SEVERAL and len(indices) > len(ASKED[head].indices):
+        problem, indices = _about(problem, int(indices[-1])), indices[:-1]
     return _MEASURES[head](problem, indices, attribute)
 
 
@@ -46,6 +49,23 @@ def lowered(expression, table, symbol):
     except ExpressionError as error:
         place = expression.scalar.place(error.offset, error.width)
         raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
+
+
+def _about(problem, number):
+    """The problem about one of all its equilibria."""
+    if number > _number(problem):
+        raise PhysicsError(f"there is no equilibrium {number}: this scene has {_number(problem) or 'none'} within the "
+                           "bounds", "ask for one that it has, or give bounds as in find: {equilibria: all, within: …}")
+    return problem.about_each[number - 1]
+
+
+def _number(problem):
+    """How many equilibria there are; refused where the search could not be finished."""
+    found = problem.equilibria
+    if not found.complete:
+        raise PhysicsError("the search for all equilibria was cut short: their number is not known",
+                           "give narrower bounds, as in find: {equilibria: all, within: …}")
+    return len(found.items)
 
 
 def _mode(problem, indices):
@@ -177,16 +197,10 @@ def _equilibrium(problem, indices, attribute):
 
 
 def is_stable(problem):
-    """Does no small motion grow, and does V not fall along a direction in which K vanishes?
+    """Does nothing grow about the equilibrium? Motion that costs no energy counts as stable."""
+    from vibcli.analyses.stability import stability
 
-    Dampers decide nothing there (Thomson & Tait 1879) unless they push, or K is not symmetric, or there is G.
-    """
-    elements = problem.elements
-    pushed = (any(any(part.values()) for part in (elements.C, elements.drag, elements.G))
-              or any(c < 0 for c, _ in elements.dampers))
-    modes = (problem.damped if pushed or elements.circulatory else None) or problem.modes
-    grows = any(mode.kind in ("flutter", "divergence") for mode in modes)
-    return not grows and "falling" not in problem.zero_modes.values()
+    return stability(problem).stable
 
 
 def _stable(problem, indices, attribute):
@@ -235,5 +249,6 @@ _MEASURES = {
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
     "decay": _of_damped("decay", "decay"), "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
     "dunkerley": _estimate("dunkerley"), "equilibrium": _equilibrium, "stable": _stable,
+    "equilibria": lambda problem, indices, attribute: (_number(problem), 0.0),
     "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
 }

@@ -201,6 +201,9 @@ def _start(spec, reader):
                                                     spec.dimensions.unknown(record["coordinate"].text), -1)
     for name, value in (spec.get("equilibrium") or {}).items():
         value.dimension = spec.dimensions.unknown(name)
+    for name, bounds in spec.get("find").within.items() if spec.get("find") else ():
+        for bound in bounds:
+            bound.dimension = spec.dimensions.unknown(name)
     for name, record in (spec.get("choose") or {}).items():
         for bound in {"from", "to"} & set(record.values):
             record[bound].dimension = spec.dimensions.unknown(name)

@@ -1,4 +1,4 @@
-"""Stages of a Problem that run only where they are asked for: reactions, shares, sensitivities, estimates."""
+"""Stages of a Problem that run only where asked for: all equilibria, reactions, shares, derivatives, estimates."""
 
 from functools import cached_property
 
@@ -21,6 +21,20 @@ class OnRequest:
         from vibcli.analyses.sharp import sharp_damped
 
         return self._named(sharp_damped, self)
+
+    @Stage
+    def equilibria(self):
+        """All equilibria within the bounds of the file, or within default ones."""
+        from vibcli.mechanics.equilibria import find_equilibria
+
+        return find_equilibria(self)
+
+    @cached_property
+    def about_each(self):
+        """The Problems about all equilibria."""
+        from vibcli.mechanics.degenerate import about
+
+        return [about(self, item) for item in self.equilibria.items]
 
     @Stage
     def reactions(self):

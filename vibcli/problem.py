@@ -15,7 +15,7 @@ from vibcli.stage import Stage
 
 SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
-          "reactions", "shares", "sensitivities", "estimates")
+          "equilibria", "reactions", "shares", "sensitivities", "estimates")
 
 
 class Problem(OnRequest):
@@ -35,6 +35,12 @@ class Problem(OnRequest):
         found = self.with_values(given)
         self.scene, self.form, self.drawn_form  # noqa: B018
         vars(found).update({stage: value for stage, value in vars(self).items() if stage in SHARED})
+        return found
+
+    def at_equilibrium(self, equilibrium):
+        """The same scene about another of its equilibria."""
+        found = self.sharing({})
+        found.chosen, found.equilibrium = self.chosen, equilibrium
         return found
 
     def case(self, name):
@@ -250,8 +256,14 @@ class Problem(OnRequest):
 
         start = self.spec.get("equilibrium")
         if start is None and self.drawn_numbers is not None:
-            return equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
-        return equilibrium.find_equilibrium(self, self._start(start or {}))
+            found = equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
+        else:
+            found = equilibrium.find_equilibrium(self, self._start(start or {}))
+        if self.scene.timed:
+            from vibcli.mechanics.steady import require_autonomous
+
+            require_autonomous(self, self.at_rest_in(found.values))
+        return found
 
     def _start(self, start):
         from vibcli.algebra.evaluate import evaluate
@@ -277,8 +289,11 @@ class Problem(OnRequest):
     @property
     def at_rest(self):
         """{symbol: float} of everything in equilibrium, at t = 0."""
-        return {**self.floats, self.scene.time.name: 0.0, **self.equilibrium.values,
-                **{v.name: 0.0 for v in self.scene.v}}
+        return self.at_rest_in(self.equilibrium.values)
+
+    def at_rest_in(self, position):
+        """{symbol: float} of everything at rest in a position, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
 
     def closed(self, start, target):
         """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
@@ -311,10 +326,6 @@ class Problem(OnRequest):
         from vibcli.mechanics.linearise import in_numbers
 
         require_smooth(self)
-        if self.scene.timed:
-            from vibcli.mechanics.steady import require_autonomous
-
-            require_autonomous(self, self.at_rest)
         closed = self.scene.loops is not None or "atan2" in self.scene.table.called
         if self.equilibrium.drawn and not closed:
             return self.drawn_numbers.elements
@@ -347,12 +358,17 @@ class Problem(OnRequest):
         except (Rationals.Irrational, KeyError, ZeroDivisionError):
             return None
 
+    @cached_property
+    def sources(self):
+        """Where more digits of the elements come from."""
+        return self.precise_elements, self.exact_elements
+
     @Stage
     def modes(self):
         """The modes of the system without its dampers."""
         from vibcli.analyses.spectrum import natural_modes
 
-        return self._named(natural_modes, self.elements, self.precise_elements, self.exact_elements)
+        return self._named(natural_modes, self.elements, *self.sources)
 
     @cached_property
     def zero_modes(self):
@@ -369,7 +385,7 @@ class Problem(OnRequest):
             return None
         from vibcli.analyses.spectrum import damped_modes
 
-        return self._named(damped_modes, elements, lambda: self.modes, self.precise_elements, self.exact_elements)
+        return self._named(damped_modes, elements, lambda: self.modes, *self.sources)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
@@ -395,9 +411,8 @@ class Problem(OnRequest):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        sources = self.precise_elements, self.exact_elements
-        modes = self._named(natural_modes, self.elements, *sources, digits=digits)
-        return modes, self._named(damped_modes, self.elements, lambda: modes, *sources, digits=digits)
+        modes = self._named(natural_modes, self.elements, *self.sources, digits=digits)
+        return modes, self._named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
 
     # letters
 

@@ -3,7 +3,7 @@
 from vibcli import units
 
 INSIGHT = ("shares", "sensitivities", "estimates")
-ON_REQUEST = ("reactions", *INSIGHT)                    # found only where they are asked for
+ON_REQUEST = ("equilibria", "reactions", *INSIGHT)                    # found only where they are asked for
 FIND = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work", *ON_REQUEST)
 
 
@@ -33,6 +33,8 @@ ASKED = {
     "equilibrium": Asked(("signal",), None, "a coordinate or signal in equilibrium"),
     "Q": Asked(("coordinate",), None, "generalised force of weights, springs and steady loads at rest, δA = Σ Q δq"),
     "stable": Asked((), "1", "`true` where the equilibrium is stable"),
+    "equilibria": Asked((), "1", "number of equilibria within the bounds that `find` gives, or default ones; a line of "
+                        "neutral ones counts once"),
     "equation": Asked(("coordinate",), None,
                       "equation of small oscillations, the coordinates counted from equilibrium"),
     "motion": Asked(("coordinate",), None, "full equation of motion"),
@@ -46,6 +48,7 @@ ASKED = {
     "J": Asked(("body", "place"), "kg*m^2", "moment of inertia of a body about its mass centre, or about a point"),
     "centre": Asked(("body",), "m", "mass centre of a body as drawn", ("x", "y")),
 }
+SEVERAL = ("omega", "frequency", "period", "growth_rate", "equilibrium", "stable")  # a last index: which equilibrium
 BARE = tuple(head for head, asked in ASKED.items() if not asked.indices)
 STATE_FUNCTIONS = ("T", "V", "Phi", "Q", "equation", "motion")
 OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)  # of the matrix times two coordinates

@@ -9,10 +9,9 @@ from vibcli import naming
 from vibcli.algebra.parse import plain_name
 from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar
-from vibcli.elements import answer, coordinates, equilibrium, gravity
+from vibcli.elements import answer, coordinates, equilibrium, find, gravity
 from vibcli.errors import Diagnostic, SpecError
-from vibcli.fields import Choice, Kind, Lazy, Many, Named, Text
-from vibcli.questions import FIND
+from vibcli.fields import Kind, Lazy, Named, Text
 from vibcli.reading import MOST_PROBLEMS, Reader, TooMany, nearest
 
 MOST_CASES = 100
@@ -58,7 +57,7 @@ SECTIONS = {
     "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
     "matrices": (Lazy("matrices"), "M, C and K given outright"),
     "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
-    "find": (Many(Choice(*FIND), 1, 20, "a list of questions"), "what `solve` prints; all that is cheap if left out"),
+    "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
     "choose": (Named(Lazy("choose"), "a mapping from parameters to conditions", ("pi", "t")),
                "parameters that conditions determine"),
     "answers": (answer.KIND, "expected answers, which `check` compares"),

@@ -80,6 +80,10 @@ def _data(problem, parts, normalise, digits, sections):
             if "equations" not in parts:
                 raise
             found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
+    if "equilibria" in parts and problem.spec.get("find") and problem.spec.get("find").search:
+        from vibcli.report.equilibria import equilibria_data
+
+        found |= equilibria_data(problem)
     if "equations" in parts:
         refusal = problem.equations.refusal
         if refusal and not isinstance(refusal, NotInLetters):

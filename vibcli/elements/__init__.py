@@ -3,6 +3,6 @@
 A file is imported on the first use of its key, by fields.Lazy; a test compares this list with the folder.
 """
 
-NAMES = ("answer", "body", "choose", "constraint", "coordinates", "damper", "energies", "equilibrium", "fitting",
-         "force", "gravity", "matrices", "move", "parameter", "pin", "point", "roll", "rope", "shapes", "slide",
-         "spring", "surface", "turn", "weld")
+NAMES = ("answer", "body", "choose", "constraint", "coordinates", "damper", "energies", "equilibrium", "find",
+         "fitting", "force", "gravity", "matrices", "move", "parameter", "pin", "point", "roll", "rope", "shapes",
+         "slide", "spring", "surface", "turn", "weld")

@@ -5,6 +5,7 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
+from vibcli.algebra.calculus import substitute
 from vibcli.algebra.normal import is_zero, textbook
 from vibcli.elements import rope
 from vibcli.fields import BODY, PLACE, Element, Equation, Field, Flag, Many, NameOf, Quantity
@@ -150,9 +151,43 @@ def _gear(record, scene):
     if not belt:
         _touching(record, scene, names, radii)
     turn = scene.carrier(record).angle
+    if len(scene.diagnostics) > before:
+        return
+    _carried(record, scene, names)
     same = belt != record.get("crossed", False) if belt else record.get("inside", False)
     first, second = radii[0] * (angles[0] - turn), radii[1] * (angles[1] - turn)
-    scene.add_constraint(record, first - second if same else first + second, "belt" if belt else "gear")
+    node = first - second if same else first + second
+    if scene.released and not belt:
+        node = node + _parted(record, scene, names, radii)
+    scene.add_constraint(record, node, "belt" if belt else "gear")
+
+
+def _carried(record, scene, names):
+    """The axles rest in the carrier of a gear or belt."""
+    carrier = scene.carrier(record)
+    for name in names:
+        body = scene.bodies[name.text]
+        if body.frame is not None and not scene.released:
+            now = carrier.seen(*body.frame.point(*body.drawn))
+            if not all(scene.vanishes(x - x0) for x, x0 in zip(now, scene.at_drawn(*now), strict=True)):
+                scene.report(name.where, f"the axle of '{name.text}' moves" + (f" in '{record['carrier'].text}'"
+                             if "carrier" in record else ""), "name the body that carries both axles: `carrier: arm`")
+
+
+def _parted(record, scene, names, radii):
+    """(δc₁ − δc₂)·t of the axles, t along the teeth, where supports give way; zero of gears without a place."""
+    bodies = [scene.bodies[name.text] for name in names]
+    if any(body.frame is None for body in bodies):
+        return scene.table.zero
+    (ax, ay), (bx, by) = (body.drawn for body in bodies)
+    ex, ey = scene.unit(bx - ax, by - ay)
+    if record.get("inside") and scene.sign(radii[0] - radii[1]) < 0:
+        ex, ey = -ex, -ey
+    places = [part for body in bodies for part in body.frame.point(*body.drawn)]
+    held = substitute(places, dict.fromkeys(scene.released, scene.table.zero))
+    cx, cy, dx, dy = (now - then for now, then in zip(places, held, strict=True))
+    tx, ty = scene.carrier(record).turned(-ey, ex)
+    return (cx - dx) * tx + (cy - dy) * ty
 
 
 def _radii(record, scene, names):

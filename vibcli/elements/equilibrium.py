@@ -4,11 +4,11 @@ from vibcli.document import Mapping
 from vibcli.fields import Kind, Named, NameOf, Quantity
 
 
-class _Start(Kind):
-    wants = "a mapping from coordinates to values"
+class ByCoordinate(Kind):
+    """A mapping from coordinates of the scene to fields of one kind."""
 
-    def __init__(self):
-        self.named = Named(Quantity(), self.wants)
+    def __init__(self, kind, wants):
+        self.wants, self.named = wants, Named(kind, wants)
 
     def read(self, node, reader):
         for key, _ in node.entries.values() if isinstance(node, Mapping) else ():
@@ -19,5 +19,5 @@ class _Start(Kind):
         return self.named.schema()
 
 
-KIND = _Start()
+KIND = ByCoordinate(Quantity(), "a mapping from coordinates to values")
 ABOUT = "Where the search for the equilibrium starts, `{x: 1 m}`; coordinates that are left out start as drawn."

@@ -60,6 +60,8 @@ def build(record, scene):
     for i, stop in enumerate(stops):
         if stop.side is not None:
             stop.sense = _sense(record, scene, stops, i)
+    if not _touches(record, scene, stops):
+        return
     groups, total = [], scene.table.zero
     for one, two in pairwise(stops):
         total = total + _piece(record, scene, one, two)
@@ -68,6 +70,26 @@ def build(record, scene):
             total = scene.table.zero
     for number, node in enumerate(groups, 1):
         scene.add_constraint(record, node, "rope", f".{number}" if len(groups) > 1 else "")
+
+
+def _touches(record, scene, stops):
+    """Does the taut rope lie against every pulley on the side that is named, as drawn?"""
+    from math import atan2, hypot, pi, sqrt
+
+    directions = []
+    for one, two in pairwise(stops):
+        x, y = (scene.number(b - a) for a, b in zip(one.centre, two.centre, strict=True))
+        offset = scene.number(one.reach - two.reach)
+        length = sqrt(max(hypot(x, y) ** 2 - offset**2, 0.0))
+        directions.append(atan2(y, x) + atan2(offset, length))
+    for (arriving, leaving), stop, item in zip(pairwise(directions), stops[1:-1], record["rope"][1:-1], strict=True):
+        sense = stop.sense or _sense(record, scene, stops, stops.index(stop), peg=True)
+        wrap = (leaving - arriving) * sense % (2 * pi)
+        if stop.side is not None and 1.25 * pi < wrap < 2 * pi - 1e-9:
+            scene.report(item.where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
+                         "name the other side, or draw the pulley where the rope bends round it")
+            return False
+    return True
 
 
 def _stop(item, scene):
@@ -82,13 +104,13 @@ def _stop(item, scene):
     if radius is None:
         scene.report(item.where, f"'{item[side].text}' has no radius for the rope", "give `radius`, or a round shape")
         return None
-    turn = body.frame.angle if body is not None and body.frame is not None and body.frame.angle.mask else None
+    turn = body.frame.angle if body is not None and body.frame is not None and scene.turns(body) else None
     return Stop(scene.place_of(item[side]), radius, SIDES[side], turn)
 
 
-def _sense(record, scene, stops, i):
-    """+1 where the rope goes round counter-clockwise, from its first end to its last."""
-    if not scene.number(stops[i].radius):
+def _sense(record, scene, stops, i, peg=False):
+    """+1 where the rope goes round counter-clockwise, from its first end to its last; 0 of a peg without radius."""
+    if not (peg or scene.number(stops[i].radius)):
         return 0
     before, after = stops[max(i - 1, 0)], stops[min(i + 1, len(stops) - 1)]
     if stops[i] in (before, after):

@@ -59,7 +59,8 @@ class Catalogue:
             for key, field in declared.fields.items():
                 item = "an item of " if isinstance(field.kind, Many) else ""
                 self._gather(field.kind, f"{item}the key `{key}` of a {word}", None)
-        declared.places.append(place)
+        if place not in declared.places:
+            declared.places.append(place)
         return declared
 
     def about(self, section):

@@ -97,7 +97,8 @@ def quantities_table(catalogue):
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
              "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`."]
-    return [paragraph(lines[0]), table(rows), ["How they are compared", *table(topics.COMPARED)]]
+    return [paragraph(lines[0]), table(rows), paragraph(topics.SEVERAL),
+            ["How they are compared", *table(topics.COMPARED)]]
 
 
 def _unit(asked):

@@ -4,6 +4,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 """
 
 from vibcli import signals
+from vibcli.questions import SEVERAL as HEADS
 
 EXIT_CODES = [
     ("0", "all well"),
@@ -31,6 +32,7 @@ FIND = {
     "equations": "energies and equations of motion, in full and for small oscillations",
     "energies": "kinetic and potential energy and the dissipation function",
     "equilibrium": "the position of rest that is reached from the drawn one, and whether it is stable",
+    "equilibria": "`{equilibria: all}`: all positions of equilibrium within bounds, each stable or not",
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
@@ -55,6 +57,9 @@ COMPARED = [
     ("symbols", "A scene with symbols is compared at several sets of random values for them."),
     ("stable", "`true` or `false`."),
 ]
+
+SEVERAL = (f"A last index asks about one of all the equilibria that `find: {{equilibria: all}}` lists, in ascending "
+           f"order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise {', '.join(HEADS)}.")
 
 IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
             "`vibcli explain quantities`.")

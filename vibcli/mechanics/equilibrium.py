@@ -14,6 +14,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.linearise import in_numbers
 
 EPSILON = 2.0**-52
+KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FAR, FARTHEST, HUGE = 300, 12, 1e6, 1e60, 1e140
 
 
@@ -102,7 +103,7 @@ class _Search:
         if not all(map(math.isfinite, numbers.residual)):
             raise PhysicsError("the forces of this scene are not defined in a position that the search for its "
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
-        bend = self.np.abs(self.stiffness(numbers)) @ self.np.abs(q)  # a coordinate is only known to its own rounding
+        bend = self.np.abs(self.stiffness(numbers)) @ (self.np.abs(q) + KNOWN * self.scale)
         numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
         self.met = list(map(max, self.met, numbers.residual_size))
         return numbers

@@ -31,12 +31,14 @@ class Linearisation:
     __slots__ = ("C", "G", "K", "M", "curved", "dampers", "drag", "inertias", "n", "residual", "springs", "table")
 
 
-def linearise(scene):
-    """The Linearisation of a scene as functions of the coordinates."""
+def linearise(scene, still=False):
+    """The Linearisation of a scene as functions of the coordinates; `still`: without any excitation, so that what
+    depends on the time turns or drifts with a carrier."""
     number = {node: i for i, node in enumerate(scene.q)}
     found = Linearisation()
     found.n, found.table, found.drag = len(scene.q), scene.table, {}
-    found.inertias = [(term.weight, _row(term.s, number)) for term in scene.inertias]
+    inertias = scene.at_still("inertias") if still else scene.inertias
+    found.inertias = [(term.weight, _row(term.s, number)) for term in inertias]
     dampers = scene.at_still("dampers")
     found.dampers = [(term.weight, _row(term.s, number)) for term in dampers]
     found.springs, found.curved = [], []
@@ -50,24 +52,24 @@ def linearise(scene):
     _written_out(scene, found, number)
     slips = {}
     for term in scene.forces:
-        _loaded(scene, found, number, term, slips)
+        _loaded(scene, found, number, term, slips, still)
     _split(found, slips, found.drag)
     slips = {}
     if scene.timed:
-        for kind, terms in (("inertias", scene.inertias), ("dampers", dampers)):
+        for kind, terms in (("inertias", inertias), ("dampers", dampers)):
             for term in terms:
                 _driven(scene, found, number, term, kind, slips)
     _split(found, slips, found.G)
     return found
 
 
-def _loaded(scene, found, number, term, slips):
+def _loaded(scene, found, number, term, slips, still):
     """A force F with the virtual work F δs."""
     rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
     force, row = substitute([term.weight], rest)[0], _row(term.s, number)
     at_once = scene.table.sum(*((part, c) for part, c in _parts(force) if part.mask & scene.time.mask))
     found.curved.append((at_once - force, _curvature(row, number), row))
-    found.residual.append({i: -(at_once * slope) for i, slope in row.items() if not at_once.is_zero})
+    found.residual.append({i: -(at_once * slope) for i, slope in row.items() if not (still or at_once.is_zero)})
     slopes = gradient(term.weight)
     by_place = {number[q]: slope for q, slope in slopes.items() if q in number}
     by_speed = {speeds[v]: slope for v, slope in slopes.items() if v in speeds}

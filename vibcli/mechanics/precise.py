@@ -6,13 +6,14 @@ from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.linearise import in_numbers
 
 ROUNDED, NOTHING = 40, 1e-20
+GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
 def elements_to(problem, digits):
     """OscillatorElements of mpmath numbers, good to `digits` digits."""
     import mpmath
 
-    with mpmath.workdps(digits + 10):
+    with mpmath.workdps(digits + GUARD):
         arithmetic = multiprecision()
         values = problem.values(arithmetic)
         form = problem.drawn_form if problem.equilibrium.drawn else problem.form
@@ -42,7 +43,7 @@ def equilibrium_to(problem, values, arithmetic):
         step = _newton_step(numbers, mpmath)
         for name, change in zip(names, step, strict=True):
             position[name] += change
-        if max(map(abs, step)) <= mpmath.eps * 100 * (1 + max(map(abs, position.values()))):
+        if max(map(abs, step)) <= mpmath.eps * 10 ** (GUARD - 3) * (1 + max(map(abs, position.values()))):
             return position
     raise PhysicsError("the equilibrium does not converge to more digits: it is degenerate", "ask for fewer digits")
 

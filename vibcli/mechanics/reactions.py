@@ -17,7 +17,6 @@ from vibcli.algebra.normal import is_zero, textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearise import linearise, residual_terms
-from vibcli.mechanics.steady import steady
 
 OPEN = 1e-9
 _LENGTHENING = ("rope", "link", "gear", "belt", "equation")
@@ -66,7 +65,7 @@ def reactions(problem):
     released = Released(problem)
     scene, n = released.scene, len(released.real)
     values = _at_rest(problem, released)
-    terms = residual_terms(steady(scene, linearise(scene)))
+    terms = residual_terms(linearise(scene, still=True))
     nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
     sizes = evaluate([term for row in terms for term in row], Floats, values)
     flat = evaluate([*nodes, *(node for row in released.slopes() for node in row)], Floats, values)

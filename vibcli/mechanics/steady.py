@@ -141,13 +141,13 @@ def _shaken(scene):
     """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs, and
     Σ c ∂s/∂q ∂s/∂u u̇ of dampers."""
     found, number = {}, {q: i for i, q in enumerate(scene.q)}
-    if not scene.shaking:
+    if not scene.shaken:
         return found
     zero = scene.table.zero
     still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
     moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
-    for kind, terms in (("springs", scene.shaken), ("dampers", scene.shaken_dampers)):
-        for term in terms:
+    for kind in ("springs", "dampers"):
+        for term in scene.shaken[kind]:
             here = [symbol for symbol in still if symbol in reachable([term.s])]
             slopes = gradient(term.s)
             for q, i in number.items():

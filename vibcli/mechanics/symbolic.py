@@ -30,7 +30,8 @@ def equilibrium_in_letters(problem):
     if problem.balanced_as_drawn:
         return scene.drawn_coordinates
     if problem.equilibrium_letters is not None:
-        return {q.name: node for q, node in problem.equilibrium_letters.values.items()}
+        settled = problem.equilibrium_letters.values
+        return {q.name: settled[q] for q in scene.q}
     if not problem.is_linear:
         raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",

@@ -19,6 +19,22 @@ KEYS = {
     "equilibrium.stable": "true or false (motion that costs no energy counts as stable); null where symbols leave it "
                           "open",
     "equilibrium.residual": "what is left of the forces, relative to the sum of the magnitudes of their terms",
+    "equilibrium.condition": "by which factor a relative change of the data grows in a frequency squared; null in "
+                             "letters",
+    "equilibrium.warning": "a sentence where the equilibrium is near a bifurcation, else null",
+    "equilibria": "where `find` asks for them: a list of all equilibria within the bounds, in ascending order",
+    "equilibria[].coordinates": "{name: value}",
+    "equilibria[].stable": "true or false (motion that costs no energy counts as stable)",
+    "equilibria[].kind": "stable, unstable, neutral (it can move freely), or where only terms beyond the linear ones "
+                         "decide: held, falling",
+    "equilibria[].growth_rate": "the largest growth rate, with the dampers of the scene; null where nothing grows",
+    "equilibria[].residual": "what is left of the forces, relative to their terms",
+    "equilibria[].omega": "natural angular frequencies about it, null for unstable modes",
+    "equilibria[].free": "directions {coordinate: component} in which it can be moved and stays in equilibrium",
+    "equilibria[].warning": "a sentence where it is near a bifurcation, else null",
+    "search": "of the search for all equilibria",
+    "search.bounds": "{name: [least, greatest]}; empty where the equations are linear",
+    "search.complete": "false where the search was cut short and there may be more",
     "energies": "as expressions of the language of scenes, in solve and equations",
     "energies.T": "kinetic energy",
     "energies.V": "potential energy, without constants",

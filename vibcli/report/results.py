@@ -106,20 +106,22 @@ def reactions_data(problem):
 
 
 def equilibrium_data(problem):
-    """{coordinates: {name: value}, dependent: {name: value}, stable, residual}."""
+    """{coordinates: {name: value}, dependent: {name: value}, stable, residual, condition, warning}."""
     if problem.symbolic:
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
         values = equilibrium_in_letters(problem)
         coordinates = {name: language(node) for name, node in values.items()}
         dependent = {name: language(node) for name, node in problem.scene.dependent.items()}
-        return {"coordinates": coordinates, "dependent": dependent, "stable": None, "residual": None}
+        return {"coordinates": coordinates, "dependent": dependent,
+                **dict.fromkeys(("stable", "residual", "condition", "warning"))}
+    from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
     from vibcli.measured import is_stable
 
-    found = problem.equilibrium
+    found, condition = problem.equilibrium, stiffness_condition(problem)
     values = {name: found.values[name] for name in problem.scene.coordinates}
     return {"coordinates": values, "dependent": problem.dependent_values, "stable": is_stable(problem),
-            "residual": found.residual}
+            "residual": found.residual, "condition": condition, "warning": bifurcation_warning(condition)}
 
 
 def modes_data(problem, modes, normalise="first", write=float):

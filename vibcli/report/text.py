@@ -134,22 +134,21 @@ class Report:
         if problem.symbolic:
             self._equilibrium_in_letters()
             return
-        from vibcli.measured import is_stable
+        from vibcli.analyses.stability import WORDS as WORDS_OF_STABILITY
+        from vibcli.analyses.stability import stability
+        from vibcli.report.equilibria import equilibrium_warning
 
         found = problem.equilibrium
         values = [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
                   for name, value in found.values.items()]
-        kinds = problem.zero_modes.values()
-        stable = "stable" if is_stable(problem) else "unstable"
-        if stable == "stable" and "free" in kinds:
-            stable = "neutral: it can move freely"
-        elif stable == "stable" and kinds:
-            stable = "stable, but only terms beyond the linear ones hold it"
+        stable = WORDS_OF_STABILITY[stability(problem).kind]
         where = "the drawn position" if found.drawn else "shifted from the drawn position"
         values += [f"{plain.symbol(name)} = {with_unit(value, problem.dimension(name))}"
                    for name, value in problem.dependent_values.items() if name not in found.values]
         lines = [*wrapped(f"{', '.join(values)}   ({where})", indent=2),
                  f"{stable}; residual {figure(found.residual, digits=2)} of the forces"]
+        warning = equilibrium_warning(problem)
+        lines += wrapped(warning) if warning else []
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         if any("rope" in record for record in (problem.spec.get("constraints") or {}).values()):
@@ -158,6 +157,11 @@ class Report:
             lines += [f"{signal} = {figure(value)} N would be a push: the rope goes slack"
                       for signal, value in slack(problem)]
         self.section("Equilibrium", lines)
+
+    def _equilibria(self):
+        from vibcli.report.equilibria import equilibria_lines
+
+        self.section("Equilibria", equilibria_lines(self.problem))
 
     def _preload(self, node, name):
         text = plain(node)

@@ -105,25 +105,32 @@ def _pivots(scene, nodes, columns):
 def _explicit(scene, nodes, allowed):
     """{z: expression} of coordinates that stand with a constant coefficient in a condition, which is taken out of
     `nodes` ({number: condition}); of those of the shortest condition the last."""
-    found, order = {}, {q: i for i, q in enumerate(scene.q)}
+    found, order, ranked = {}, {q: i for i, q in enumerate(scene.q)}, {}
     while True:
-        best = None
-        for k, node in nodes.items():
-            here = [(q, slope) for q, slope in gradient(node).items() if q in order]
-            for z, slope in here:
-                if z in allowed and z not in found and not slope.mask and scene.number(slope):
-                    rank = len(here), -order[z]
-                    if best is None or rank < best[0]:
-                        best = rank, k, z, slope
-        if best is None:
+        for k in nodes.keys() - ranked.keys():
+            ranked[k] = _shortest(scene, nodes[k], order, allowed)
+        choices = [(*rank, k) for k, rank in ranked.items() if rank is not None]
+        if not choices:
             return found
-        _, k, z, slope = best
-        expression = textbook(z - nodes.pop(k) / slope)
+        _, place, k = min(choices)
+        z = scene.q[-place]
+        del ranked[k]
+        node = nodes.pop(k)
+        expression = textbook(z - node / gradient(node)[z])
         for other, node in found.items():
             found[other] = _with(node, z, expression)
         found[z] = expression
         for other, node in nodes.items():
             nodes[other] = _with(node, z, expression)
+            if nodes[other] is not node:
+                del ranked[other]
+
+
+def _shortest(scene, node, order, allowed):
+    """(number of coordinates in a condition, −place of the last that it gives explicitly), None where it gives none."""
+    here = {q: slope for q, slope in gradient(node).items() if q in order}
+    given = [order[q] for q, slope in here.items() if q in allowed and not slope.mask and scene.number(slope)]
+    return (len(here), -max(given)) if given else None
 
 
 def _with(node, z, expression):

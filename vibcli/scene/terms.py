@@ -6,6 +6,8 @@ from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
 from vibcli.scene.closing import Constraint
 
+SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
+
 
 class Term(NamedTuple):
     """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, `owner`
@@ -25,7 +27,7 @@ class Terms:
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
         self.static_preloads = []
-        self.owner, self.shaking = None, False
+        self.owner, self.shaken = None, {}
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
@@ -58,9 +60,10 @@ class Terms:
 
     def replace(self, values):
         """Every expression of the scene with symbols replaced, {symbol: node}."""
-        kinds = ("inertias", "springs", "dampers", "weights", "forces", *(("shaken", "shaken_dampers") if self.shaking
-                                                                          else ()))
-        terms = [term for kind in kinds for term in getattr(self, kind)]
+        groups = [self.__dict__] * 5 + [self.shaken] * len(self.shaken)
+        kinds = ("inertias", "springs", "dampers", "weights", "forces", *self.shaken)
+        lists = list(zip(groups, kinds, strict=True))
+        terms = [term for group, kind in lists for term in group[kind]]
         frames = {id(body.frame): body.frame for body in self.bodies.values() if body.frame is not None}.values()
         lumps = [body for body in self.bodies.values() if body.lumped is not None]
         nodes = [node for term in terms for node in term[:3] if node is not None]
@@ -70,9 +73,9 @@ class Terms:
         touching = [body for body in self.bodies.values() if body.normal is not None]
         nodes += [node for body in touching for node in body.normal]
         new = dict(zip(nodes, self.unrooted(substitute(nodes, values)), strict=True))
-        for kind in kinds:
-            setattr(self, kind, [Term(*(node if node is None else new[node] for node in term[:3]), term.owner)
-                                 for term in getattr(self, kind)])
+        for group, kind in lists:
+            group[kind] = [Term(*(node if node is None else new[node] for node in term[:3]), term.owner)
+                           for term in group[kind]]
         for frame in frames:
             frame.place, frame.angle = tuple(new[node] for node in frame.place), new[frame.angle]
         for body in lumps:
@@ -83,14 +86,14 @@ class Terms:
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
 
     def at_still(self, kind):
-        """The springs or dampers with the driven displacements that oscillate left out; those in `shaken` are functions
-        of them."""
-        if not self.shaking:
+        """The springs, dampers or inertias with the driven displacements that oscillate left out; those in `shaken` are
+        functions of them."""
+        if not self.shaken:
             return getattr(self, kind)
         held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
         moved = {symbol: node for symbol, node in self.driven.items() if symbol not in held}
         found = []
-        for term in self.shaken if kind == "springs" else self.shaken_dampers:
+        for term in self.shaken[kind]:
             nodes = [node for node in term[:3] if node is not None]
             new = dict(zip(nodes, substitute(nodes, {**held, **moved}), strict=True))
             found.append(Term(*(node if node is None else new[node] for node in term[:3]), term.owner))

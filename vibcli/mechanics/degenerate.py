@@ -1,0 +1,49 @@
+"""The system about one equilibrium of a list, degenerate ones included.
+
+Where K is singular at an equilibrium that was searched for — a multiple zero of the forces, a line of equilibria —
+Newton's method gives no more digits than floats have. The stiffness then counts as known to BLUR of what is typical of
+the scene, and what is below that as zero.
+"""
+
+from vibcli.algebra.evaluate import Floats
+from vibcli.errors import PhysicsError
+from vibcli.mechanics.elements import OscillatorElements
+from vibcli.mechanics.linearise import in_numbers
+from vibcli.mechanics.neutral import FREE
+
+BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
+UNIT = 2.0**53
+
+
+def about(problem, item):
+    """The Problem about the equilibrium of an Item (mechanics/equilibria.py)."""
+    found = problem.at_equilibrium(item.equilibrium)
+    if not (item.equilibrium.drawn or problem.is_linear):
+        _settle(found, item, problem.equilibria.forces)
+    if item.free:
+        rigid = [mode.index for mode in found.modes if mode.rigid]
+        if len(rigid) == len(item.free):
+            found.zero_modes = dict.fromkeys(rigid, FREE)
+    return found
+
+
+def _settle(found, item, forces):
+    """Give the Problem elements in floats where its equilibrium has no more digits."""
+    if any(name in forces.names for direction in item.free for name in direction):
+        _blur(found, forces, ALONG)
+        return
+    try:
+        found.elements  # noqa: B018
+    except PhysicsError:
+        if not item.singular:
+            raise
+        _blur(found, forces, BLUR)
+
+
+def _blur(found, forces, blur):
+    exact = in_numbers(found.form, Floats, {**found.floats, **found.equilibrium.values}).elements
+    felt = dict(zip(forces.rows, forces.D, strict=True))
+    size = {(i, j): UNIT * blur * forces.E / (a * b) for i, a in felt.items() for j, b in felt.items()}
+    found.elements = OscillatorElements(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
+                                        drag=exact.drag, K=exact.stiffness(), K_size=size, massless=exact.massless)
+    found.sources = (None, None)

@@ -1,0 +1,124 @@
+"""All equilibria of a scene within bounds: a scan of one coordinate, many starts for several; each checked by its
+residual and met once, images of it a turn apart included."""
+
+import numpy as np
+
+from vibcli.errors import PhysicsError
+from vibcli.mechanics import scan, starts
+from vibcli.mechanics.bounds import bounds, given_bounds
+from vibcli.mechanics.equilibrium import Equilibrium
+from vibcli.mechanics.families import Family
+from vibcli.mechanics.found import Found
+from vibcli.mechanics.scaled_forces import Forces, TooMuch, idle
+
+MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
+SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
+
+
+class Item:
+    """One equilibrium, or a line of them by one of its positions; free: directions {coordinate: component} in which it
+    can be moved and stays in equilibrium; singular: is K nearly so?"""
+
+    __slots__ = ("equilibrium", "free", "singular")
+
+    def __init__(self, equilibrium, free, singular=True):
+        self.equilibrium, self.free, self.singular = equilibrium, free, singular
+
+
+class Equilibria:
+    """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
+    those searched, empty where the scene is linear; complete: False where the search was cut short; forces: the
+    Forces that were searched."""
+
+    __slots__ = ("bounds", "complete", "forces", "items")
+
+    def __init__(self, items, bounds, complete, forces):
+        self.items, self.bounds, self.complete, self.forces = items, bounds, complete, forces
+
+
+def find_equilibria(problem):
+    """The Equilibria of a numeric problem; PhysicsError where the bounds are missing or wrong."""
+    if problem.symbolic:
+        asked = problem.spec.get("find")
+        raise PhysicsError("all equilibria are searched in numbers only, and this scene has symbols without value",
+                           "give them with --set", asked.search.where if asked and asked.search else None)
+    loose = idle(problem)
+    names = [name for name in problem.scene.coordinates if name not in loose]
+    forces = Forces(problem, names)
+    rests = _reached(problem)
+    complete = True
+    if not names:
+        return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, forces)
+    if problem.is_linear:
+        limits = {name: given_bounds(problem).get(name, (-np.inf, np.inf)) for name in names}
+        found = Found(forces, _box(forces, limits))
+    else:
+        limits, found = _prepared(problem, forces, rests)
+    places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
+    forces.left = min(MOST, max(LEAST, MOST_WORK // len(names) ** 2))
+    try:
+        for place in places:
+            found.add(place)
+        if not problem.is_linear:
+            _search(forces, found, [forces.vector(problem.drawn_floats)])
+    except TooMuch:
+        complete = False
+    forces.left = np.inf
+    known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
+    items = [_item(forces, place, (), loose, known) for place in found.isolated]
+    items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
+    items.sort(key=lambda item: [round(x, 7) + 0.0 for x in forces.vector(item.equilibrium.values)])
+    limits = {name: pair for name, pair in limits.items() if np.all(np.isfinite(pair))}
+    return Equilibria(items, limits, complete, forces)
+
+
+def _reached(problem):
+    """[the equilibrium next to the drawn position], empty where there is none."""
+    try:
+        return [problem.equilibrium]
+    except PhysicsError:
+        return []
+
+
+def _prepared(problem, forces, rests):
+    """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
+    forces.learn_periods()
+    limits = bounds(problem, forces, [rest.values for rest in rests])
+    low, high = _box(forces, limits)
+    forces.learn_sizes(low + (high - low) * fractions for fractions in starts.halton(len(low), SAMPLES))
+    return limits, Found(forces, (low, high))
+
+
+def _box(forces, limits):
+    return [forces.vector({name: pair[i] for name, pair in limits.items()}) for i in (0, 1)]
+
+
+def _search(forces, found, first):
+    if len(forces.names) > 1:
+        starts.search(forces, found, first)
+        return
+    for place, stretch in scan.zeros(forces, found.box[0][0], found.box[1][0]):
+        if stretch is None:
+            found.add(place)
+        elif not any(family.holds(forces, place) for family in found.families):
+            found.families.append(Family(place, np.ones((1, 1))))
+
+
+def _item(forces, place, rows, loose, known):
+    place = place if id(place) in known else _tidied(forces, place)
+    free = [{name: 1.0} for name in loose] + [_direction(forces, row) for row in rows]
+    rest = known.get(id(place)) or Equilibrium(forces.position(place.z), False, forces.residual(place))
+    return Item(rest, free, float(np.linalg.svd(place.J, compute_uv=False)[-1]) < SINGULAR)
+
+
+def _direction(forces, row):
+    """{coordinate: component} of a direction in z, the largest one 1."""
+    parts = row * forces.D
+    parts = parts / parts[np.argmax(np.abs(parts))]
+    return {name: float(x) for name, x in zip(forces.names, parts, strict=True) if abs(x) > 1e-9}
+
+
+def _tidied(forces, place):
+    """The place with coordinates that are zero but for rounding set to zero."""
+    plain = forces.at(np.where(np.abs(place.z) < DUST, 0.0, place.z))
+    return plain if plain is not None and forces.balanced(plain) else place

@@ -1,0 +1,82 @@
+"""Parsed fields as expressions of a scene, and what can be said of their values as drawn."""
+
+from vibcli import units
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.meaning import lower
+from vibcli.algebra.normal import TooLong, expanded, is_zero, reduced
+from vibcli.algebra.parse import ExpressionError
+from vibcli.parameters import unusable
+
+
+class Expressions:
+    """The part of a Scene that lowers fields to nodes and compares nodes."""
+
+    def lower(self, expression, local=None):
+        """The node of a parsed field; `local`: (name, node) of a name that is good there alone."""
+        def symbol(name, primes, tree):
+            return local[1] if local and name == local[0] and not primes else self._symbol(name, primes, tree)
+
+        try:
+            node = lower(expression.tree, self.table, symbol)
+        except ExpressionError as error:
+            self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+            return self.table.one
+        problem = None if node.mask or node.op == "symbol" else unusable(self._constant(node), Floats)
+        if problem:
+            self.report(expression.scalar.place(0, len(expression.text)), "this value is " + problem[0], problem[1])
+        return self.table.one if problem else node
+
+    def _constant(self, node):
+        return evaluate([node], Floats, self.sample)[0]
+
+    def positive(self, expression, what, zero=False):
+        """The node of a field whose value must be positive, or not negative."""
+        node = self.lower(expression)
+        value = self._constant(node)
+        if not (value > 0 or (zero and value == 0)):
+            found = f"{value:.6g} {units.text(expression.dimension or {})}".rstrip()
+            wanted = "zero or more" if zero else "a positive value"
+            self.report(expression.where, f"{what} is {found}, expected {wanted}",
+                        "mind the signs" if value < 0 else None)
+        return node
+
+    def pair(self, expressions):
+        return self.lower(expressions[0]), self.lower(expressions[1])
+
+    def number(self, node):
+        """The value of a node as drawn, with sample values for symbols."""
+        return evaluate(self.at_drawn(node), Floats, self.sample)[0]
+
+    def sign(self, node):
+        return -1 if self.number(node) < 0 else 1
+
+    def agree(self, a, b):
+        """Are two expressions the same, by algebra or at the sample?"""
+        if a is b or is_zero(a - b):
+            return True
+        x, y = self.number(a), self.number(b)
+        return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
+
+    def vanishes(self, node):
+        """Is an expression zero in all positions: by algebra, or term by term at the sample?"""
+        if is_zero(node):
+            return True
+        try:
+            terms = reduced(expanded(node))
+        except (TooLong, ZeroDivisionError):
+            return False
+        groups = {}
+        for monomial, value in terms.items():
+            moving = tuple(pair for pair in monomial if pair[0].mask)
+            fixed = self.table.product(*(pair for pair in monomial if not pair[0].mask))
+            groups.setdefault(moving, []).append(self.table.scaled(fixed, value))
+        for parts in groups.values():
+            sizes = evaluate(parts, Floats, self.sample)
+            if not abs(sum(sizes)) <= 1e-12 * sum(map(abs, sizes)):
+                return False
+        return True
+
+    def require_equal(self, a, b, where, message, hint=None, size=0.0):
+        """Report `message` with both values where they differ in the drawn position by more than `size`."""
+        if not self.agree(*self.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
+            self.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)

@@ -1,0 +1,116 @@
+"""The coordinates of a scene: symbols, rates, drawn values; what depends on others, is driven or released."""
+
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.rationals import ONE
+
+
+class Motion:
+    """The part of a Scene that knows its coordinates."""
+
+    def _speeds(self):
+        """{x: dx/dt} of coordinates, velocities and the time."""
+        return dict(zip((*self.q, *self.v, self.time), (*self.v, *self.a, self.table.one), strict=True))
+
+    def _symbol(self, name, primes, tree):
+        if name in self.parameters.in_letters:
+            return self.parameters.in_letters[name]
+        return self.parameters.nodes[name] if name in self.parameters.nodes else self.symbol(name, primes)
+
+    def symbol(self, name, primes=0):
+        """The node of a coordinate, its velocity or acceleration; of a dependent one, what it equals."""
+        if primes == 2 and (name, 2) not in self._symbols:
+            self._symbols[name, 2] = self.rate(self._symbols[name, 1])
+        return self._symbols[name, primes]
+
+    def driven_by(self, node):
+        """A driven displacement: where it depends on the time, a symbol that is zero as drawn and stands for it until
+        the scene is assembled."""
+        if not node.mask & self.time.mask:
+            return node
+        symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
+        self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
+        return symbol
+
+    def turns(self, body):
+        """Does a body turn, other than by its support giving way?"""
+        angle, = substitute([body.frame.angle], dict.fromkeys(self.released, self.table.zero))
+        return bool(angle.mask)
+
+    def release(self, body):
+        """Let the support of a body give way: by x and y in the fixed axes, and by a rotation."""
+        x, y, turn = (self._released(f"{body.name}.reaction.{part}") for part in ("x", "y", "moment"))
+        frame = body.frame
+        return self.new_frame(frame.drawn, (frame.place[0] + x, frame.place[1] + y), frame.angle + turn)
+
+    def _released(self, name):
+        q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
+        self.coordinates.append(name)
+        self.released.append(q)
+        for nodes, node in ((self.q, q), (self.v, v), (self.a, a)):
+            nodes.append(node)
+        self.drawn[q] = self._drawn_at_rest[q] = self._drawn_at_rest[v] = self.table.zero
+        self.speeds = self._speeds()
+        return q
+
+    def rename(self, independent):
+        """Keep these coordinates as the independent ones."""
+        kept = [self.q.index(q) for q in independent]
+        self.coordinates = [self.coordinates[i] for i in kept]
+        self.q, self.v, self.a = ([nodes[i] for i in kept] for nodes in (self.q, self.v, self.a))
+        self.speeds = self._speeds()
+
+    def define(self, name, node, velocity):
+        """Let a dependent coordinate be `node`, wherever its name stands from now on."""
+        self._symbols.update({(name, 0): node, (name, 1): velocity})
+        del self._symbols[name, 2]
+        for primes in (0, 1):
+            raw = self.table.variable(name + "'" * primes)
+            self._drawn_at_rest.pop(raw)
+            self.drawn.pop(raw, None)
+        if node.op == "symbol" and node in self.drawn:
+            self._drawn_at_rest[node] = self.drawn[node]
+
+    def rate(self, node):
+        """dnode/dt = Σ (∂node/∂x) ẋ over coordinates, velocities and the time."""
+        return self.table.sum(*((slope * self.speeds[x], ONE) for x, slope in gradient(node).items()
+                                if x in self.speeds))
+
+    @property
+    def drawn_position(self):
+        """{symbol: its value as drawn} of all coordinates and the time."""
+        return {**self.drawn, self.time: self.table.zero}
+
+    @property
+    def drawn_coordinates(self):
+        """{name: node as drawn} of the independent coordinates."""
+        return {q.name: self.drawn[q] for q in self.q}
+
+    def extent(self, values):
+        """The size of the drawn figure in metres, {name: float} given; 0 where nothing has a place."""
+        places = [body.drawn for body in self.bodies.values() if body.frame is not None]
+        places += [self.pair(end) for record in (self.spec.get("springs") or {}).values()
+                   for end in record.get("between", ()) if isinstance(end, list)]
+        found = evaluate([node for place in places for node in place], Floats, values)
+        if not found:
+            return 0.0
+        size = max(max(found[0::2]) - min(found[0::2]), max(found[1::2]) - min(found[1::2]))
+        return size or max(map(abs, found))
+
+    def unit_of(self, name):
+        """A natural size of a coordinate: 1 of an angle, the extent of the figure of a length."""
+        return (self.extent(self.sample) or 1.0) if self.spec.dimensions.of(name) else 1.0
+
+    def _drawn_value(self, name):
+        record = self.spec.coordinates[name]
+        return self.lower(record["drawn"]) if "drawn" in record else self.table.zero
+
+    def at_drawn(self, *nodes):
+        """The nodes in the drawn position, at rest."""
+        return substitute(nodes, self._drawn_at_rest) if any(node.mask for node in nodes) else list(nodes)
+
+    def change(self, expression):
+        """How much an expression has changed since the drawn position."""
+        node = self.lower(expression)
+        change = node - self.at_drawn(node)[0]
+        return self.driven_by(change) if change.mask == self.time.mask else change
