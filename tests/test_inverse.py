@@ -372,6 +372,67 @@ def test_an_equilibrium_off_the_drawing():
     assert found.equilibrium.values["phi"] == pytest.approx(phi, rel=1e-9)
 
 
+def test_a_force_that_holds_a_rod():
+    text = """
+    parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
+    gravity: g
+    points: {tip: {body: rod, at: [L, 0]}}
+    bodies: {rod: {shape: rod, mass: m, from: [0, 0], to: [L, 0], pin: {at: [0, 0], by: phi}}}
+    forces: {F: {at: tip, force: [0, P]}}
+    choose: {P: equilibrium}
+    """
+    assert forms(settled(problem(text)), "P") == ["m*g/2"]
+
+
+def test_a_counterweight_on_a_rope():
+    text = """
+    parameters: {m1: 2 kg, g: 9.81 m/s^2, r: 0.1 m}
+    gravity: g
+    bodies:
+      a: {mass: m1, at: [-r, -1 m], slide: {along: [0, 1], by: y1}}
+      drum: {mass: 1 kg, shape: disc, radius: r, at: [0, 0], pin: {by: phi}}
+      b: {mass: m2, at: [r, -1 m], slide: {along: [0, 1], by: y2}}
+    constraints: {hoist: {rope: [a, {over: drum}, b]}}
+    springs: {s: {k: 100 N/m, between: [b, [r, -2 m]]}}
+    choose: {m2: equilibrium}
+    """
+    assert forms(settled(problem(text)), "m2") == ["m1"]
+
+
+def test_a_linkage_in_balance():
+    text = """
+    parameters: {m: 2 kg, g: 9.81 m/s^2}
+    gravity: g
+    bodies:
+      a: {shape: rod, mass: m, from: [0, 0], to: [0.3 m, 0.9 m], pin: {at: [0, 0], by: p}}
+      b: {shape: rod, mass: m, from: [2 m, 0], to: [1.8 m, 0.8 m], pin: {at: [2 m, 0], by: q}}
+    points: {A: {body: a, at: [0.3 m, 0.9 m]}, B: {body: b, at: [1.8 m, 0.8 m]}}
+    constraints: {bar: {link: [A, B]}}
+    springs: {s: {k: k, between: [A, [0.3 m, 2 m]], preload: N}}
+    choose: {k: "omega[1] = 9 rad/s", N: equilibrium}
+    """
+    found = settled(problem(text))
+    assert found.equilibrium.drawn and value(found, "omega[1]") == pytest.approx(9, rel=1e-12)
+    # virtual work: the link keeps (B − A)·(δB − δA) = 0
+    ax, ay, bx, by, lx, ly = 0.3, 0.9, -0.2, 0.8, 1.5, -0.1
+    ratio = (lx * -ay + ly * ax) / (lx * -by + ly * bx)                 # δq/δp
+    lifted = 0.5 * ax + 0.5 * bx * ratio                                # of both weights, δy/δp
+    assert values(found, "N") == pytest.approx([2 * 9.81 * lifted / ax], rel=1e-12)
+
+
+def test_a_scene_that_is_driven():
+    text = """
+    parameters: {m: 2 kg, k: 800 N/m, F0: 3 N, Omega: 4 rad/s}
+    bodies: {b: {mass: m, slide: x}}
+    springs: {s: {k: k, between: [ground, b]}}
+    dampers: {d: {c: c, between: [ground, b]}}
+    forces: {F: {at: b, force: F0*sin(Omega*t) + (5 N) - P}}
+    choose: {c: "zeta[1] = 1", P: equilibrium}
+    """
+    found = settled(problem(text))
+    assert values(found, "c") == [80.0] and values(found, "P") == [5.0]
+
+
 # the limit of stability
 
 

@@ -33,32 +33,43 @@ class Draws:
             yield problem
 
 
-def _settled(problem):
-    if not problem.spec.choices:
-        return problem
-    from vibcli.inverse import settled
-
-    return settled(problem)
-
-
-def _candidates(problem):
+def drawn(problem):
+    """The problem with random values for its letters, whenever the drawing fits together."""
     from vibcli.scene.build import sample_values
 
-    drawn, refusal = 0, None
     for attempt in range(CANDIDATES):
         values = sample_values(problem.letters, attempt)
         given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
         candidate = problem.with_values(given)
         try:
             candidate.draw()
-            candidate = _settled(candidate)
+        except (SpecError, PhysicsError):
+            continue
+        yield candidate
+
+
+def _candidates(problem):
+    """Those for which what the scene chooses can be found; its refusal where that is so for none."""
+    found, refusal = 0, None
+    for candidate in drawn(problem):
+        try:
+            settled = _settled(candidate)
         except (SpecError, PhysicsError) as error:
             refusal = refusal or error
             continue
-        drawn += 1
-        yield candidate
-    if not drawn and problem.spec.choices:
+        found += 1
+        yield settled
+    if not found and refusal is not None:
         raise refusal
+
+
+def _settled(problem):
+    """The problem with values for what it chooses."""
+    if not problem.spec.choices:
+        return problem
+    from vibcli.inverse import settled
+
+    return settled(problem)
 
 
 def states(problem):

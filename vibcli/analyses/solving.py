@@ -186,7 +186,9 @@ def _cleared_product(table, part, above, below):
 
 
 def vanishes(node, sample):
-    """Is a coefficient zero at the sample values, but for the rounding of its terms?"""
+    """Is a coefficient, or a factor of it, zero at the sample values but for the rounding of its terms?"""
+    if node.op == "product":
+        return any(vanishes(base, sample) for base, e in node.args if e > 0)
     terms = [node.table.product((part, ONE), (node.table.number(c), ONE)) for part, c in node.args] \
         if node.op == "sum" else [node]
     values = [*evaluate(terms, Floats, sample), float(node.coefficient) if node.op == "sum" else 0.0]

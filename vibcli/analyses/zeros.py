@@ -7,9 +7,16 @@ zero where h tends to 0. None stands for "not defined there".
 from itertools import pairwise
 from math import isfinite
 
-ZERO, TOUCHING, SAME, TAIL = 1e-8, 1e-9, 1e-7, 1e-6
-ROUNDS, MOST, BENT, HALVINGS, NARROW = 4, 320, 0.12, 34, 2.0**-50
-LOOKED, FALLING, JUMP = 6, 0.9, 0.3
+ZERO, TOUCHING = 1e-8, 1e-9             # |h| at a zero where h changes its sign, and where it only touches
+SAME = 1e-7                             # two zeros nearer than this, relatively, are one
+TAIL = 1e-6                             # towards an open end a function below this only tends to zero
+COARSE, ALIKE, LEVEL = 4, 8, 1e-12      # a first look at every 4th place; over 8 values alike to LEVEL settle it
+ROUNDS, BENT, MOST = 4, 0.12, 320       # halvings where h bends by more than BENT, up to MOST places
+LOOKED, HALVINGS = 6, 34                # halvings towards an edge of the domain: at least, at most
+FALLING, LEVELLED = 0.9, 1e-4           # a fall towards zero at an edge; a change that calls for no look at it
+NARROW, EARLY, JUMP = 2.0**-50, 24, 0.3  # a bracket narrowed EARLY times has a jump if |h| stays above JUMP of its ends
+DEEP, SHALLOW = 0.5, 0.3                # a dip of |h| that may hold a zero; what is left of it after EARLY steps
+FLAT = 3                                # neighbouring zeros that make a plateau
 GOLDEN = 0.3819660112501051
 
 
@@ -17,9 +24,18 @@ class Scan:
     """Values of a function, each computed once: `points` {x: h or None}."""
 
     def __init__(self, function, grid):
+        """Looks at every COARSE-th place, and between two of them where the function is defined at one or nowhere; no
+        further where it is the same at all of them."""
         self.function, self.points = function, {}
-        for x in grid:
-            self.at(x)
+        coarse = sorted({*range(0, len(grid), COARSE), len(grid) - 1})
+        values = [h for h in (self.at(grid[i]) for i in coarse) if h is not None]
+        nowhere = not values
+        if len(values) > ALIKE and max(values) - min(values) <= LEVEL:
+            return
+        for i, j in pairwise(coarse):
+            if nowhere or self.at(grid[i]) is not None or self.at(grid[j]) is not None:
+                for x in grid[i:j]:
+                    self.at(x)
 
     def at(self, x):
         if x not in self.points:
@@ -70,6 +86,16 @@ def holds_everywhere(scan):
     return bool(values) and max(map(abs, values)) <= TOUCHING
 
 
+def longest_plateau(scan):
+    """(from, to) where the function is zero at FLAT neighbouring points or more; None where it is nowhere flat."""
+    best, run = [], []
+    for x, h in scan.defined():
+        run = [*run, x] if abs(h) <= LEVEL else []
+        best = max(best, run, key=len)
+    wide = len(best) >= FLAT and best[-1] - best[0] > 1e-3 * abs(best[-1])
+    return (best[0], best[-1]) if wide else None
+
+
 def _neighbours(scan):
     """Pairs of neighbouring points at both of which the function is defined."""
     points = sorted(scan.points.items())
@@ -87,9 +113,12 @@ def _middle(a, b):
 
 def _edges(scan, grid):
     """Go up to the edges of the domain, all the way where the function falls towards zero there."""
-    for a, b in pairwise(grid):
+    for i, (a, b) in enumerate(pairwise(grid)):
+        if a not in scan.points or b not in scan.points or (scan.at(a) is None) == (scan.at(b) is None):
+            continue
         inside, outside = (a, b) if scan.at(a) is not None else (b, a)
-        if scan.at(inside) is None or scan.at(outside) is not None:
+        before = scan.at(grid[max(i - 1, 0)] if inside == a else grid[min(i + 2, len(grid) - 1)])
+        if before is not None and abs(scan.at(inside)) > 0.1 and abs(before - scan.at(inside)) < LEVELLED:
             continue
         falling = True
         for step in range(HALVINGS):
@@ -138,11 +167,14 @@ def bracketed(function, a, fa, b, fb):
         a, fa = x, fx
         best, least = (a, fa) if abs(fa) < abs(fb) else (b, fb)
         width = abs(b - a)
-        if step == 24 and least > JUMP * start:
+        if step == EARLY and least > JUMP * start:
             return None
         if least == 0.0 or width <= 4 * NARROW * abs(best):
             return best
-        t, xi, phi = 0.5, (a - b) / (c - b), (fa - fb) / (fc - fb)
+        t = 0.5
+        if fc in (fa, fb) or c in (a, b):
+            continue
+        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         if phi**2 < xi and (1 - phi) ** 2 < 1 - xi:
             t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
         limit = 0.5 * NARROW * abs(best) / width
@@ -158,8 +190,8 @@ def _dips(scan):
             continue
         (a, ha), (c, hc) = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
         (a, ha), (c, hc) = (b, hb) if ha is None else (a, ha), (b, hb) if hc is None else (c, hc)
-        flat = max(abs(ha), abs(hc)) <= abs(hb) * (1 + 1e-12)
-        if ha * hb > 0 and hc * hb > 0 and abs(hb) <= min(abs(ha), abs(hc)) and not flat:
+        deep = abs(hb) <= DEEP * max(abs(ha), abs(hc))      # a parabola that touches zero: at most 1/9
+        if ha * hb > 0 and hc * hb > 0 and abs(hb) <= min(abs(ha), abs(hc)) and deep:
             yield a, b, c
 
 
@@ -180,7 +212,7 @@ def _touched(scan, a, b, c):
             c = x
         else:
             a = x
-        if step == 24 and abs(scan.at(b)) > 0.3 * start and start > 1e-3:
+        if step == EARLY and abs(scan.at(b)) > SHALLOW * start and start > 1e-3:
             break
         if c - a <= 1e-9 * abs(b):
             break

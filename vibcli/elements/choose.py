@@ -71,8 +71,8 @@ ELEMENT = Element(
     "the first, the smallest. `answers` may ask for them: `c: 2*sqrt(k*m)`, `c[2]: …`.",
     {
         "so": Field(_Condition(), "the condition that must hold", required=True),
-        "from": Field(Quantity(), "the least value that is admissible"),
-        "to": Field(Quantity(), "the largest value that is admissible"),
+        "from": Field(Quantity(), "the least value that is admissible; else all of the sign of the parameter are"),
+        "to": Field(Quantity(), "the largest value that is admissible; angles are looked for within a turn"),
     },
     short="so",
     example="two_springs_for_two_frequencies",

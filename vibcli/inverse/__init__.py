@@ -13,6 +13,7 @@ from itertools import islice
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.normal import textbook
 from vibcli.analyses.solving import depends
+from vibcli.draws import drawn
 from vibcli.elements.choose import BALANCE
 from vibcli.errors import PhysicsError, SpecError
 from vibcli.inverse import refusals
@@ -128,7 +129,7 @@ def _in_letters(problem, rest):
         raise refusals.undetermined(rest)
     everywhere = [_forms(problem, rest, nodes) for nodes in (found.tuples if found else [()])]
     tried, refusal = {}, None
-    for number, draw in enumerate(islice(_draws(problem), TRIALS)):
+    for number, draw in enumerate(islice(drawn(problem), TRIALS)):
         for i, forms in enumerate(everywhere):
             values = in_numbers(rest.with_values(draw.given), list(forms.values()))
             try:
@@ -158,18 +159,3 @@ def _with_letters(problem, forms, tried):
     if found is None:
         raise refusals.no_closed_form(problem)
     return _chosen(found, problem, solutions)
-
-
-def _draws(problem):
-    """The problem with several sets of values for its letters, the same at every run."""
-    from vibcli.scene.build import sample_values
-
-    names = problem.letters
-    for attempt in range(4 * TRIALS):
-        values = sample_values(names, attempt)
-        draw = problem.with_values({name: Fraction(value).limit_denominator(1000) for name, value in values.items()})
-        try:
-            draw.draw()
-        except (SpecError, PhysicsError):
-            continue
-        yield draw

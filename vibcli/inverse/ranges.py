@@ -11,7 +11,7 @@ from vibcli.errors import PhysicsError
 from vibcli.measured import lowered
 from vibcli.reading import Expression, Record
 
-DECADES, DENSE, FINE, COARSE, EVEN = 9, 3, 10, 2, 64
+DECADES, DENSE, FINE, COARSE, EVEN = 9, 3, 6, 2, 48
 TURNING = ("sin", "cos", "tan")
 
 

@@ -10,12 +10,14 @@ from vibcli.report.figures import figure
 from vibcli.report.notation import plain
 
 
-def undetermined(problem):
+def undetermined(problem, span=None):
+    """The conditions hold whatever is chosen, or over a whole span of it."""
     names, where = listed(problem.spec.choices), _where(problem)
     if [record["so"].word for record in problem.spec.choices.values()] == [BALANCE]:
         return PhysicsError(f"the drawn position is in equilibrium whatever {names} is: that does not determine it",
                             "ask for another condition", where)
-    return PhysicsError(f"{_texts(problem)}: this holds whatever {names} is, so it does not determine it",
+    reach = "whatever {} is" if span is None else f"for every {{}} from {_figure(span[0])} to {_figure(span[1])}"
+    return PhysicsError(f"{_texts(problem)}: this holds {reach.format(names)}, so it does not determine it",
                         "ask for another condition", where)
 
 

@@ -5,7 +5,7 @@ from fractions import Fraction
 from math import asinh, atanh, exp, isfinite, log, sinh
 
 from vibcli.analyses.several import common_zeros
-from vibcli.analyses.zeros import holds_everywhere, zeros
+from vibcli.analyses.zeros import holds_everywhere, longest_plateau, zeros
 from vibcli.errors import PhysicsError
 from vibcli.inverse import refusals
 from vibcli.inverse.letters import candidates, determined_alone
@@ -14,7 +14,7 @@ from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.system import System
 from vibcli.reading import Record
 
-SAME, NEARLY, SHORT, DECADES = 1e-6, 1.0 - 1e-15, 10, 3
+SAME, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1.0 - 1e-15, 10, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 
 
@@ -24,7 +24,7 @@ def solve(problem, thorough=False):
     system.settle_scales([[span.scale * factor for span in system.ranges] for factor in PLACES])
     letters = candidates(problem, thorough)
     if letters is not None and letters.always:
-        raise refusals.undetermined(problem)
+        letters = None
     accepted = []
     for nodes in letters.tuples if letters is not None else ():
         values = in_numbers(problem, nodes)
@@ -81,6 +81,9 @@ def _looked_for(system):
         found, scan = _scanned(system)
         if holds_everywhere(scan):
             raise refusals.undetermined(system.problem)
+        plateau = longest_plateau(scan)
+        if plateau and (not found or any(plateau[0] <= x <= plateau[1] for x in found)):
+            raise refusals.undetermined(system.problem, plateau)
         places = [[x] for x in found]
     else:
         places = _newton(system)
@@ -104,8 +107,8 @@ def _scanned(system):
     """(zeros, Scan) of the conditions on one parameter."""
     span = system.ranges[0]
     points = grid(span)
-    system.settle_scales([[x] for x in points])
-    row = _liveliest(system, points)
+    system.settle_scales([[x] for x in points[::SPARSE]])
+    row = _liveliest(system, points[::SPARSE])
 
     def function(x):
         found = system.misfits([x])

@@ -48,6 +48,8 @@ class System:
 
         try:
             with np.errstate(all="ignore"):
+                if any(condition.word != BALANCE for condition in self.conditions):
+                    _roughly(numeric)
                 found = [self._pairs(numeric, condition) for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
@@ -128,6 +130,16 @@ class System:
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
 
 
+def _roughly(numeric):
+    """Element data about an equilibrium that is not drawn, in floats: for a first look, not to the last digit."""
+    from vibcli.mechanics.linearise import in_numbers
+
+    scene = numeric.scene
+    plain = scene.loops is None and not scene.timed and "atan2" not in scene.table.called
+    if plain and not numeric.is_linear and not numeric.equilibrium.drawn:
+        numeric.elements = in_numbers(numeric.form, Floats, numeric.at_rest).elements
+
+
 def misfit(pair, scale):
     left, right = pair
     size = abs(left) + abs(right) + scale
@@ -137,8 +149,9 @@ def misfit(pair, scale):
 def balance(numeric):
     """(forces along, forces against) each coordinate in the drawn position."""
     found = []
+    place = {**numeric.floats, numeric.scene.time.name: 0.0, **numeric.drawn_floats}
     for terms in numeric.drawn_residual:
-        values = evaluate(terms, Floats, numeric.floats)
+        values = evaluate(terms, Floats, place)
         found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
     return found
 
@@ -158,8 +171,9 @@ def in_geometry(problem, names):
     for name in parameters.order:
         if name in parameters.definitions and symbols & set(reachable([parameters.definitions[name]])):
             symbols.add(parameters.nodes[name])
-    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)
-    return bool(symbols & set(reachable([*(term.s for term in terms), *scene.drawn.values()])))
+    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces, *scene.constraints)
+    places = [getattr(term, "s", None) or term.node for term in terms]
+    return bool(symbols & set(reachable([*places, *scene.drawn.values(), *scene.dependent.values()])))
 
 
 def summed(table, terms):

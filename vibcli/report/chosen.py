@@ -37,7 +37,8 @@ def _equation(problem, name, solution):
         parts.append(plain(form))
     if value is not None:
         parts.append(with_unit(float(value), problem.spec.dimensions.of(name)))
-    return " = ".join(parts)
+    about = problem.spec.parameters[name].get("about")
+    return " = ".join(parts) + (f"   {about}" if about else "")
 
 
 def _has_letters(node):

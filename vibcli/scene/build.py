@@ -24,6 +24,7 @@ from vibcli.scene.terms import SHAKEN, Terms
 
 ATTEMPTS = 12
 SAMPLES = range(20, 28)     # where other samples start
+SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
 
 def build_scene(spec, given=None, start=0, loose=False, releasing=False):
@@ -36,7 +37,12 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False):
     are those of the first sample in which the drawing fits together.
     """
     for attempt in range(start, start + ATTEMPTS):
-        scene = Scene(spec, attempt, given or {}, releasing)
+        try:
+            scene = Scene(spec, attempt, given or {}, releasing)
+        except SpecError:   # a parameter that this sample leaves without value
+            if attempt == start + ATTEMPTS - 1:
+                raise
+            continue
         try:
             scene.assemble(loose)
         except ExpressionError as error:
@@ -57,7 +63,9 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
         given = {name: float(value) for name, value in given.items()}
-        self.sample = self.parameters.values(Floats, {**sample_values(self.parameters.free, attempt), **given})
+        free = sample_values(self.parameters.free, attempt)
+        free |= {name: free[name] * SIZES[attempt % len(SIZES)] for name in spec.choices if name in free}
+        self.sample = self.parameters.values(Floats, {**free, **given})
         table.sample = self.sample
         named = "t" in spec.parameters or "t" in spec.coordinates
         self.time = table.variable("the time" if named else "t")
