@@ -92,14 +92,19 @@ def joined(one, two):
     return f'<connect site1="{one}" site2="{two}"/>'
 
 
+def added(*joints):
+    """The row of an angle from a fixed direction, Σ joints."""
+    return dict.fromkeys(joints, 1)
+
+
 # the model in independent coordinates
 
 class Machine:
     """A model. bodies, tendons, ties: its parts; rows: {coordinate: {joint: factor}} of those coordinates that are not
-    joints; drawn: values of coordinates that are not zero as drawn; driven: {joint: its motion (s, ṡ, s̈)(t)};
-    loads: [(body, site, force in the fixed plane or (with follow) in the body, moment, follow)]."""
+    joints; driven: {joint: its motion (s, ṡ, s̈)(t)}; loads: [(body, site, force in the fixed plane or (with follow) in
+    the body, moment, follow)]."""
 
-    def __init__(self, bodies, tendons=(), ties=(), g=0.0, rows=None, drawn=None, driven=None, loads=()):
+    def __init__(self, bodies, tendons=(), ties=(), g=0.0, rows=None, driven=None, loads=()):
         import mujoco
 
         self.mj = mujoco
@@ -109,13 +114,12 @@ class Machine:
             f'<equality>{"".join(ties)}</equality></mujoco>')
         self.data = mujoco.MjData(self.model)
         self.joints = [self.model.joint(i).name for i in range(self.model.njnt)]
-        self.rows, self.drawn, self.driven, self.loads = rows or {}, drawn or {}, driven or {}, loads
+        self.rows, self.driven, self.loads = rows or {}, driven or {}, loads
 
     def choose(self, names):
         """Take these coordinates as the independent ones."""
         self.names = list(names)
         self.S = np.array([self.row(name) for name in (*names, *self.driven)])
-        self.offset = np.array([self.drawn.get(name, 0.0) for name in names])
         rows = np.vstack([self._constraints(np.zeros(self.model.nv))[1], self.S])
         assert np.linalg.matrix_rank(rows, DEPENDENT * np.linalg.norm(rows, 2)) == self.model.nv, "q does not fix p"
         return self
@@ -127,7 +131,7 @@ class Machine:
 
     def value(self, name, p):
         """The value of any coordinate at the joint positions p."""
-        return self.drawn.get(name, 0.0) + float(np.dot(self.row(name), p))
+        return float(np.dot(self.row(name), p))
 
     def _extended(self, parts, t):
         """The independent coordinates, their rates and accelerations, each with those of the driven joints."""
@@ -155,7 +159,7 @@ class Machine:
 
     def position(self, q, t=0.0):
         """The joint positions p(q, t), by Newton's method from the drawn position on."""
-        target, p = self._extended([q - self.offset], t)[0], np.zeros(self.model.nv)
+        target, p = self._extended([q], t)[0], np.zeros(self.model.nv)
         for share in SHARES if self.model.neq else (1.0,):
             for _ in range(20):
                 G, of_ties, of_rows = self._inverse(p)

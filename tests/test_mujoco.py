@@ -14,6 +14,7 @@ import pytest
 from mjcf import (
     TINY,
     Machine,
+    added,
     body,
     combined,
     disc,
@@ -38,14 +39,15 @@ from vibcli.mechanics.lagrange import equation_of
 pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install -e '.[test]'")
 
 PROBLEMS = {path.stem: path for path in (Path(__file__).parent.parent / "problems").rglob("*.yaml")}
-EXACT, ROUNDING, FREQUENCY, ZERO, STATES = 1e-9, 1e-13, 1e-6, 1e-5, 4
+EXACT, ROUNDING, FREQUENCY, ZERO, STATES = 1e-9, 1e-13, 1e-6, 1e-5, 3
 
 
 # pendulums
 
 def double_pendulum_rods(p):
     lower = body(0, -p.L1, hinge("bend"), rod(p.m2, 0, -p.L2))
-    return Machine([body(0, 0, hinge("phi1"), rod(p.m1, 0, -p.L1), lower)], g=p.g, rows={"phi2": {"phi1": 1, "bend": 1}})
+    return Machine([body(0, 0, hinge("phi1"), rod(p.m1, 0, -p.L1), lower)], g=p.g,
+                   rows={"phi2": added("phi1", "bend")})
 
 
 def cart_with_pendulum(p):
@@ -61,7 +63,7 @@ def rods_on_shaken_pivot(p):
     """The pivot is a joint of the upper rod whose motion is prescribed."""
     lower = body(0, -p.L1, hinge("bend", c=p.ct), rod(p.m2, 0, -p.L2))
     return Machine([body(0, 0, slide("pivot", 1, 0), hinge("alpha"), rod(p.m1, 0, -p.L1), lower)], g=p.g,
-                   rows={"beta": {"alpha": 1, "bend": 1}}, driven={"pivot": swing(p.X, p.Omega)})
+                   rows={"beta": added("alpha", "bend")}, driven={"pivot": swing(p.X, p.Omega)})
 
 
 def swing(size, rate):
@@ -79,14 +81,14 @@ def bead_in_swinging_tube(p):
 def two_link_arm_under_load(p):
     second = body(p.L1, 0, hinge("bend", k=p.k2), rod(p.m2, p.L2, 0), site("tip", p.L2), name="second")
     return Machine([body(0, 0, hinge("alpha", k=p.k1), rod(p.m1, p.L1, 0), second, name="first")],
-                   rows={"beta": {"alpha": 1, "bend": 1}},
+                   rows={"beta": added("alpha", "bend")},
                    loads=[("second", "tip", (p.Fx, p.Fy), 0, False), ("first", None, (0, 0), p.M0, False)])
 
 
 def column_under_follower_force(p):
     upper = body(0, p.L, hinge("bend", k=p.k), mass(p.m, y=p.L), site("tip", 0, p.L), name="upper")
     return Machine([body(0, 0, hinge("alpha", k=p.k), mass(2 * p.m, y=p.L), upper)],
-                   rows={"beta": {"alpha": 1, "bend": 1}}, loads=[("upper", "tip", (0, -p.P), 0, True)])
+                   rows={"beta": added("alpha", "bend")}, loads=[("upper", "tip", (0, -p.P), 0, True)])
 
 
 def column_under_follower_force__twice_the_force(p):
@@ -110,7 +112,7 @@ def disc_on_three_tight_springs(p):
 
 def quarter_car_damped(p):
     sprung = body(0, 1, slide("travel", 0, 1, k=p.ks, c=p.c), mass(p.ms))
-    return Machine([body(0, 0, slide("x1", 0, 1, k=p.kt), mass(p.mu), sprung)], rows={"x2": {"x1": 1, "travel": 1}})
+    return Machine([body(0, 0, slide("x1", 0, 1, k=p.kt), mass(p.mu), sprung)], rows={"x2": added("x1", "travel")})
 
 
 def overdamped_flap_gate(p):
@@ -156,7 +158,8 @@ def stepped_drum_with_block_and_pulley(p):
                   site("below", 0, -2 * p.rho), wheel)
     load = body(-p.R - p.rho, -1.4, slide("z", 0, 1), mass(p.m), site("load"))
     block = body(0.8 - p.r, 0.4, slide("s", -4, 3), mass(p.mb), site("block"))
-    world = [site("ceiling", -p.R - 2 * p.rho, 1), site("rim", -p.R), site("peg", -p.r, 1), site("foot", 1.2 - p.r, 0.1)]
+    world = [site("ceiling", -p.R - 2 * p.rho, 1), site("rim", -p.R), site("peg", -p.r, 1),
+             site("foot", 1.2 - p.r, 0.1)]
     return Machine([*world, body(0, 0, hinge("phi"), mass(1, p.J)), moving, load, block],
                    [rope("hoist", "ceiling", ("moving", "below"), "rim"), combined("let go", phi=p.R),
                     rope("haul", "peg", "block"), combined("wound up", phi=p.r),
@@ -168,8 +171,8 @@ def geared_pendulums(p):
     first = body(0, 0, hinge("phi"), mass(1, p.J1), body(0, 0, rod(p.m1, 0, -p.L)))
     second = body(p.r1 + p.r2, 0, hinge("psi"), mass(1, p.J2), body(0, -p.a, mass(p.m2)))
     flywheel = body(p.r1 + p.r2, p.c, hinge("chi"), mass(1, p.J3))
-    return Machine([first, second, flywheel], ties=[geared("psi", "phi", -p.r1 / p.r2), geared("chi", "psi", -p.R2 / p.R3)],
-                   g=p.g)
+    return Machine([first, second, flywheel], g=p.g,
+                   ties=[geared("psi", "phi", -p.r1 / p.r2), geared("chi", "psi", -p.R2 / p.R3)])
 
 
 def epicyclic_gear_with_sprung_ring(p):
@@ -179,7 +182,8 @@ def epicyclic_gear_with_sprung_ring(p):
     return Machine([body(0, 0, hinge("theta"), rod(p.ma, 0, -p.rs - p.rp), planet, *wheels)],
                    [combined("of sun", p.ks, theta=1, sun=1), combined("of ring", p.kr, theta=1, ring=1)],
                    [geared("sun", "planet", -p.rp / p.rs), geared("ring", "planet", p.rp / p.R)], g=p.g,
-                   rows={"alpha": {"theta": 1, "sun": 1}, "psi": {"theta": 1, "planet": 1}, "rho": {"theta": 1, "ring": 1}})
+                   rows={name: added("theta", wheel) for name, wheel in
+                         (("alpha", "sun"), ("psi", "planet"), ("rho", "ring"))})
 
 
 def disc_on_seesaw(p):
@@ -197,7 +201,7 @@ def disc_in_track_with_rod(p):
     hanging = body(0, 0, hinge("bend"), rod(p.m2, 0, -p.L))
     wheel = body(0, 0, hinge("spin"), mass(TINY, p.m1 * p.r**2 / 2))
     return Machine([body(0, p.r - p.R, hinge("psi", y=p.R - p.r), mass(p.m1), wheel, hanging)],
-                   ties=[geared("spin", "psi", -p.R / p.r)], g=p.g, rows={"phi": {"psi": 1, "bend": 1}})
+                   ties=[geared("spin", "psi", -p.R / p.r)], g=p.g, rows={"phi": added("psi", "bend")})
 
 
 # closed loops
@@ -208,7 +212,7 @@ def four_bar_with_springs(p):
     return Machine([site("E", p.d + p.f), body(0, 0, hinge("phi", k=p.kt), rod(p.mu * p.a, 0, p.a), coupler),
                     body(p.d, 0, hinge("chi"), rod(p.mu * p.c, 0, p.c), site("B", 0, p.c))],
                    [spring("B", "E", p.k, math.hypot(p.c, p.f) - p.N / p.k)], [joined("B", "Bc")], g=p.g,
-                   rows={"psi": {"phi": 1, "bend": 1}})
+                   rows={"psi": added("phi", "bend")})
 
 
 def slider_crank_on_spring(p, M0=0.0):
@@ -216,7 +220,7 @@ def slider_crank_on_spring(p, M0=0.0):
     return Machine([site("wall", p.w), body(0, 0, hinge("phi"), rod(p.m1, 0, p.r), link, name="crank"),
                     body(p.d, 0, slide("x", 1, 0), mass(p.m3), site("slider"))],
                    [spring("slider", "wall", p.k, p.l0)], [joined("B", "slider")], g=p.g,
-                   rows={"psi": {"phi": 1, "bend": 1}}, loads=[("crank", None, (0, 0), M0, False)])
+                   rows={"psi": added("phi", "bend")}, loads=[("crank", None, (0, 0), M0, False)])
 
 
 def slider_crank_on_spring__held(p):
@@ -226,16 +230,16 @@ def slider_crank_on_spring__held(p):
 
 def scissor_lift_on_spring(p, load=0.0):
     """The second bar stands on a shoe; the right shoe of the table says no more and is left out."""
-    upper = [body(p.c, p.h, hinge("bend4"), rod(p.m, -p.c, p.h), site("U4", -p.c / 2, p.h / 2), site("left", -p.c, p.h)),
-             body(-p.c, p.h, hinge("bend3"), rod(p.m, p.c, p.h), site("U3", p.c / 2, p.h / 2))]
-    first = body(0, 0, hinge("theta"), rod(p.m, p.c, p.h), site("middle1", p.c / 2, p.h / 2), upper[0])
+    third = body(-p.c, p.h, hinge("bend3"), rod(p.m, p.c, p.h), site("U3", p.c / 2, p.h / 2))
+    fourth = body(p.c, p.h, hinge("bend4"), rod(p.m, -p.c, p.h), site("U4", -p.c / 2, p.h / 2), site("left", -p.c, p.h))
+    first = body(0, 0, hinge("theta"), rod(p.m, p.c, p.h), site("middle1", p.c / 2, p.h / 2), fourth)
     second = body(p.c, 0, slide("foot", 1, 0), hinge("psi2"), rod(p.m, -p.c, p.h), site("S"),
-                  site("middle2", -p.c / 2, p.h / 2), upper[1])
+                  site("middle2", -p.c / 2, p.h / 2), third)
     table = body(p.c / 2, 2 * p.h, slide("y", 0, 1), mass(p.M + load), site("hinge", -p.c / 2))
     N0 = (2 * p.M + 4 * p.m) * p.g * p.c / p.h
     return Machine([site("O"), first, second, table], [spring("O", "S", p.k, p.c - N0 / p.k)],
                    [joined("middle1", "middle2"), joined("U3", "U4"), joined("left", "hinge")], g=p.g,
-                   rows={"psi4": {"theta": 1, "bend4": 1}, "psi3": {"psi2": 1, "bend3": 1}})
+                   rows={"psi4": added("theta", "bend4"), "psi3": added("psi2", "bend3")})
 
 
 def scissor_lift_on_spring__loaded(p):
@@ -250,8 +254,8 @@ def platform_on_three_rods(p):
             for i, (x, name) in enumerate(zip(ends, ("phi", "phi2", "phi3"), strict=True))]
     platform = body(p.X, -p.H, slide("x", 1, 0), slide("y", 0, 1), hinge("psi"), rod(p.M, ends[2], 0),
                     body(p.e, 0, mass(p.m1)), *(site(f"B{i}", x) for i, x in enumerate(ends)))
-    return Machine([site("wall", p.X + ends[2] + p.w, -p.H), *rods, platform], [spring("B2", "wall", p.k, p.w - N / p.k)],
-                   [joined(f"A{i}", f"B{i}") for i in range(3)], g=p.g)
+    return Machine([site("wall", p.X + ends[2] + p.w, -p.H), *rods, platform],
+                   [spring("B2", "wall", p.k, p.w - N / p.k)], [joined(f"A{i}", f"B{i}") for i in range(3)], g=p.g)
 
 
 def governor_linkage_at_rest(p):
@@ -264,7 +268,7 @@ def governor_linkage_at_rest(p):
     sleeve = body(0, -2 * y, slide("y", 0, 1), mass(p.m4), site("sleeve"))
     return Machine([site("floor", 0, -2 * y - p.b), *sides, sleeve], [spring("floor", "sleeve", p.k, p.b + N / p.k)],
                    [joined("right", "sleeve"), joined("left", "sleeve")], g=p.g,
-                   rows={"psi": {"phi": 1, "right": 1}, "eta": {"chi": 1, "left": 1}})
+                   rows={"psi": added("phi", "right"), "eta": added("chi", "left")})
 
 
 def cam_and_follower_at_rest(p):
@@ -272,32 +276,36 @@ def cam_and_follower_at_rest(p):
     cam = body(0, 0, hinge("phi", k=p.kt), mass(p.mc, p.J - p.mc * p.e**2, x=p.e), site("C", p.e))
     follower = body(0, p.h, slide("y", 0, 1), mass(p.m), site("roller"))
     return Machine([site("top", 0, p.h + p.b), cam, follower],
-                   [rope("rho", "C", "roller"), spring("roller", "top", p.k, p.b + p.N / p.k, p.c)], [keep("rho")], g=p.g)
+                   [rope("rho", "C", "roller"), spring("roller", "top", p.k, p.b + p.N / p.k, p.c)],
+                   [keep("rho")], g=p.g)
 
 
 def rod_in_bowl_with_end_masses(p):
     """Ropes of constant length from the centre of the bowl hold the ends."""
     bar = body(0, -p.d, slide("x", 1, 0), slide("y", 0, 1), hinge("phi"), mass(p.m, p.m * p.a**2 / 3),
                body(-p.a, 0, mass(p.m1), site("A")), body(p.a, 0, mass(p.m2), site("B")))
-    return Machine([site("O"), bar], [rope("left", "O", "A"), rope("right", "O", "B")], [keep("left"), keep("right")], g=p.g)
+    return Machine([site("O"), bar], [rope("left", "O", "A"), rope("right", "O", "B")],
+                   [keep("left"), keep("right")], g=p.g)
 
 
-MODELS = [double_pendulum_rods, cart_with_pendulum, cart_with_pendulum__tied, rods_on_shaken_pivot, bead_in_swinging_tube,
-          two_link_arm_under_load, column_under_follower_force,
+MODELS = [double_pendulum_rods, cart_with_pendulum, cart_with_pendulum__tied, rods_on_shaken_pivot,
+          bead_in_swinging_tube, two_link_arm_under_load, column_under_follower_force,
           column_under_follower_force__twice_the_force, rod_with_inclined_spring, disc_on_three_tight_springs,
           quarter_car_damped, overdamped_flap_gate, particle_on_turning_disc, bead_on_eccentric_hoop,
           hoist_with_moving_pulley, stepped_drum_with_block_and_pulley, geared_pendulums,
-          epicyclic_gear_with_sprung_ring, disc_on_seesaw, disc_on_seesaw__soft_torsion_spring, disc_in_track_with_rod, four_bar_with_springs,
-          slider_crank_on_spring, slider_crank_on_spring__held, scissor_lift_on_spring, scissor_lift_on_spring__loaded,
-          platform_on_three_rods, governor_linkage_at_rest, cam_and_follower_at_rest, rod_in_bowl_with_end_masses]
+          epicyclic_gear_with_sprung_ring, disc_on_seesaw, disc_on_seesaw__soft_torsion_spring, disc_in_track_with_rod,
+          four_bar_with_springs, slider_crank_on_spring, slider_crank_on_spring__held, scissor_lift_on_spring,
+          scissor_lift_on_spring__loaded, platform_on_three_rods, governor_linkage_at_rest, cam_and_follower_at_rest,
+          rod_in_bowl_with_end_masses]
 
 
 # what the equations do not depend on: lengths of the drawing, and what follows from other parameters or cancels
 FREE_OF = {
     "cart_with_pendulum__tied": "w", "bead_in_swinging_tube": "w", "hoist_with_moving_pulley": "r1 r2 H",
     "stepped_drum_with_block_and_pulley": "rho", "geared_pendulums": "c", "slider_crank_on_spring": "l",
-    "slider_crank_on_spring__held": "l M0", "scissor_lift_on_spring": "L mc N0", "scissor_lift_on_spring__loaded": "L N0",
-    "platform_on_three_rods": "a b e", "governor_linkage_at_rest": "b g x1 y1", "cam_and_follower_at_rest": "rho b"}
+    "slider_crank_on_spring__held": "l M0", "scissor_lift_on_spring": "L mc N0",
+    "scissor_lift_on_spring__loaded": "L N0", "platform_on_three_rods": "a b e",
+    "governor_linkage_at_rest": "b g x1 y1", "cam_and_follower_at_rest": "rho b"}
 
 
 class Compared:
@@ -324,9 +332,7 @@ class Compared:
 
     def machine(self, **wrong):
         """The model with the file's parameters, but for those that are given."""
-        machine = self.build(SimpleNamespace(**self.problem.floats | wrong))
-        machine.drawn = {name: value for name, value in self.problem.drawn_floats.items() if value}
-        return machine.choose(self.names)
+        return self.build(SimpleNamespace(**self.problem.floats | wrong)).choose(self.names)
 
     def state(self, i):
         """(q, q', q'', t)."""
@@ -393,13 +399,14 @@ def test_frequencies_and_damping(both):
     assert same_poles([w for z in undamped for w in (z, -z, z.conjugate(), -z.conjugate())],
                       poles(M, 0 * C if damped else C, K))
     if damped:
-        assert same_poles([w for mode in damped for w in (mode.eigenvalue, mode.eigenvalue.conjugate())], poles(M, C, K))
+        found = [mode.eigenvalue for mode in damped]
+        assert same_poles([w for z in found for w in (z, z.conjugate())], poles(M, C, K))
 
 
 def poles(M, C, K):
     """The λ of (M λ² + C λ + K) q = 0."""
-    n = len(M)
-    return np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]]))
+    ahead = np.eye(len(M))
+    return np.linalg.eigvals(np.block([[0 * ahead, ahead], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]]))
 
 
 def same_poles(expected, found):
@@ -412,20 +419,25 @@ def same_poles(expected, found):
 # wrong models
 
 def test_a_wrong_number_is_detected(both):
-    """One part in a million of any parameter that the equations depend on."""
+    """One part in ten thousand of any parameter that the equations depend on."""
     unseen = [name for name, value in both.problem.floats.items()
-              if both.agrees(both.machine(**{name: value * (1 + 1e-6)}), both.groups[:1])]
+              if both.agrees(both.machine(**{name: value * (1 + 1e-4)}), both.groups[:1])]
     assert sorted(unseen) == sorted(FREE_OF.get(both.build.__name__, "").split())
 
 
 def test_a_wrong_figure_is_detected():
-    """The angle of the second rod relative to the first; a hinge at the wrong end; wheels that turn the same way."""
-    for build, rows in ((double_pendulum_rods, {"phi2": {"bend": 1}}), (two_link_arm_under_load, {"beta": {"bend": 1}})):
-        wrong = compared(build).machine()
-        wrong.rows = rows
-        assert not compared(build).agrees(wrong.choose(wrong.names), compared(build).groups)
-    pendulums = compared(geared_pendulums)
-    assert not pendulums.agrees(pendulums.machine(r1=-pendulums.problem.floats["r1"]), pendulums.groups)
+    """An angle relative to the upper rod; a hinge in its middle; a ring gear that meshes outside."""
+    rods = compared(double_pendulum_rods)
+    relative = rods.machine()
+    relative.rows = {"phi2": {"bend": 1}}
+    assert not rods.agrees(relative.choose(rods.names), rods.groups)
+    p = SimpleNamespace(**rods.problem.floats)
+    lower = body(0, -p.L1 / 2, hinge("bend"), rod(p.m2, 0, -p.L2))
+    middle = Machine([body(0, 0, hinge("phi1"), rod(p.m1, 0, -p.L1), lower)], g=p.g,
+                     rows={"phi2": added("phi1", "bend")})
+    assert not rods.agrees(middle.choose(rods.names), rods.groups)
+    gears = compared(epicyclic_gear_with_sprung_ring)
+    assert not gears.agrees(gears.machine(R=-gears.problem.floats["R"]), gears.groups)
 
 
 def test_wrong_poles_are_detected():

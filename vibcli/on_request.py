@@ -1,4 +1,4 @@
-"""Stages of a Problem that run only where they are asked for: all equilibria, reactions, shares, derivatives, estimates."""
+"""Stages of a Problem that run only where they are asked for: equilibria, reactions, shares, derivatives, estimates."""
 
 from functools import cached_property
 

@@ -152,7 +152,11 @@ class Problem(OnRequest):
 
             require_autonomous(self, drawn_values(self.scene))
         found = matrices_in_letters(self.letters_form)
-        return found if self.equilibrium_letters is None else self.equilibrium_letters.factored(found)
+        if self.equilibrium_letters is not None:
+            from vibcli.algebra.polynomials import factored as shorter
+        else:
+            from vibcli.algebra.quotient import shorter
+        return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
 
     @cached_property
     def linear_in_letters(self):
@@ -163,7 +167,9 @@ class Problem(OnRequest):
     def letters_form(self):
         if self.balanced_as_drawn or self.is_linear:
             return self.drawn_form if self.balanced_as_drawn else self.form
-        return self.equilibrium_letters.form(self.form)
+        from vibcli.mechanics.linearise import at_position
+
+        return at_position(self.form, self.equilibrium_letters.position(self.form))
 
     @cached_property
     def equilibrium_letters(self):
@@ -230,7 +236,9 @@ class Problem(OnRequest):
         equilibrium that is not the drawn one."""
         from vibcli.mechanics.steady import excitation
 
-        scene = self.scene
+        scene, settled = self.scene, self.equilibrium_letters
+        if settled is not None:
+            return excitation(scene, self.timed_form, settled.position(self.timed_form))
         if self.linear_in_letters or self.symbolic:
             return excitation(scene, self.timed_form, scene.drawn_position)
         place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
@@ -318,9 +326,12 @@ class Problem(OnRequest):
             return self.drawn_numbers.elements
         if self.is_linear:
             return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
-        from vibcli.mechanics.precise import rounded_elements
+        from vibcli.mechanics.precise import require_inertia, rounded_elements
 
-        return rounded_elements(self)
+        found = rounded_elements(self)
+        if closed:
+            require_inertia(self, found)
+        return found
 
     def precise_elements(self, digits):
         """The element data at the equilibrium to so many digits, as mpmath numbers."""

@@ -266,12 +266,18 @@ class Table:
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
         return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
 
-    def is_positive(self, node):
+    def is_positive(self, node, depth=4):
+        """Is a node positive whatever the values of the variables? Sums and products of what is, to some depth."""
         if node.op == "number":
             return node.coefficient > 0
-        if node.op == "sum":
-            return node.coefficient >= 0 and all(c > 0 and part in self.positive for part, c in node.args)
-        return node in self.positive or node.name in ("exp", "cosh")
+        if node in self.positive or node.name in ("exp", "cosh"):
+            return True
+        if node.mask or not depth or node.op not in ("sum", "product") or node.coefficient < 0:
+            return False
+        found = all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args)
+        if found:
+            self.positive.add(node)
+        return found
 
     def power(self, base, exponent):
         """base^exponent, the exponent a rational or a node."""

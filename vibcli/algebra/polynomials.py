@@ -12,6 +12,7 @@ from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import HALF, ONE
 
 SECONDS = 2.0       # for one factorisation
+LONG = 100          # terms of a polynomial that is not written in factors
 
 
 class Quotients:
@@ -106,10 +107,16 @@ class Quotients:
 
     def node(self, element):
         """An element of the field as a node: one fraction, above and below the line factored."""
-        return self.table.product((self._shortest(element.numer), ONE), (self._shortest(element.denom), -ONE))
+        parts = []
+        for polynomial, sign in ((element.numer, ONE), (element.denom, -ONE)):
+            content, rest = polynomial.primitive()
+            parts += [(self.table.number(self.rational(content)), sign), (self._shortest(rest), sign)]
+        return self.table.product(*parts)
 
     def _shortest(self, polynomial):
-        """A polynomial as the product of its factors or as a whole."""
+        """A polynomial as the product of its factors or as a whole, long ones as they are."""
+        if len(polynomial) > LONG:
+            return self.polynomial(polynomial)
         value, factors = self.factors(polynomial)
         parts = ((self.polynomial(factor), power) for factor, power in factors)
         product = self.table.product((self.table.number(self.rational(value)), ONE), *parts)

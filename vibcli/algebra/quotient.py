@@ -3,7 +3,8 @@
 from fractions import Fraction
 from math import gcd, lcm
 
-from vibcli.algebra.grouping import nested
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.grouping import letters, nested
 from vibcli.algebra.normal import TooLong, add, expanded, factors_of, multiplied, reduced, times
 from vibcli.algebra.rationals import ONE, ZERO
 
@@ -11,6 +12,13 @@ from vibcli.algebra.rationals import ONE, ZERO
 def single(node):
     """The node as one fraction."""
     return node.table.product(*fraction(node))
+
+
+def shorter(node):
+    """The node, as one fraction where it divides by a sum and that is shorter."""
+    divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
+                  for base, e in part.args)
+    return min((node, single(node)), key=letters) if divides else node
 
 
 def fraction(node):

@@ -7,7 +7,7 @@ from vibcli.algebra.roots import root
 
 
 class Pair:
-    """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors.
+    """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
 
     `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter.
     """
@@ -18,6 +18,8 @@ class Pair:
         self.parts = [field(part) for part in (a, b, c)]
         outside, inside = _square_and_rest(quotients, quotients.settled(field(b * b - 4 * a * c)).numer)
         self.rational, self.factor = field(-b) / field(2 * a), field(outside) / field(2 * a)
+        if self._negative(quotients.node(self.factor)):
+            self.factor = -self.factor
         self.inside = self._shortest(inside, outside)
         self.root, self.in_letters = self._root(), not inside.is_ground
 
@@ -25,12 +27,10 @@ class Pair:
         """D factored, or as b² − 4ac, whichever is shorter."""
         quotients, table = self.quotients, self.quotients.table
         node = quotients.node(quotients.field(inside))
-        if not outside.is_ground:
+        a, b, c = (part / quotients.field(outside) for part in self.parts)
+        if not all(part.denom.is_ground for part in (b, a * c)):
             return node
-        scale = quotients.rational(outside.LC) ** -2
-        a, b, c = self.parts
-        half = table.product((quotients.node(b / quotients.field(outside)), ONE + ONE))
-        whole = table.sum((half, ONE), (quotients.node(a * c), -4 * scale))
+        whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
         return min((node, whole), key=letters)
 
     def _root(self):
@@ -54,8 +54,10 @@ class Pair:
             return quotients.node(rational), table.one
         above, below = quotients.cleared([rational, factor])
         common = above[0].gcd(above[1])
-        x, y = (quotients.polynomial(part.quo(common)) for part in above)
+        x, y = (quotients.node(quotients.field(part.quo(common))) for part in above)
         front = quotients.node(quotients.field(common) / quotients.field(below))
+        if self._negative(front):
+            x, y, front = -x, -y, -front
         if self._negative(x) and self._negative(y):
             x, y, front = -x, -y, -front
         surd = self.root if surd is None else surd

@@ -75,7 +75,7 @@ def _data(problem, parts, normalise, digits, sections):
         found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
         found |= frequencies_data(problem, normalise, digits)
-    if "equilibria" in parts and problem.spec.get("find") and problem.spec.get("find").search:
+    if "equilibria" in sections:
         from vibcli.report.equilibria import equilibria_data
 
         found |= equilibria_data(problem)

@@ -38,7 +38,7 @@ class _Condition(Kind):
         if "=" not in words:
             return reader.expected(node, self.wants, f"did you mean '{meant}'?" if meant else self.hint)
         try:
-            _, _, _, left, right = parse(node.text, equation=True)
+            _, _, _, left, right = parse(node.text, "omega[1] = 20 rad/s")
         except ExpressionError as error:
             asked = node.text[error.offset:error.offset + error.width]
             if error.message.startswith("unknown function"):

@@ -29,7 +29,7 @@ def _along(problem, shape):
         moved = {name: at[name] + step * x for name, x in direction.items()}
         return {**problem.at_rest, **problem.closed(at, {**at, **moved})}
 
-    gains = (_gains if problem.conservative else _work_done)(problem, place, direction)
+    gains = list((_gains if problem.conservative else _work_done)(problem, place, direction))
     if any(gain < 0 for gain in gains):
         return FALLING
     return HELD if any(gains) else FREE

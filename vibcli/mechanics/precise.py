@@ -65,6 +65,18 @@ def _newton_step(numbers, mpmath):
     return step
 
 
+def require_inertia(problem, elements):
+    """PhysicsError where the inertia along a coordinate vanishes in equilibrium, though not as drawn."""
+    from vibcli.algebra.evaluate import Floats
+
+    drawn = in_numbers(problem.drawn_form, Floats, problem.floats).elements.matrices()[0]
+    here = elements.matrices()[0]
+    for i, name in enumerate(problem.scene.coordinates):
+        if abs(here.get((i, i), 0)) < NOTHING * abs(drawn.get((i, i), 0)):
+            raise PhysicsError(f"nothing that has a mass moves with '{name}' in the equilibrium: it is a dead centre",
+                               "give the bodies their inertia, or start elsewhere with `equilibrium:`")
+
+
 def rounded_elements(problem):
     """The element data at an equilibrium that was searched for, each number correctly rounded.
 

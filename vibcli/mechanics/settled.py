@@ -13,11 +13,10 @@ from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import textbook
-from vibcli.algebra.polynomials import factored
 from vibcli.algebra.rationals import ONE
 from vibcli.algebra.solving import Solution, solutions
 from vibcli.errors import PhysicsError, SpecError
-from vibcli.mechanics.linearise import at_position, nodes_of, residual_terms
+from vibcli.mechanics.linearise import nodes_of, residual_terms
 from vibcli.scene.sampling import given_values
 
 ATTEMPTS, ENOUGH, LEAST, FIRST, CLOSE = 16, 4, 2, 3, 1e-8
@@ -43,21 +42,18 @@ class Settled:
             nodes = opened(nodes, q)
         return substitute(nodes, {**self.values, **self.calls})
 
-    def form(self, form):
-        """The Linearisation at the equilibrium."""
-        known, nodes = {**self.values, **self.calls}, nodes_of(form)
+    def position(self, form):
+        """{node: expression} of what a Linearisation holds of the coordinates."""
+        nodes = nodes_of(form)
         sums = {call: node for q in self.values for call, node in openings(nodes, q).items()}
-        return at_position(form, {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **known})
-
-    @staticmethod
-    def factored(matrices):
-        """The matrices with each entry as one fraction, factored."""
-        return tuple({pair: factored(node) for pair, node in matrix.items()} for matrix in matrices)
+        return {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **self.values, **self.calls}
 
 
 def settled(problem):
     """The Settled equilibrium of a nonlinear scene, None where it is not found."""
     scene, found, tried = problem.scene, Settled(), _Tried(problem)
+    if scene.loops is not None:
+        return None
     if len(scene.q) > 1:
         for q in scene.q:
             if _stays(tried.first(FIRST), q.name):
@@ -124,15 +120,18 @@ def _step(conditions, unknowns, tried):
 
 
 def _chosen(candidates, q, tried):
-    """(Solution, problems that reach it): the first that enough of them reach, one with letters if possible."""
-    reached = [[] for _ in candidates]
+    """(Solution, problems that reach it): the first that enough of them reach, one with letters if possible; one
+    without only where all reach it."""
+    reached, count = [[] for _ in candidates], 0
     for problem in tried if candidates else ():
+        count += 1
         for solution, those in zip(candidates, reached, strict=True):
             if _reached(problem, q, solution):
                 those.append(problem)
                 if len(those) == ENOUGH and _has_letters(solution.value):
                     return solution, those
-    ranked = [pair for pair in zip(candidates, reached, strict=True) if len(pair[1]) >= LEAST]
+    ranked = [pair for pair in zip(candidates, reached, strict=True)
+              if len(pair[1]) >= (LEAST if _has_letters(pair[0].value) else max(count, LEAST))]
     return max(ranked, key=lambda pair: (_has_letters(pair[0].value), len(pair[1])), default=None)
 
 

@@ -7,7 +7,7 @@ from vibcli.report.notation import plain
 
 LONGEST = 100           # letters of an expression, above which it is not read
 OMEGA = "ω"
-MARK = "\ue000"         # stands for the root while the rest is written
+MARK = "𝔇"              # stands under the root while the rest is written
 LONG = "(an expression too long to read; see --json)"
 NONE = "no closed form that is readable; give the parameters values with --set"
 NUMBERED = "(numbered as at sample values of the letters; f = ω/(2π), T = 2π/ω)"
@@ -75,10 +75,10 @@ def _of_two(twin):
     pair, names = twin[0].pair, [_sub(mode.index) for mode in twin]
     if not pair.in_letters or twin[0].unstable:
         return None
-    node = pair.both(pair.root.table.parameter(MARK, positive=False))
+    node = pair.both(pair.root.table.sqrt(pair.root.table.parameter(MARK, positive=False)))
     text = plain(node)
-    if letters(node) + letters(pair.root) <= LONGEST and text.count(f" + {MARK}") == 1:
-        return f"ω{','.join(names)}² = " + text.replace(f" + {MARK}", f" ∓ {plain(pair.root)}")
+    if letters(node) + letters(pair.root) <= LONGEST and text.count(f" + √{MARK}") == 1:
+        return f"ω{','.join(names)}² = " + text.replace(f" + √{MARK}", f" ∓ {plain(pair.root)}")
     if all(letters(mode.omega) <= LONGEST for mode in twin):
         return None
     return f"ω{names[0]}² and ω{names[1]}² are the roots λ of {_polynomial(pair.equation())} = 0"

@@ -58,13 +58,14 @@ class Notation:
     def _sum(self, node, tightness):
         terms = sorted(node.args, key=_rank)
         parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
+        rooted = sum(_is_rooted(part) for part, _ in terms)
         below = _common_denominator(node, [value for value, _ in parts])
         pieces = [(value < 0, self._term(abs(value) * below, part)) for value, part in parts]
         if node.coefficient:
             place = 0 if all(is_constant(part) for part, _ in node.args) else len(pieces)
             pieces.insert(place, (node.coefficient < 0, self.number(abs(node.coefficient) * below)))
         if pieces[0][0]:
-            pieces.sort(key=itemgetter(0))
+            pieces = _positive_first(pieces, rooted)
         turned = below > 1 and pieces[0][0]
         text = ("−" if pieces[0][0] and not turned else "") + pieces[0][1]
         text += "".join((" − " if negative is not turned else " + ") + piece for negative, piece in pieces[1:])
@@ -196,6 +197,21 @@ def decimal(value):
     return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
 
 
+def _positive_first(pieces, rooted):
+    """The terms of a sum, (negative, text), the positive ones first; the `rooted` last ones stay there if others can
+    begin."""
+    front = pieces[:len(pieces) - rooted]
+    if rooted and not all(negative for negative, _ in front):
+        return sorted(front, key=itemgetter(0)) + pieces[len(pieces) - rooted:]
+    return sorted(pieces, key=itemgetter(0))
+
+
+def _is_rooted(node):
+    """Does a term of parameters hold the root of a letter or of a sum?"""
+    return not node.mask and node.op == "product" and any(
+        e.denominator == 2 and not is_constant(base) for base, e in node.args)
+
+
 def _common_denominator(node, values):
     """The denominator that all terms of a sum of parameters share; 1 where they do not."""
     values = [*values, node.coefficient] if node.coefficient else values
@@ -212,12 +228,11 @@ def _rank(pair):
 
 
 def _letters(node):
-    """Of terms of parameters those without a root of a sum first, then in the order of letters, higher powers first."""
+    """Of terms of parameters those without a root first, then in the order of letters, higher powers first."""
     if node.mask:
         return False, []
     factors = node.args if node.op == "product" else ((node, ONE),)
-    rooted = any(base.op == "sum" and e.denominator == 2 for base, e in factors)
-    return rooted, sorted((_first_letter(base), -e) for base, e in factors)
+    return _is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors)
 
 
 def _first_letter(node):

@@ -106,19 +106,22 @@ def reactions_data(problem):
 
 
 def equilibrium_data(problem):
-    """{coordinates: {name: value}, stable, residual, condition, warning}."""
+    """{coordinates: {name: value}, dependent: {name: value}, stable, residual, condition, warning}."""
     if problem.symbolic:
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
         values = equilibrium_in_letters(problem)
-        coordinates = {name: language(node) for name, node in values.items()}
-        return {"coordinates": coordinates, "stable": None, "residual": None, "condition": None, "warning": None}
+        coordinates = {name: language(values[name]) for name in problem.scene.coordinates}
+        dependent = {name: language(node) for name, node in problem.scene.dependent.items()}
+        return {"coordinates": coordinates, "dependent": dependent, "stable": None, "residual": None,
+                "condition": None, "warning": None}
     from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
     from vibcli.measured import is_stable
 
     found, condition = problem.equilibrium, stiffness_condition(problem)
-    return {"coordinates": dict(found.values), "stable": is_stable(problem), "residual": found.residual,
-            "condition": condition, "warning": bifurcation_warning(condition)}
+    values = {name: found.values[name] for name in problem.scene.coordinates}
+    return {"coordinates": values, "dependent": problem.dependent_values, "stable": is_stable(problem),
+            "residual": found.residual, "condition": condition, "warning": bifurcation_warning(condition)}
 
 
 def modes_data(problem, modes, normalise="first", write=float):

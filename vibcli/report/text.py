@@ -179,8 +179,8 @@ class Report:
 
         problem = self.problem
         values = equilibrium_in_letters(problem)
-        lines = equilibrium_lines(values)
-        lines[0] += "   (the drawn position)" if problem.balanced_as_drawn else ""
+        first, = equilibrium_lines(values)
+        lines = wrapped(first + ("   (the drawn position)" if problem.balanced_as_drawn else ""), indent=2)
         for name, node in problem.preloads.items():
             lines.append(f"static preload of {name}: {self._preload(node, name)}")
         self.section("Equilibrium", lines)

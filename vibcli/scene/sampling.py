@@ -5,17 +5,21 @@ from fractions import Fraction
 from vibcli.scene.build import sample_values
 
 FAR = 100           # where attempts unrelated to those of the drawing start
+FAR_APART = 5       # letters of one scene may differ by orders of magnitude
 
 
 def given_values(scene, free, attempt):
-    """{letter: exact value} of `free` letters, another at each attempt; 0: as drawn, odd ones near that.
+    """{letter: exact value} of `free` letters, another at each attempt; 0: as drawn, odd ones near that, every fourth
+    of letters far apart.
 
     Letters of any sign are negative at every fourth attempt.
     """
     if attempt == 0:
         return {name: Fraction(scene.sample[name]) for name in free}
     values = sample_values(free, FAR + attempt)
-    if attempt % 2:
+    if attempt % 4 == 0:
+        values = {name: value**FAR_APART for name, value in values.items()}
+    elif attempt % 2:
         values = {name: scene.sample[name] * (0.6 + 0.4 * value) for name, value in values.items()}
     signs = {name: -1 if attempt % 4 == 2 and scene.parameters.records[name].get("sign") == "any" else 1
              for name in free}

@@ -22,7 +22,7 @@ class Block:
 
 
 def blocks(table, n, matrices):
-    """The Blocks into which symmetric or skew `matrices` ({(i, j): node} each) fall, as small as they are found."""
+    """The Blocks into which `matrices` ({(i, j): node} each) fall, as small as they are found."""
     pending, found = [Block([{i: 1} for i in range(n)], list(matrices))], []
     while pending:
         block = pending.pop()
@@ -125,10 +125,13 @@ class _Search:
                 continue
             d, other = image
             for matrix in self.matrices:
-                here, there = matrix.get((a, c)), matrix.get((b, d))
-                if here is None or there is None:
-                    if here is not there:
-                        return False
-                elif here is not (there if sign == other else -there):
+                if not (_alike(matrix, (a, c), (b, d), sign * other) and _alike(matrix, (c, a), (d, b), sign * other)):
                     return False
         return True
+
+
+def _alike(matrix, pair, image, sign):
+    here, there = matrix.get(pair), matrix.get(image)
+    if here is None or there is None:
+        return here is there
+    return here is (there if sign > 0 else -there)

@@ -19,18 +19,17 @@ def of_omega(quotients, element):
 
 
 def ratio(table, M, K):
-    """q₂/q₁ of two coordinates as the shorter of what their two equations say; None where they are not coupled."""
-    own, across, other = (_entry(table, M, K, *pair) for pair in ((0, 0), (0, 1), (1, 1)))
-    if across.is_zero:
-        return None
-    return min((factored(-own / across), factored(-across / other)), key=letters)
+    """q₂/q₁ of two coordinates as the shorter of what their two equations say."""
+    own, across, back, other = (_entry(table, M, K, *pair) for pair in ((0, 0), (0, 1), (1, 0), (1, 1)))
+    parts = [factored(-above / below) for above, below in ((own, across), (back, other)) if not below.is_zero]
+    return min((part for part in parts if not part.is_zero), key=letters)
 
 
 def two_coordinates(table, modes, M, G, K):
     """Give the modes of two coordinates their patterns."""
     for mode in modes:
         if mode.pattern and not G:
-            mode.pattern = [table.one, min((mode.pattern[1], ratio(table, M, K)), key=letters)]
+            mode.pattern = [table.one, min((ratio(table, M, K), mode.pattern[1]), key=letters)]
         elif G and not mode.square.is_zero and (0, 1) not in M and (0, 1) not in K:
             mode.turns = True
             mode.pattern = [table.one, _quarter_period_apart(table, mode, M, G, K)]

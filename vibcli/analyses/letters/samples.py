@@ -18,7 +18,7 @@ def samples(problem, wanted=WANTED):
     found, failures = [], 0
     for candidate in _candidates(problem):
         try:
-            kind = _unstable(candidate)
+            kind = _unstable(candidate) if _same_figure(problem, candidate) else None
         except (SpecError, PhysicsError):
             failures += 1
             if failures > FAILURES and not found:
@@ -26,7 +26,7 @@ def samples(problem, wanted=WANTED):
             continue
         if not found:
             first = kind
-        if kind == first:
+        if kind is not None and kind == first:
             found.append(candidate)
         if len(found) == wanted:
             break
@@ -39,6 +39,18 @@ def _candidates(problem):
         return problem.equilibrium_letters.reached
     free = [name for name in problem.scene.parameters.free if name not in problem.given]
     return (problem.with_values(given_values(problem.scene, free, attempt)) for attempt in range(ATTEMPTS))
+
+
+def _same_figure(problem, candidate):
+    """Are M, C, G, K those in letters? A rope that leaves its pulley elsewhere makes another figure."""
+    for letters, numbers in zip(problem.matrices_in_letters, candidate.elements.matrices(), strict=True):
+        pairs = list({*letters, *numbers})
+        zero = problem.scene.table.zero
+        found = evaluate([letters.get(pair, zero) for pair in pairs], Floats, candidate.floats)
+        size = max((abs(x) for x in numbers.values()), default=0.0)
+        if not all(abs(x - numbers.get(pair, 0.0)) <= CLOSE * size for pair, x in zip(pairs, found, strict=True)):
+            return False
+    return True
 
 
 def _unstable(candidate):
@@ -117,4 +129,4 @@ def _damping_agrees(modes, candidate):
     if any(zeta >= 1 for zeta in zetas):
         return True
     found = sorted(omega * zeta for omega, zeta in zip(omegas, zetas, strict=True))
-    return _agree(found, sorted(float(mode.decay) for mode in candidate.damped if mode.omega and mode.zeta is not None))
+    return _agree(found, sorted(float(mode.decay) for mode in candidate.damped if mode.omega and mode.zeta))

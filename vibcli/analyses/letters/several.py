@@ -1,5 +1,6 @@
 """Several degrees of freedom in letters: block after block, the modes of each from its characteristic polynomial."""
 
+from vibcli.algebra.bounded import within
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.analyses.letters.block_modes import block_modes
 from vibcli.analyses.letters.blocks import blocks, congruent
@@ -9,7 +10,7 @@ from vibcli.analyses.letters.forms import ClosedForms
 from vibcli.analyses.letters.patterns import two_coordinates
 from vibcli.analyses.letters.samples import confirmed, damping_confirmed, roots_in_numbers, samples, shape_confirmed
 
-MOST = 12       # coordinates
+MOST, SECONDS = 12, 8.0     # coordinates; for all blocks together
 
 
 def several(problem, M, C, G, K):
@@ -19,13 +20,15 @@ def several(problem, M, C, G, K):
     parts = blocks(table, n, (M, G, K)) if candidates else []
     if not parts or max(map(len, parts)) > LARGEST:
         return None
-    values, modes, left = [candidate.floats for candidate in candidates], [], []
+    values = [candidate.floats for candidate in candidates]
     damping = C if C and not G and damps_each(parts, C) else {}
-    for part in parts:
-        found, unsolved = block_modes(table, n, part, congruent(table, damping, part.columns), values)
-        modes += found
-        left += unsolved
-    if not confirmed(modes, left, candidates):
+
+    def solved():
+        return [block_modes(table, n, part, congruent(table, damping, part.columns), values) for part in parts]
+
+    found = within(SECONDS, solved, [], n)
+    modes, left = [mode for part, _ in found for mode in part], [rest for _, part in found for rest in part]
+    if not found or not confirmed(modes, left, candidates):
         return None
     _number(modes, left, values[0])
     if n == 2:

@@ -1,0 +1,66 @@
+"""Deriving a closed linkage against its number of bars: lazy tongs of crossed bars, one loop between each two cells.
+
+The time is that of its scene and of the linearised expressions in all positions, from the spec and imports excluded.
+Times are medians; the exponent p of t ~ nᵖ is that of the fastest runs at the two largest sizes.
+"""
+
+import json
+from math import log
+from statistics import median
+from time import process_time
+
+from vibcli.bench.processes import answer
+from vibcli.bench.rows import Row
+
+BUDGETS = {4: None, 10: None, 20: 200.0, 40: None}
+
+
+def rows(runs):
+    """Milliseconds for each number of bars, and the exponent of their growth."""
+    times = json.loads(answer("from vibcli.bench.linkage import main; main()", runs))
+    found = [Row(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", budget, absolute=True)
+             for bars, budget in BUDGETS.items()]
+    before, last = list(BUDGETS)[-2:]
+    exponent = log(min(times[str(last)]) / min(times[str(before)]), last / before)
+    return [*found, Row("  exponent", exponent, "", None, absolute=True)]
+
+
+def main():
+    """Child process: print {number of bars: [ms of each run]}."""
+    import sys
+
+    _derivation(4)
+    print(json.dumps({bars: [1e3 * _derivation(bars) for _ in range(min(int(sys.argv[1]), 5))] for bars in BUDGETS}))
+
+
+def _derivation(bars):
+    """Processor seconds from the spec to the linearised expressions."""
+    from vibcli.document import read
+    from vibcli.problem import Problem
+    from vibcli.spec import read_spec
+
+    node, diagnostics = read(tongs(bars // 2).encode(), "scene.yaml")
+    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
+    start = process_time()
+    _ = problem.form
+    return process_time() - start
+
+
+def tongs(cells):
+    """Lazy tongs: crossed bars a and b pinned at their middles c, their ends joined to those of the next cell; the
+    first bar turns about its lower end, and the upper end of the other one runs along a wall."""
+    bodies, points, constraints = [], [], ["guide: {point: high0, surface: wall}"]
+    for i in range(cells):
+        motion = f"move: [x{i}, y{i}, phi{i}]" if i else "pin: {at: [0, 0], by: phi0}"
+        rod, pin = "shape: rod, mass: m", f"pin: {{at: c{i}, by: psi{i}}}"
+        bodies += [f"a{i}: {{{rod}, from: [{i} m, 0], to: [{i + 1} m, 1 m], {motion}}}",
+                   f"b{i}: {{{rod}, from: [{i} m, 1 m], to: [{i + 1} m, 0], {pin}}}"]
+        points += [f"c{i}: {{body: a{i}, at: [{i}.5 m, 0.5 m]}}",
+                   f"low{i}: {{body: a{i}, at: [{i} m, 0]}}", f"top{i}: {{body: a{i}, at: [{i + 1} m, 1 m]}}",
+                   f"high{i}: {{body: b{i}, at: [{i} m, 1 m]}}", f"end{i}: {{body: b{i}, at: [{i + 1} m, 0]}}"]
+        if i:
+            constraints += [f"upper{i}: {{join: [top{i - 1}, high{i}]}}", f"lower{i}: {{join: [end{i - 1}, low{i}]}}"]
+    sections = {"parameters": ["m: 1 kg", "k: 100 N/m", "g: 9.81 m/s^2"], "points": points,
+                "surfaces": ["wall: {line: [[0, 0], [0, 1 m]]}"], "bodies": bodies,
+                "springs": [f"s: {{k: k, between: [low0, end{cells - 1}]}}"], "constraints": constraints}
+    return "gravity: g\n" + "".join("\n  ".join([f"{name}:", *lines]) + "\n" for name, lines in sections.items())
