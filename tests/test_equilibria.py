@@ -13,7 +13,7 @@ import mpmath
 import pytest
 from scenes import problem, value
 
-from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, STABLE, UNSTABLE, stability
+from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, STABLE, UNSTABLE, judged, stability
 from vibcli.cli import run
 from vibcli.errors import PhysicsError
 
@@ -196,6 +196,56 @@ def test_a_gap_is_one_line_of_neutral_positions():
     scene = potential("max(abs(x) - 1, 0)^2")
     (values, kind), = listed(scene)
     assert kind == NEUTRAL and abs(values["x"]) < 1 and scene.equilibria.items[0].free == [{"x": 1.0}]
+
+
+def test_a_kink_is_listed_with_its_stability_left_open(tmp_path, capsys):
+    """V = F |x| − k x²/2: at rest at the kink, and where it tips over, x = ±F/k."""
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {m: 1 kg, F: 2 N, k: 3 N/m}\ncoordinates: [x]\n"
+                    "energies: {T: m*x'^2/2, V: F*abs(x) - k*x^2/2}\n"
+                    "find: {equilibria: all, within: {x: [-2 m, 2 m]}}\n")
+    assert run(["solve", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert out.count("grows as exp(1.73205·t)") == 2 and "no small oscillations: a kink" in out
+    scene = problem(path.read_text())
+    assert [item.equilibrium.values["x"] for item in scene.equilibria.items] == pytest.approx([-2 / 3, 0, 2 / 3])
+    assert [judged(about).stable for about in scene.about_each] == [False, None, False]
+
+
+CRANK = """
+parameters: {r: 0.3 m, l: 0.5 m, d: sqrt(l^2 - r^2), m1: 2 kg, m2: 3 kg, w: 0.9 m, l0: 0.4 m, k: 400 N/m, g: 9.81 m/s^2}
+coordinates: [phi, psi, x]
+gravity: g
+points: {A: [0, r], B: {body: rod, at: [d, 0]}}
+bodies:
+  crank: {shape: rod, mass: m1, from: [0, 0], to: [0, r], pin: {at: [0, 0], by: phi}}
+  rod: {shape: rod, mass: m2, from: [0, r], to: [d, 0], pin: {at: A, carrier: crank, by: psi}}
+  slider: {mass: 1 kg, at: [d, 0], slide: x}
+springs: {buffer: {k: k, between: [slider, [w, 0]], free_length: l0}}
+constraints: {pin: {join: [B, slider]}}
+"""
+
+
+def test_a_slider_crank_all_the_way_round():
+    """A closed loop: V of the crank's turn alone, x = −r sin φ + √(l² − r² cos² φ) the place of the slider."""
+    def slope(f):
+        return mpmath.diff(energy, f)
+
+    def energy(f):
+        x = -0.3 * mpmath.sin(f) + mpmath.sqrt(0.25 - 0.09 * mpmath.cos(f) ** 2)
+        return 200 * (0.9 - x - 0.4) ** 2 + (2 + 3) * 9.81 * 0.15 * mpmath.cos(f)
+
+    table = [-pi + 2 * pi * (i + 0.3) / 400 for i in range(401)]
+    exact = [float(mpmath.findroot(slope, ends, solver="anderson")) for ends in pairwise(table)
+             if slope(ends[0]) * slope(ends[1]) < 0]
+    scene = problem(CRANK)
+    found = listed(scene)
+    assert len(exact) == 4
+    assert [values["phi"] for values, _ in found] == pytest.approx(exact, abs=1e-9)
+    assert [kind for _, kind in found] == [STABLE if mpmath.diff(energy, f, 2) > 0 else UNSTABLE for f in exact]
+    for about, f in zip(scene.about_each, exact, strict=True):
+        x = -0.3 * sin(f) + sqrt(0.25 - 0.09 * cos(f) ** 2)
+        assert 0.4 + about.dependent_values["x"] == pytest.approx(x, abs=1e-9)
 
 
 # several coordinates

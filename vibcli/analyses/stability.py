@@ -4,14 +4,17 @@ Without gyroscopic terms a damper does not change the answer that K gives (Thoms
 them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in.
 """
 
+from vibcli.errors import PhysicsError
+
 STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
+OPEN = "open"
 WORDS = {STABLE: "stable", HELD: "stable, but only terms beyond the linear ones hold it",
          NEUTRAL: "neutral: it can move freely", UNSTABLE: "unstable",
          FALLING: "unstable: terms beyond the linear ones drive it away"}
 
 
 class Stability:
-    """kind: one of the WORDS; growth_rate: the largest Re λ > 0 in 1/s, else None."""
+    """kind: one of the WORDS, or OPEN; growth_rate: the largest Re λ > 0 in 1/s, else None."""
 
     __slots__ = ("growth_rate", "kind")
 
@@ -20,8 +23,8 @@ class Stability:
 
     @property
     def stable(self):
-        """Neutral counts as stable."""
-        return self.kind not in (UNSTABLE, FALLING)
+        """Neutral counts as stable; None where it is left open."""
+        return None if self.kind == OPEN else self.kind not in (UNSTABLE, FALLING)
 
 
 def stability(problem):
@@ -35,6 +38,14 @@ def stability(problem):
     if "free" in kinds:
         return Stability(NEUTRAL)
     return Stability(HELD if kinds else STABLE)
+
+
+def judged(problem):
+    """The Stability, OPEN where there are no small oscillations that would tell."""
+    try:
+        return stability(problem)
+    except PhysicsError:
+        return Stability(OPEN)
 
 
 def growing(modes):

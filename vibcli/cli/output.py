@@ -80,7 +80,7 @@ def _data(problem, parts, normalise, digits, sections):
             if "equations" not in parts:
                 raise
             found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
-    if "equilibria" in parts and problem.spec.get("find") and problem.spec.get("find").search:
+    if "equilibria" in sections:
         from vibcli.report.equilibria import equilibria_data
 
         found |= equilibria_data(problem)

@@ -26,8 +26,7 @@ def command(file, settings, case, as_json, timings, digits, normalise, insight):
         wanted = problem.spec.get("find")
         if wanted is None:
             return EVERYTHING + INSIGHT * insight
-        asked = {section for word in wanted.words for section in FOUND_BY[word]}
-        asked |= {"given", "chosen", "coordinates", *INSIGHT * insight}
+        asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
         return [s for s in EVERYTHING + ON_REQUEST if s in asked]
 
     return print_scenes(problems, sections, as_json, timings, digits, normalise,

@@ -21,18 +21,12 @@ ELEMENT = Element(
 )
 
 
-class Questions:
-    """The words asked, in order, and the Record of the search for equilibria or None."""
-
-    __slots__ = ("search", "words")
+class Questions(list):
+    """The words asked, in order; search: the Record of the search for equilibria, or None."""
 
     def __init__(self, items):
-        found = [item for item in items if not isinstance(item, str)]
-        self.words = [item if isinstance(item, str) else SEARCH for item in items]
-        self.search = found[0] if found else None
-
-    def __contains__(self, word):
-        return word in self.words
+        super().__init__(item if isinstance(item, str) else SEARCH for item in items)
+        self.search = next((item for item in items if not isinstance(item, str)), None)
 
     @property
     def within(self):

@@ -132,7 +132,7 @@ class System:
 
 def _roughly(numeric):
     """Element data about an equilibrium that is not drawn, in floats: for a first look, not to the last digit."""
-    from vibcli.mechanics.linearise import in_numbers
+    from vibcli.mechanics.evaluated import in_numbers
 
     scene = numeric.scene
     plain = scene.loops is None and not scene.timed and "atan2" not in scene.table.called

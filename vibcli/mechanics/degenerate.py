@@ -5,6 +5,8 @@ Newton's method gives no more digits than floats have. The stiffness then counts
 the scene, and what is below that as zero.
 """
 
+from contextlib import suppress
+
 from vibcli.algebra.evaluate import Floats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
@@ -18,11 +20,11 @@ UNIT = 2.0**53
 def about(problem, item):
     """The Problem about the equilibrium of an Item (mechanics/equilibria.py)."""
     found = problem.at_equilibrium(item.equilibrium)
-    if not (item.equilibrium.drawn or problem.is_linear):
-        _settle(found, item, problem.equilibria.forces)
-    if item.free:
-        rigid = [mode.index for mode in found.modes if mode.rigid]
-        if len(rigid) == len(item.free):
+    with suppress(PhysicsError):    # it is raised again where the modes are asked for
+        if not (item.equilibrium.drawn or problem.is_linear):
+            _settle(found, item, problem.equilibria.forces)
+        rigid = [mode.index for mode in found.modes if mode.rigid] if item.free else ()
+        if item.free and len(rigid) == len(item.free):
             found.zero_modes = dict.fromkeys(rigid, FREE)
     return found
 

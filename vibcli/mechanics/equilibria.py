@@ -9,6 +9,7 @@ from vibcli.mechanics.bounds import bounds, given_bounds
 from vibcli.mechanics.equilibrium import Equilibrium
 from vibcli.mechanics.families import Family
 from vibcli.mechanics.found import Found
+from vibcli.mechanics.kinks import KINKED
 from vibcli.mechanics.scaled_forces import Forces, TooMuch, idle
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
@@ -27,13 +28,13 @@ class Item:
 
 class Equilibria:
     """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
-    those searched, empty where the scene is linear; complete: False where the search was cut short; forces: the
-    Forces that were searched."""
+    those searched; complete: False where the search was cut short; linear: are the forces, so that there is no other?
+    forces: the Forces that were searched."""
 
-    __slots__ = ("bounds", "complete", "forces", "items")
+    __slots__ = ("bounds", "complete", "forces", "items", "linear")
 
-    def __init__(self, items, bounds, complete, forces):
-        self.items, self.bounds, self.complete, self.forces = items, bounds, complete, forces
+    def __init__(self, items, bounds, complete, linear, forces):
+        self.items, self.bounds, self.complete, self.linear, self.forces = items, bounds, complete, linear, forces
 
 
 def find_equilibria(problem):
@@ -46,10 +47,10 @@ def find_equilibria(problem):
     names = [name for name in problem.scene.coordinates if name not in loose]
     forces = Forces(problem, names)
     rests = _reached(problem)
-    complete = True
+    complete, linear = True, problem.is_linear and not problem.scene.table.called.intersection(KINKED)
     if not names:
-        return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, forces)
-    if problem.is_linear:
+        return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
+    if linear:
         limits = {name: given_bounds(problem).get(name, (-np.inf, np.inf)) for name in names}
         found = Found(forces, _box(forces, limits))
     else:
@@ -59,7 +60,7 @@ def find_equilibria(problem):
     try:
         for place in places:
             found.add(place)
-        if not problem.is_linear:
+        if not linear:
             _search(forces, found, [forces.vector(problem.drawn_floats)])
     except TooMuch:
         complete = False
@@ -69,7 +70,7 @@ def find_equilibria(problem):
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
     items.sort(key=lambda item: [round(x, 7) + 0.0 for x in forces.vector(item.equilibrium.values)])
     limits = {name: pair for name, pair in limits.items() if np.all(np.isfinite(pair))}
-    return Equilibria(items, limits, complete, forces)
+    return Equilibria(items, limits, complete, linear, forces)
 
 
 def _reached(problem):

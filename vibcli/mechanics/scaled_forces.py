@@ -10,7 +10,7 @@ from vibcli.algebra.evaluate import Floats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 
-HUGE = 1e140
+HUGE, MOST_CLOSED, JUMP = 1e140, 1000, 1.5
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere
 FAINT, SHORT, TINY = 2.0**-49, 1e-3, 1e-9      # of the forces elsewhere; of the size of the figure, both
 TURN = 2 * np.pi
@@ -55,16 +55,30 @@ class Forces:
         self.D = np.where(self.angle | self.open, 1.0, typical_length(problem) or 1.0)
         self.E, self.typical = 1.0, np.zeros(len(self.names))
         self.periodic = np.zeros(len(self.names), bool)
+        self.looped = problem.scene.loops is not None
+        self.jumps = {name: JUMP * (1.0 if not problem.dimension(name) else typical_length(problem) or 1.0)
+                      for name in problem.drawn_floats} if self.looped else {}
+        self.closed, self.closed_at = [problem.drawn_floats], np.zeros((MOST_CLOSED, len(self.names)))
+        self.closed_at[0] = self.vector(problem.drawn_floats)
 
     def vector(self, values):
         """z of {coordinate: number}."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
     def position(self, z):
-        """{coordinate: float} of z, loops closed on the way there from the drawn position."""
+        """{coordinate: float} of z, loops closed on the way there from the nearest position known to be closed."""
         moved = {name: float(value) + 0.0 for name, value in zip(self.names, z * self.D, strict=True)}
         drawn = self.problem.drawn_floats
-        return self.problem.closed(drawn, {**drawn, **moved})
+        if not self.looped:
+            return {**drawn, **moved}
+        start = self.closed[int(np.argmin(np.abs(self.closed_at[:len(self.closed)] - z).max(axis=1)))]
+        found = self.problem.closed(start, {**drawn, **moved})
+        if any(abs(found[name] - start[name]) > size for name, size in self.jumps.items()):
+            raise PhysicsError("the loops of this scene jump to another way of closing")
+        if len(self.closed) < MOST_CLOSED:
+            self.closed_at[len(self.closed)] = z
+            self.closed.append(found)
+        return found
 
     def at(self, z):
         """The Place at z, None where the forces are not defined."""

@@ -12,17 +12,30 @@ import numpy as np
 from vibcli.mechanics.scaled_forces import TURN
 
 CELLS, WIDEST = 256, 16           # cells a turn, or a length of 2π times the figure; turns up to which they are added
-NARROW, EDGE, WIDE = 1e-10, 1e-6, 1e-2
+NARROW, WIDE, STEEP = 1e-10, 1e-2, 1e3
+EDGE = {False: 1e-6, True: 1e-4}  # how far cells are cut where forces end, or loops can no longer be closed
 
 
 def zeros(forces, low, high):
     """[(place, (from, to) or None)]: isolated zeros, and stretches along which no force acts."""
     cells = int(CELLS * np.clip((high - low) / TURN, 1, WIDEST))
-    edges = [(z, forces.at(np.array([z]))) for z in np.linspace(low, high, cells + 1)]
+    edges = _edges(forces, np.linspace(low, high, cells + 1))
     found, flat = [], []
     for a, b in pairwise(edges):
         _search(forces, a, b, found, flat)
     return found + [_stretch(forces, *group) for group in _joined(flat)]
+
+
+def _edges(forces, points):
+    """[(z, place)] outwards from the drawn position; where a loop cannot close, it is not followed beyond."""
+    middle = int(np.searchsorted(points, forces.vector(forces.problem.drawn_floats)[0]))
+    places = dict.fromkeys(range(len(points)))
+    for way in (range(middle, len(points)), range(middle - 1, -1, -1)):
+        for i in way:
+            places[i] = forces.at(points[i:i + 1])
+            if places[i] is None and forces.looped:
+                break
+    return [(z, places[i]) for i, z in enumerate(points)]
 
 
 def _search(forces, a, b, found, flat):
@@ -34,7 +47,7 @@ def _search(forces, a, b, found, flat):
         m, wide = (middle, forces.at(np.array([middle]))), b[0] - a[0]
         cell = (a[1], m[1], b[1])
         if any(place is None for place in cell):
-            if wide > EDGE and any(place is not None for place in cell):
+            if wide > EDGE[forces.looped] and any(place is not None for place in cell):
                 left += [(m, b), (a, m)]
         elif all(map(forces.balanced, cell)):
             flat.append((a[1], b[1]))
@@ -48,8 +61,10 @@ def _search(forces, a, b, found, flat):
 
 
 def _empty(cell, wide):
-    """Is F too large at all three places to vanish between them, its slope being what it is?"""
+    """Is F too large at all three places to vanish between them, its slope being what it is? So it is near a pole."""
     F, J = [place.F[0] for place in cell], [abs(place.J[0, 0]) for place in cell]
+    if wide < WIDE and min(map(abs, F)) > STEEP:
+        return True
     return (min(F) > 0 or max(F) < 0) and min(map(abs, F)) > max(J) * wide and _smooth(cell, wide)
 
 

@@ -2,12 +2,12 @@
 
 from vibcli import units
 from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
-from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, STABLE, UNSTABLE, stability
+from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, judged
 from vibcli.report.figures import figure, table, with_unit, wrapped
 from vibcli.report.notation import plain
 
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
-         FALLING: "unstable by terms beyond the linear ones"}
+         FALLING: "unstable by terms beyond the linear ones", OPEN: "no small oscillations: a kink"}
 WIDEST = 6      # coordinates side by side
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
@@ -17,12 +17,12 @@ def equilibria_lines(problem):
     found = problem.equilibria
     lines = _table(problem) if found.items else ["none"]
     for number, about in enumerate(problem.about_each, 1):
-        warning = equilibrium_warning(about)
+        warning = _warning(about)
         lines += wrapped(f"{number}: {warning}", indent=3) if warning else []
     limits = [f"{plain.symbol(name)} from {with_unit(low, problem.dimension(name))} to "
               f"{with_unit(high, problem.dimension(name))}" for name, (low, high) in found.bounds.items()]
     lines += wrapped("searched: " + ", ".join(limits)) if limits else []
-    lines += ["the equations are linear: there are no others"] if problem.is_linear and found.items else []
+    lines += ["the equations are linear: there are no others"] if found.linear and found.items else []
     return lines if found.complete else [*lines, CUT]
 
 
@@ -31,10 +31,15 @@ def equilibrium_warning(problem):
     return bifurcation_warning(stiffness_condition(problem))
 
 
+def _warning(problem):
+    """The same of one of a list, where its stability may be open."""
+    return None if judged(problem).kind == OPEN else equilibrium_warning(problem)
+
+
 def _table(problem):
     rows = []
     for number, (item, about) in enumerate(zip(problem.equilibria.items, problem.about_each, strict=True), 1):
-        found = stability(about)
+        found = judged(about)
         rows.append((str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2),
                      _kind(found, item), _rates(about, found)))
     return table(rows, ("", *_heads(problem), "residual", "", "ω [rad/s]"))
@@ -62,7 +67,12 @@ def _unit(dimension):
 def _rates(problem, found):
     if found.growth_rate is not None:
         return f"grows as exp({figure(found.growth_rate)}·t)"
-    return ", ".join(figure(float(mode.omega), mode.error) for mode in problem.modes)
+    return ", ".join(figure(omega) for omega in _omega(problem, found))
+
+
+def _omega(problem, found):
+    """The natural angular frequencies, None of what does not oscillate."""
+    return [] if found.kind == OPEN else [None if mode.omega is None else float(mode.omega) for mode in problem.modes]
 
 
 def _kind(found, item):
@@ -79,15 +89,16 @@ def _direction(free):
 
 
 def equilibria_data(problem):
-    """{equilibria: [{coordinates, stable, kind, growth_rate, residual, omega, free, warning}], search: {bounds,
-    complete}}."""
+    """{equilibria: [{coordinates, dependent, stable, kind, growth_rate, residual, omega, free, warning}],
+    search: {bounds, complete}}."""
     found, entries = problem.equilibria, []
     for item, about in zip(found.items, problem.about_each, strict=True):
-        result = stability(about)
+        result = judged(about)
         entries.append({
-            "coordinates": dict(item.equilibrium.values), "stable": result.stable, "kind": result.kind,
+            "coordinates": {name: item.equilibrium.values[name] for name in problem.scene.coordinates},
+            "dependent": about.dependent_values, "stable": result.stable, "kind": result.kind,
             "growth_rate": result.growth_rate, "residual": item.equilibrium.residual,
-            "omega": [None if mode.omega is None else float(mode.omega) for mode in about.modes],
-            "free": item.free, "warning": equilibrium_warning(about)})
+            "omega": _omega(about, result),
+            "free": item.free, "warning": _warning(about)})
     limits = {name: [float(low), float(high)] for name, (low, high) in found.bounds.items()}
     return {"equilibria": entries, "search": {"bounds": limits, "complete": found.complete}}

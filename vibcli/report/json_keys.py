@@ -24,9 +24,11 @@ KEYS = {
     "equilibrium.warning": "a sentence where the equilibrium is near a bifurcation, else null",
     "equilibria": "where `find` asks for them: a list of all equilibria within the bounds, in ascending order",
     "equilibria[].coordinates": "{name: value}",
-    "equilibria[].stable": "true or false (motion that costs no energy counts as stable)",
+    "equilibria[].dependent": "{name: value} of the coordinates that constraints tie to the others",
+    "equilibria[].stable": "true or false (motion that costs no energy counts as stable); null where a kink leaves it "
+                           "open",
     "equilibria[].kind": "stable, unstable, neutral (it can move freely), or where only terms beyond the linear ones "
-                         "decide: held, falling",
+                         "decide: held, falling; open at a kink",
     "equilibria[].growth_rate": "the largest growth rate, with the dampers of the scene; null where nothing grows",
     "equilibria[].residual": "what is left of the forces, relative to their terms",
     "equilibria[].omega": "natural angular frequencies about it, null for unstable modes",
