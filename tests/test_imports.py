@@ -24,7 +24,7 @@ ROOMS = (
     ("algebra", ("algebra",)),
     ("fields", ("reading", "fields")),
     ("elements", ("elements",)),
-    ("spec", ("signals", "naming", "asking", "choosing", "parameters", "spec")),
+    ("spec", ("signals", "fit", "naming", "asking", "choosing", "parameters", "spec")),
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),

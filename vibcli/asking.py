@@ -5,7 +5,7 @@ from vibcli.algebra.meaning import DimensionCheck, counts_cycles, names_in, quan
 from vibcli.algebra.parse import ExpressionError
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
-from vibcli.naming import check, cyclic
+from vibcli.fit import check, cyclic
 from vibcli.parameters import independent
 from vibcli.questions import ASKED, BARE, SEVERAL, STATE_FUNCTIONS, dimension
 from vibcli.signals import near_signals, signal_dimension

@@ -3,7 +3,7 @@
 from vibcli import units
 from vibcli.algebra.meaning import names_in, quantities_in
 from vibcli.asking import asked_dimension, can_be_asked, dimension_of, refuse_cycles
-from vibcli.naming import check
+from vibcli.fit import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS
 from vibcli.reading import Record
 

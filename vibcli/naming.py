@@ -1,26 +1,20 @@
 """Names and dimensions of a whole file: which names are parameters, which coordinates, and what each measures."""
 
-import re
 
 from vibcli import units
 from vibcli.algebra.meaning import (
-    ANY,
     DimensionCheck,
     constant,
-    counts_cycles,
-    literal_unit,
     literals_in,
     names_in,
-    quantities_in,
-    whole_literal,
 )
-from vibcli.algebra.parse import ExpressionError, parse
+from vibcli.algebra.parse import parse
 from vibcli.diagnostics import quoted
+from vibcli.fit import check
 from vibcli.questions import dimension
 from vibcli.reading import Record, nearest
 
 MOST_COORDINATES = 2000
-NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
 def resolve(spec, reader):
@@ -217,144 +211,3 @@ def _bounded(spec, reader):
         where = list(spec.coordinates.values())[MOST_COORDINATES].where
         reader.report(where, f"the scene has {len(spec.coordinates)} coordinates; the limit is {MOST_COORDINATES}",
                       "leave coordinates out, or divide the scene")
-
-
-def check(spec, reader, expression, names, expected, local=None):
-    """Names and dimension of one expression; True where both fit. `local`: the name of a length in it alone."""
-    before = len(reader.diagnostics)
-    named = names_in(expression.tree)
-    if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
-        return True
-    for name, primes, start, end in named:
-        if name == local and not primes:
-            continue
-        if name in names:
-            spec.used.add(name)
-            _primes(spec, reader, expression, name, primes, start, end)
-        elif name != "pi":
-            reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
-    _ambiguous(spec, reader, expression)
-    if not spec.asked_dimension:
-        _no_quantities(reader, expression)
-    if len(reader.diagnostics) > before:
-        return False
-    try:
-        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.LENGTH if name == local else units.times(
-            spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
-        found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
-        _fits(spec, reader, expression, found, expected)
-        in_cycles = expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree))
-        if in_cycles and not spec.asked_dimension:
-            reader.report(expression.where, "expected an angular frequency (rad/s), found Hz", "write 2*pi*f")
-    except ExpressionError as error:
-        reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
-    return len(reader.diagnostics) == before
-
-
-def _sides(checker, expression):
-    tree = expression.tree
-    checker.dimension(("sum", tree[1], tree[2], [(1, tree[3]), (1, tree[4])]))
-    return ANY
-
-
-def _fits(spec, reader, expression, found, expected):
-    if expected is None or found is ANY or (spec.free_numbers and _only_numbers(expression.tree)):
-        return
-    wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
-    if not spec.dimensions.equate(expected, found):
-        message = f"expected {wanted}, found {_found(expression.tree, spec.dimensions.resolve(found))}"
-        reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
-
-
-def _found(tree, dimension):
-    literal = whole_literal(tree)
-    if literal and literal[4]:
-        if not dimension and literal[4][0][0] != "%":
-            return "an angle (rad)"
-        if literal_unit(literal[4]).cycles:
-            return "a frequency (Hz)"
-    return units.name(dimension)
-
-
-def _unit_hint(spec, expression):
-    """A number without unit: where and how to write it."""
-    literal = whole_literal(expression.tree)
-    if not expression.unit:
-        return None
-    if expression.unit == "N/m" and literal and literal_unit(literal[4]).dimension == units.parse_unit("N*m").dimension:
-        return "a torsional stiffness is given as `torsion:`"
-    if literal and not literal[4]:
-        return f"write the unit: {expression.text} {expression.unit}"
-    name = expression.tree[3] if expression.tree[0] == "name" else None
-    value = spec.parameters[name].get("value") if name in spec.parameters else None
-    if name in spec.parameters and value is None:
-        return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
-    literal = value and whole_literal(value.tree)
-    return f"give '{name}' its unit: {value.text} {expression.unit}" if literal and not literal[4] else None
-
-
-def _no_quantities(reader, expression):
-    for tree in quantities_in(expression.tree):
-        reader.report(expression.scalar.place(tree[1], tree[2] - tree[1]), f"'{tree[3]}' cannot stand here",
-                      "what is asked of a scene, such as omega[1], stands under answers")
-
-
-def cyclic(spec, tree):
-    """The parameters named in a tree whose value is in Hz."""
-    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
-    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
-
-
-def _only_numbers(tree):
-    return all(name == "pi" for name, _, _, _ in names_in(tree))
-
-
-def _primes(spec, reader, expression, name, primes, start, end):
-    if not primes:
-        return
-    place = expression.scalar.place(start, end - start)
-    if name in spec.parameters or name not in spec.coordinates:
-        what = "a parameter" if name in spec.parameters else "the time"
-        reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
-    elif primes > 1 and any(expression is load for load in reader.loads):
-        reader.report(place, "accelerations cannot stand here",
-                      "loads depend on coordinates and velocities, constraints on positions")
-    elif reader.sound and id(expression) not in spec.velocities:
-        reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
-
-
-def _unknown(spec, name, names):
-    if name == "t":
-        return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
-    if name in spec.coordinates:
-        return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
-    if name.lower() in NO_NUMBERS:
-        return f"'{name}' is not a number", "write a finite number, or nothing at all: then the parameter is a symbol"
-    power = re.fullmatch(r"([A-Za-z]+)([2-4])", name)
-    if power and power.group(1) in units.UNITS:
-        return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
-    hint = nearest(name, names)
-    if names is not spec.parameters and (not hint or hint.startswith("valid")):
-        hint = f"a parameter is declared under `parameters:`, a coordinate by a motion such as `slide: {name}`"
-    return f"unknown name '{name}'", hint
-
-
-def _ambiguous(spec, reader, expression):
-    """`2 N*m` within a larger expression of a scene that has a name m may mean two things."""
-    if whole_literal(expression.tree):
-        return
-    for literal in literals_in(expression.tree):
-        if _in_brackets(expression.text, literal):
-            continue
-        for unit, _, start, end in literal[4][1:]:
-            if unit in spec.parameters or unit in spec.coordinates:
-                text = expression.text
-                head, joined = text[literal[1]:start].rstrip(" *·/"), text[literal[1]:end]
-                reader.report(expression.scalar.place(start, end - start),
-                              f"'{unit}' is a unit and a name of this scene",
-                              f"write ({joined}) for the unit or ({head})*{unit} for the name")
-
-
-def _in_brackets(text, literal):
-    """Does a literal stand alone in round brackets?"""
-    return text[:literal[1]].rstrip().endswith("(") and text[literal[2]:].lstrip().startswith(")")

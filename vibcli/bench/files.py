@@ -29,8 +29,14 @@ def rows(runs, folder):
 
 
 def main():
-    """Child process: print the problem files whose scenes have numbers."""
+    """Child process: print the problem files whose scenes have numbers and search for nothing."""
     from vibcli.cli.check import _files
     from vibcli.cli.common import load
 
-    print(json.dumps([file for file in _files(PROBLEMS) if not load(file).symbolic]))
+    def searches(spec):
+        found = spec.get("find")
+        return bool(spec.choices or (found and found.search) or any(a.asked.text == "equilibria" for a in spec.answers))
+
+    problems = {file: load(file) for file in _files(PROBLEMS)}
+    print(json.dumps([file for file, problem in problems.items()
+                      if not problem.symbolic and not any(map(searches, (problem.spec, *problem.spec.cases.values())))]))
