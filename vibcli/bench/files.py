@@ -37,6 +37,7 @@ def main():
         found = spec.get("find")
         return bool(spec.choices or (found and found.search) or any(a.asked.text == "equilibria" for a in spec.answers))
 
-    problems = {file: load(file) for file in _files(PROBLEMS)}
-    print(json.dumps([file for file, problem in problems.items()
-                      if not problem.symbolic and not any(map(searches, (problem.spec, *problem.spec.cases.values())))]))
+    def plain(problem):
+        return not problem.symbolic and not any(map(searches, (problem.spec, *problem.spec.cases.values())))
+
+    print(json.dumps([file for file in _files(PROBLEMS) if plain(load(file))]))
