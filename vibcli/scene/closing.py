@@ -60,10 +60,13 @@ def close(scene):
     left = [q for q in raw if q not in values and q not in {z for _, z in pivots}]
     scene.rename(left)
     scene.loops = _implicit(scene, tied, [z for _, z in pivots], values, left) if pivots else None
-    velocities = {scene.symbol(z.name, 1): scene.rate(node) for z, node in values.items()}
-    scene.replace({**values, **velocities})
+    used = 0
+    for node in (*(term.weight for term in scene.forces), *scene.energies.values()):
+        used |= node.mask
+    velocities = {scene.symbol(z.name, 1): node for z, node in values.items()}
+    scene.replace({**values, **{v: scene.rate(node) for v, node in velocities.items() if v.mask & used}})
     for z, node in values.items():
-        scene.define(z.name, node, velocities[scene.symbol(z.name, 1)])
+        scene.define(z.name, node)
     _redundant(scene, nodes, substitute(list(nodes.values()), values))
     scene.freedom = Freedom(len(raw), len(values), tuple(scene.constraints[k].name for k in nodes))
     return {z.name: node for z, node in values.items()}

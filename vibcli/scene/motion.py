@@ -19,8 +19,8 @@ class Motion:
 
     def symbol(self, name, primes=0):
         """The node of a coordinate, its velocity or acceleration; of a dependent one, what it equals."""
-        if primes == 2 and (name, 2) not in self._symbols:
-            self._symbols[name, 2] = self.rate(self._symbols[name, 1])
+        if primes and (name, primes) not in self._symbols:
+            self._symbols[name, primes] = self.rate(self.symbol(name, primes - 1))
         return self._symbols[name, primes]
 
     def driven_by(self, node):
@@ -60,10 +60,11 @@ class Motion:
         self.q, self.v, self.a = ([nodes[i] for i in kept] for nodes in (self.q, self.v, self.a))
         self.speeds = self._speeds()
 
-    def define(self, name, node, velocity):
+    def define(self, name, node):
         """Let a dependent coordinate be `node`, wherever its name stands from now on."""
-        self._symbols.update({(name, 0): node, (name, 1): velocity})
-        del self._symbols[name, 2]
+        self._symbols[name, 0] = node
+        for primes in (1, 2):
+            del self._symbols[name, primes]
         for primes in (0, 1):
             raw = self.table.variable(name + "'" * primes)
             self._drawn_at_rest.pop(raw)
