@@ -1,0 +1,1 @@
+"""What drives a linear system: its forcing, piece by piece in time, and what is read off it."""
