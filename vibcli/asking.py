@@ -54,7 +54,7 @@ def _answer(spec, reader, answer):
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
     if tree[0] == "name" and tree[3] in BARE and not tree[4] and not is_choice(spec, tree):
-        tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
+        tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
         asked.tree = tree
     whole = tree[0] == "quantity"
     for quantity in quantities_in(tree):
