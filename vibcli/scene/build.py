@@ -10,6 +10,7 @@ from vibcli.algebra.evaluate import Floats
 from vibcli.algebra.expression import Table
 from vibcli.algebra.parse import ExpressionError
 from vibcli.elements import gravity
+from vibcli.elements.initial import let_go
 from vibcli.errors import Diagnostic, SpecError
 from vibcli.fields import load
 from vibcli.parameters import Parameters
@@ -27,18 +28,19 @@ SAMPLES = range(20, 28)     # where other samples start
 SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
 
-def build_scene(spec, given=None, start=0, loose=False, releasing=False):
+def build_scene(spec, given=None, start=0, loose=False, releasing=False, holding=False):
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
 
     A `loose` scene keeps all coordinates: its constraints are held by multipliers. `releasing`: the supports of bodies
-    give way by further coordinates, whose generalised forces are the reactions.
+    give way by further coordinates, whose generalised forces are the reactions. `holding`: with the force that lets go
+    where the motion starts.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
     for attempt in range(start, start + ATTEMPTS):
         try:
-            scene = Scene(spec, attempt, given or {}, releasing)
+            scene = Scene(spec, attempt, given or {}, releasing, holding)
         except SpecError:   # a parameter that this sample leaves without value
             if attempt == start + ATTEMPTS - 1:
                 raise
@@ -57,8 +59,9 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False):
 class Scene(Terms, Ends, Motion, Geometry, Expressions):
     """The scalar functions of a scene, and the services by which elements make them."""
 
-    def __init__(self, spec, attempt, given, releasing=False):
+    def __init__(self, spec, attempt, given, releasing=False, holding=False):
         self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
+        self.holding = holding
         self.table = table = Table()
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
@@ -98,6 +101,8 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         for section, element in (("springs", "spring"), ("dampers", "damper"), ("forces", "force"),
                                  ("constraints", "constraint")):
             for record in (spec.get(section) or {}).values():
+                if section == "forces" and record.name == let_go(spec) and not self.holding:
+                    continue
                 self.owner = record.name
                 try:
                     load(element).build(record, self)
