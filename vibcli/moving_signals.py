@@ -20,7 +20,7 @@ class LinearSignal:
 
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
-        return self.motion.extreme(self.output, start, end, sense)
+        return self.motion.extreme(self.output, start, end, "max" if sense > 0 else "min")
 
     def zeros(self, start, end):
         return self.motion.zeros(self.output, start, end)

@@ -24,7 +24,8 @@ LONGEST, DEEPEST, PARTS = 2000, 64, 400
 SMALLEST, LARGEST = 1e-60, 1e60
 RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
-             "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2}
+             "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
+             "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
 OF_SIGNALS = ("abs", "amplitude", "arg", "argmax", "argmin", "beat_period", "decrement", "envelope", "final", "im",
               "max", "mean", "min", "overshoot", "period", "phase", "re", "rms", "steady", "transient")
 VALUE = "value"         # the head of x(2 s), and of what is written like a function and is none

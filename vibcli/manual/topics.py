@@ -26,6 +26,15 @@ FUNCTIONS = {
     "abs": "magnitude, of any dimension", "sign": "−1, 0 or 1, of any dimension",
     "min": "`min(a, b)`: the smaller one; both of one dimension",
     "max": "`max(a, b)`: the larger one; both of one dimension",
+    "step": "0 before its argument is zero and 1 from there on: `F0*(step(t) - step(t - t1))` is a pulse; of any "
+            "dimension",
+    "ramp": "`ramp(u)` is `u*step(u)`, in the dimension of u: `v*ramp(t - t1)`",
+    "impulse": "Dirac's impulse: zero but where its argument is, its integral is 1; `impulse(t - t1)` is in 1/s, so "
+               "that `(3 N*s)*impulse(t)` is a blow of 3 N·s. Of expressions of the time alone",
+    "square": "the square wave of period 2π: 1 where sin is positive, −1 where it is negative, as in "
+              "`F0*square(Omega*t)`. Of expressions of the time alone",
+    "sawtooth": "the wave of period 2π that rises from −1 at 0 to 1 and falls back at once, as in "
+                "`F0*sawtooth(Omega*t)`. Of expressions of the time alone",
 }
 
 FIND = {

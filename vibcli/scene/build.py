@@ -72,7 +72,7 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         self.sample = self.parameters.values(Floats, {**free, **given})
         table.sample = self.sample
         named = "t" in spec.parameters or "t" in spec.coordinates
-        self.time = table.variable("the time" if named else "t")
+        self.time = table.time = table.variable("the time" if named else "t")
         self.q, self.v, self.a = ([table.variable(name + primes) for name in self.coordinates]
                                   for primes in ("", "'", "''"))
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
