@@ -27,7 +27,7 @@ class Opened:
     def __init__(self, problem, releasing=False):
         self.problem = problem
         self.scene = scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=releasing,
-                                         releasing=releasing, opened=True)
+                                         releasing=releasing, opened=True, holding=problem.holding)
         if scene.static_preloads:
             tensions = copied([problem.preloads[record.name] for _, record in scene.static_preloads], scene.table)
             scene.replace({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})

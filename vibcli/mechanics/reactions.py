@@ -38,7 +38,8 @@ class Released:
         from vibcli.scene.build import build_scene
 
         self.problem = problem
-        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True)
+        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True,
+                                 holding=problem.holding)
         if self.scene.static_preloads and not problem.symbolic:
             nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
                      in self.scene.static_preloads}
