@@ -14,6 +14,7 @@ from vibcli.analyses.frequency.response import sloped
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
 NARROWEST, WIDE, ROUNDS, SAME = 1e-9, 1e4, 150, 2.0**-51
+BESIDE, ENDLESS = 1e-9, 3e3     # a peak that is so much higher than beside it has a damping ratio below 3e-13: none
 
 
 class Extreme(NamedTuple):
@@ -33,6 +34,8 @@ def extremes(system):
     Omega = narrowed(lambda at: steepness(system, at), low, high)
     values, _, resonant = sloped(system, Omega)
     sizes = np.abs(values)
+    beside = [np.abs(sloped(system, Omega * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
+    resonant |= maximum & (sizes > ENDLESS * np.maximum(*beside))
     if system.undamped:
         ends = [sloped(system, edge)[0].real for edge in (low, high)]
         sizes[~maximum & (ends[0] * ends[1] < 0)] = 0.0
