@@ -10,7 +10,8 @@ Trees are tuples (kind, start, end, …), the offsets being those of the text:
     ("sum", …, [(sign, tree)])         ("product", …, [(±1, tree)])
     ("power", …, base, exponent)       ("call", …, name, trees)       ("equation", …, left, right)
 
-A name may have parts, as in `tip.x`. Sums and products are flat, so depth is that of the parentheses, and bounded. Nothing is ever evaluated as code.
+A name may have parts, as in `tip.x`. Sums and products are flat, so depth is that of the parentheses, and bounded.
+Nothing is ever evaluated as code.
 """
 
 import re
@@ -25,8 +26,8 @@ RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
              "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
              "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
-OF_SIGNALS = ("abs", "amplitude", "arg", "argmax", "argmin", "beat_period", "decrement", "envelope", "final", "im", "max",
-              "mean", "min", "overshoot", "period", "phase", "re", "rms", "steady", "transient")
+OF_SIGNALS = ("abs", "amplitude", "arg", "argmax", "argmin", "beat_period", "decrement", "envelope", "final", "im",
+              "max", "mean", "min", "overshoot", "period", "phase", "re", "rms", "steady", "transient")
 VALUE = "value"         # the head of x(2 s), and of what is written like a function and is none
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
@@ -228,7 +229,8 @@ class _Parser:
                 raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
             depth += 1
             args = self.arguments(depth)
-            tree = ("quantity", start, self.at, self.text[start:self.at], VALUE, (), "", (tree, *args))
+            attribute = self.attribute()
+            tree = ("quantity", start, self.at, self.text[start:self.at], VALUE, (), attribute, (tree, *args))
         return tree
 
     def arguments(self, depth):
@@ -321,7 +323,12 @@ class _Parser:
         if self.text.startswith("[", self.at):
             raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
         args = self.arguments(depth) if self.text.startswith("(", self.at) else ()
-        attribute = ""
-        if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
-            attribute, self.at = word.group(), word.end()
+        attribute = self.attribute()
         return ("quantity", start, self.at, self.text[start:self.at], head, tuple(indices), attribute, tuple(args))
+
+    def attribute(self):
+        """The word after a dot, such as x of centre[rod].x, or nothing."""
+        if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
+            self.at = word.end()
+            return word.group()
+        return ""

@@ -47,6 +47,10 @@ FIND = {
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
     "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
     "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
+    "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
+                "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
+    "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "
+                          "`{frequency_response: {of: [x], to: drive}}` says of what, and to which input",
     "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
               "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
     "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
@@ -268,7 +272,7 @@ ALIASES = {"expression": "expressions", "unit": "units", "function": "functions"
            "exit code": "exit", "json keys": "json", "derivatives": "expressions", "derivative": "expressions",
            "names": "expressions", "numbers": "expressions", "signs": "conventions", "coordinate system": "conventions",
            "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
-           "amplitude": "conventions", "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
+           "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
            "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
            "case": "cases", "tolerance": "quantities", "t": "time", "excitation": "time", "driven": "time",
            "signal": "signals", "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope",
