@@ -12,14 +12,13 @@ def _escaped(word):
 class Latex(Notation):
     """LaTeX, for math mode."""
 
+    minus = "-"
+
     def number(self, value):
         if value.denominator == 1 or shown_as_decimal(value):
-            return decimal(value)
+            return decimal(value).replace("−", "-")
         sign = "-" if value < 0 else ""
         return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
-
-    def minus(self, text):
-        return text.replace("−", "-")
 
     def symbol(self, name):
         letter, rest, primes = split_name(name)
