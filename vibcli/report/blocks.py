@@ -9,7 +9,7 @@ yielded before. Texts are Unicode words, whatever a file says; Maths and Lines a
 
     a Node                an expression of the scene
     Name("phi1'")         a symbol of the scene by its name
-    a text                in notation: "δA = ", " + 1.44·", "ω_d = ω·√(1 − ζ²)" (report/tokens.py reads it)
+    a text                in notation: "δA = ", " + 1.44·", "ω_d = ω·√(1 − ζ²)" (report/reading.py reads it)
     Words("for ζ < 1")    words within mathematics
     Terms, Factor, Either what stands in no single node
 

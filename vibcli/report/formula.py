@@ -3,6 +3,8 @@
 import re
 
 from vibcli.report.blocks import Either, Factor, Name, Terms, Words
+from vibcli.report.figures import width
+from vibcli.report.notation import plain
 
 BREAK = re.compile(r"(?= [+−=<>] )")
 
@@ -20,6 +22,18 @@ def pieces(parts, write):
         found[-1:] = [write.beside(*found[-1:], first)]
         found += others
     return found
+
+
+def rows(parts, write, columns):
+    """A formula broken into rows of about so many columns of plain text, before a relation or a term."""
+    found, size = [[]], 0
+    for said, text in zip(pieces(parts, plain), pieces(parts, write), strict=True):
+        if found[-1] and size + width(said) > columns:
+            found.append([])
+            size = 0
+        found[-1].append(text)
+        size += width(said)
+    return [write.beside(*row) for row in found]
 
 
 def _pieces(part, write):
