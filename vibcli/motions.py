@@ -122,12 +122,19 @@ class SmallMotion(Motion):
             total = table.zero
             for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
                 square = table.variable(f"signal {name} {number}")
-                parts[square] = _apart(*found)
+                parts[square] = self._apart(*found)
                 total = total + square * square * table.number(Fraction(weight))
             return total
         else:
-            parts[symbol] = _apart(*linear_output(problem, name + "'" * primes))
+            parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
         return symbol
+
+    def _apart(self, output, direct):
+        """(Output without its channel, the node on it or None)."""
+        from vibcli.algebra.copied import copied
+
+        nodes = copied(list(direct.values()), self.problem.scene.table)
+        return output._replace(channels={}), next(iter(nodes), None)
 
     def _one(self, part):
         if isinstance(part[0], Output):
@@ -144,8 +151,3 @@ class SmallMotion(Motion):
                 channel += 1
             outputs.append((factor, output))
         return LinearSignal(motion, combined(outputs))
-
-
-def _apart(output, direct):
-    """(Output without its channel, the node on it or None)."""
-    return output._replace(channels={}), next(iter(direct.values()), None)

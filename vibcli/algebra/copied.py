@@ -11,6 +11,9 @@ class _Nodes:
         self.table, self.number, self.pi, self.power = table, table.number, table.pi, table.power
         self.functions = self
 
+    def __contains__(self, name):
+        return True
+
     def __getitem__(self, name):
         return self.table.power if name == "power" else lambda *args: self.table.call(name, *args)
 

@@ -3,6 +3,7 @@
 from bisect import bisect_left
 from fractions import Fraction
 
+from vibcli.analyses.forcing.gates import Place
 from vibcli.errors import PhysicsError
 
 ALIKE = Fraction(1, 10**9)
@@ -39,8 +40,8 @@ def _reach(cuts, i, last):
 def _beside(group, others, instant, reach, numbers):
     """The polynomial and the other gates at an instant: the same before and after it, or their product with an impulse
     is not defined."""
-    before, after = (_product(group.at(middle), others, instant, middle) for middle in (instant - reach,
-                                                                                        instant + reach))
+    before, after = (_product(group, others, Place(None, instant, numbers.number(middle), middle))
+                     for middle in (instant - reach, instant + reach))
     together = any(other.impulses(instant - reach, instant + reach) for other in others)
     if together or abs(before - after) > ALIKE * max(abs(before), abs(after)):
         raise PhysicsError("an impulse acts at the instant at which what multiplies it jumps: their product is not "
@@ -48,10 +49,10 @@ def _beside(group, others, instant, reach, numbers):
     return after
 
 
-def _product(p, others, instant, middle):
-    total = sum(c * instant**k for k, c in enumerate(p))
+def _product(group, others, at):
+    total = sum(c * at.exact_start**k for k, c in enumerate(group.at(at.middle)))
     for other in others:
-        total *= other.line(instant, middle)[0]
+        total *= other.line(at)[0]
     return total
 
 

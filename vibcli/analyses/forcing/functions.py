@@ -168,7 +168,7 @@ def _record(here, samples, order, numbers):
     if order > 2 or (order == 2 and samples.jumps):
         raise NotSaid("this is the rate of an impulse: what moves jumps, and has no acceleration there")
     if a:
-        return gate(Sampled(samples, a, b, order))
+        return gate(Sampled(samples, a, b, order, numbers))
     return constant(numbers.exact(samples.at(numbers.number(b), order)))
 
 

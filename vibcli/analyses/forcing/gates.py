@@ -1,7 +1,7 @@
 """Functions of time that are straight lines from one break to the next, with impulses at some of the breaks.
 
-Each has `breaks(low, high)`, the instants within [low, high]; `line(start, middle)`, its value at `start` and its slope
-on the piece that holds `middle`; `impulses(low, high)` as (instant, size); `period` (None: it ends at `end`).
+Each has `breaks(low, high)`, the instants within [low, high]; `line(at)`, its value at the start and its slope on the
+piece that holds the middle of a Place; `impulses(low, high)` as (instant, size); `period` (None: it ends at `end`).
 """
 
 from bisect import bisect_right
@@ -10,6 +10,15 @@ from math import ceil, floor
 from typing import NamedTuple
 
 MOST = 500_000      # breaks
+
+
+class Place(NamedTuple):
+    """A segment: its start, and an instant within it, as numbers of the arithmetic and exactly."""
+
+    start: object
+    exact_start: Fraction
+    middle: object
+    exact_middle: Fraction
 
 
 class Periodic(NamedTuple):
@@ -39,13 +48,13 @@ class Periodic(NamedTuple):
     def breaks(self, low, high):
         return [instant for instant, _ in self._instants(low, high)]
 
-    def line(self, start, middle):
-        turns = self.a * middle + self.b
+    def line(self, at):
+        turns = self.a * at.exact_middle + self.b
         whole = floor(turns)
         j = bisect_right(self.corners, turns - whole) - 1
         whole -= j < 0
         value, slope = self.lines[j]
-        from_corner = self.a * start + self.b - whole - self.corners[j]
+        from_corner = self.a * at.exact_start + self.b - whole - self.corners[j]
         return value + slope * from_corner, slope * self.a
 
     def impulses(self, low, high):
@@ -63,7 +72,7 @@ class Blow(NamedTuple):
     def breaks(self, low, high):
         return [self.end] if low <= self.end <= high else []
 
-    def line(self, start, middle):
+    def line(self, at):
         return 0, 0
 
     def impulses(self, low, high):

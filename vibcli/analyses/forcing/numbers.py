@@ -14,7 +14,7 @@ class Floating:
     """Python floats; phases are reduced before they are rounded."""
 
     arithmetic, pi, same = Floats, PI, Fraction(1, 2**46)
-    number, complex, floor = float, complex, math.floor
+    number, real, complex = float, float, complex
 
     @staticmethod
     def exact(value):
@@ -50,11 +50,11 @@ def multiprecise():
     class Multiple:
         arithmetic = multiprecision()
         same = Fraction(1, 2 ** (mpmath.mp.prec - 7))
-        complex, floor = mpmath.mpc, math.floor
+        real, complex = mpmath.mpf, mpmath.mpc
 
         @staticmethod
         def number(value):
-            return mpmath.mpf(value.numerator) / value.denominator
+            return mpmath.mpf(value.numerator) / value.denominator if hasattr(value, "numerator") else value
 
         @staticmethod
         def exact(value):
