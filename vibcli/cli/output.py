@@ -14,7 +14,7 @@ FLOAT_DIGITS = 12
 
 
 def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=(),
-                 question=False):
+                 question=False, wanted=None):
     """Print the scene and its cases; `sections(problem)` names the text sections, `data` the parts of the JSON.
 
     A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
@@ -31,7 +31,7 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
             if as_json:
                 found[case] = _data(problem, data, normalise, digits, sections(problem))
             else:
-                report = _report(problem, sections(problem), normalise, digits)
+                report = _report(problem, sections(problem), normalise, digits, wanted)
                 click.echo(("\n\n" if found else "") + render(report.document(case, question)))
                 found[case] = None
                 if report.refusal:
@@ -101,10 +101,10 @@ def _data(problem, parts, normalise, digits, sections):
     return found
 
 
-def _report(problem, sections, normalise, digits):
+def _report(problem, sections, normalise, digits, wanted=None):
     from vibcli.report.document import Report
 
-    report = Report(problem, normalise)
+    report = Report(problem, normalise, wanted)
     for name in sections:
         report.add(name)
     if isinstance(report.refusal, NotInLetters) and "equations" in sections:

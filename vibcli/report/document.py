@@ -9,12 +9,13 @@ from importlib import import_module
 from vibcli.algebra.parse import plain_name
 from vibcli.errors import PhysicsError
 from vibcli.report.blocks import Document, Name, maths
+from vibcli.report.wanted import Wanted
 from vibcli.spec import QUOTE
 
 SECTIONS = {"given": "given", "chosen": "chosen", "coordinates": "given", "equilibrium": "rest",
             "virtual_work": "statics", "energies": "motion", "equations": "motion", "frequencies": "spectrum",
             "damping": "spectrum", "modes": "spectrum", "equilibria": "equilibria", "reactions": "statics",
-            "shares": "insight", "sensitivities": "insight", "estimates": "insight"}
+            "response": "response", "frequency_response": "frequency_response", "shares": "insight", "sensitivities": "insight", "estimates": "insight"}
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
 
@@ -22,7 +23,8 @@ EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "
 class Report:
     """Sections about one problem. `roots`: {sum: symbol} of the lengths that have a symbol so far."""
 
-    def __init__(self, problem, normalise="first"):
+    def __init__(self, problem, normalise="first", wanted=None):
+        self.wanted = wanted or Wanted()
         self.problem, self.normalise, self.sections, self.roots = problem, normalise, [], {}
         self.refusal = None
 
