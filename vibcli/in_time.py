@@ -17,6 +17,13 @@ class InTime:
             return None
         return self.held_back()
 
+    @cached_property
+    def given_start(self):
+        """{coordinate, or velocity x': value} of what `initial` gives, or of the equilibrium from which it lets go."""
+        from vibcli.mechanics.start import given_start
+
+        return given_start(self)
+
     @Stage
     def start(self):
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""

@@ -12,7 +12,8 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower
 from vibcli.analyses.forcing.output import Output, combined
 from vibcli.elements.find import RESPONSE
-from vibcli.moving_signals import ComposedSignal, LinearSignal
+from vibcli.errors import PhysicsError
+from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
 
 
 class Motion:
@@ -122,12 +123,19 @@ class SmallMotion(Motion):
             total = table.zero
             for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
                 square = table.variable(f"signal {name} {number}")
-                parts[square] = _apart(*found)
+                parts[square] = self._apart(*found)
                 total = total + square * square * table.number(Fraction(weight))
             return total
         else:
-            parts[symbol] = _apart(*linear_output(problem, name + "'" * primes))
+            parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
         return symbol
+
+    def _apart(self, output, direct):
+        """(Output without its channel, the node on it or None)."""
+        from vibcli.algebra.copied import copied
+
+        nodes = copied(list(direct.values()), self.problem.scene.table)
+        return output._replace(channels={}), next(iter(nodes), None)
 
     def _one(self, part):
         if isinstance(part[0], Output):
@@ -146,6 +154,42 @@ class SmallMotion(Motion):
         return LinearSignal(motion, combined(outputs))
 
 
-def _apart(output, direct):
-    """(Output without its channel, the node on it or None)."""
-    return output._replace(channels={}), next(iter(direct.values()), None)
+class FullMotion(Motion):
+    """The motion of the full equations, integrated."""
+
+    WORDS = "full equations, integrated"
+
+    def __init__(self, problem):
+        super().__init__(problem)
+        self._trajectory = None
+
+    def trajectory(self, until=None, progress=None):
+        """The Trajectory up to an instant at least, to the end asked for if none is given."""
+        until = self.until if until is None else until
+        if self._trajectory is None or self._trajectory.until < until:
+            from vibcli.analyses.trajectory.simulate import simulate
+
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start, progress=progress)
+        return self._trajectory
+
+    def lasting(self):
+        from vibcli.analyses.duration import duration
+
+        try:
+            return duration(self.problem.modes, self.problem.damped, 0.0, [])
+        except PhysicsError:
+            raise PhysicsError("it is not known how long this motion is to be looked at",
+                               "say until when: find: [{response: {until: 10 s}}]") from None
+
+    def signal(self, tree):
+        """The signal of a tree: a function of the coordinates, velocities and accelerations."""
+        from vibcli.mechanics.signals import moving
+
+        scene = self.problem.scene
+
+        def symbol(name, primes, part):
+            if name in scene.parameters.nodes and not primes:
+                return scene.parameters.nodes[name]
+            return moving(self.problem, name, primes)
+
+        return FullSignal(self, lower(tree, scene.table, symbol))

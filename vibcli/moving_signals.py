@@ -113,3 +113,30 @@ class Difference:
         return self.one.values(times, order) - self.other.values(times, order)
 
     extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+
+
+class FullSignal:
+    """A function of the coordinates, velocities and accelerations of a motion that was integrated."""
+
+    def __init__(self, motion, node):
+        self.motion, self.node = motion, node
+
+    def values(self, times, order=0):
+        from vibcli.algebra.arrays import Arrays
+
+        if order:
+            raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
+        import numpy as np
+
+        times = np.asarray(times, dtype=float)
+        scene = self.motion.problem.scene
+        trajectory = self.motion.trajectory(max(times.max(initial=0.0), self.motion.until))
+        values = {**self.motion.problem.floats, scene.time.name: times}
+        for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
+            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
+        return np.broadcast_to(evaluate([self.node], Arrays, values)[0], times.shape)
+
+    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+
+    def final(self):
+        raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")

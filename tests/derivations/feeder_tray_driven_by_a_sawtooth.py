@@ -1,5 +1,7 @@
-"""Energy of the weights by second differences (the spring's preload is linear in the turn); the sawtooth's series, sines of
-2 F0/(n pi), as phasors; the effective value by Parseval's sum, and by the steady motion over one ramp in closed form."""
+"""Energy of the weights by second differences (the spring's preload is linear in the turn); the sawtooth's series,
+sines of 2 F0/(n pi), as phasors; the effective value by Parseval's sum, and by the steady motion over one ramp in
+closed form.
+"""
 import numpy as np
 from scipy.integrate import quad
 from scipy.linalg import expm

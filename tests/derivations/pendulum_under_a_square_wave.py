@@ -1,5 +1,6 @@
-"""Steady motion as the state that changes sign after half a period of constant moment (matrix exponential); harmonics and
-effective value by quadrature over a period, the harmonics again as phasors of the square's series 4 M0/(n pi)."""
+"""Steady motion as the state that changes sign after half a period of constant moment (matrix exponential); harmonics
+and effective value by quadrature over a period, the harmonics again as phasors of the square's series 4 M0/(n pi).
+"""
 import numpy as np
 from scipy.integrate import quad
 from scipy.linalg import expm

@@ -1,5 +1,6 @@
-"""Place of rest by least energy of the mounts in 30 digits; each blow starts a decaying sine (impulse response), their sum
-searched on both sides of the second blow for its extremes."""
+"""Place of rest by least energy of the mounts in 30 digits; each blow starts a decaying sine (impulse response),
+their sum searched on both sides of the second blow for its extremes.
+"""
 import mpmath as mp
 
 

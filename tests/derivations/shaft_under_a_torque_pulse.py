@@ -1,5 +1,7 @@
-"""Angular momentum of each disc. The half sine is the answer of a free oscillator: it joins the state, so that the motion
-is one matrix exponential during the pulse and another one behind; the twist at the end again by Runge-Kutta."""
+"""Angular momentum of each disc. The half sine is the answer of a free oscillator: it joins the state, so that the
+motion is one matrix exponential during the pulse and another one behind; the twist at the end again by
+Runge-Kutta.
+"""
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm

@@ -36,7 +36,7 @@ def answers(p):
         return a * theta(t) - (h * np.sin(np.pi * t / end) if t < end else 0.0)
 
     static = -(m * L / 2 + m2 * L) * g / a
-    least = min(stretch(t) for t in extremes(stretch) + [end])
+    least = min(stretch(t) for t in [*extremes(stretch), end])
     wn, decay = (K / J) ** 0.5, C / J / 2
     wd = (wn**2 - decay**2) ** 0.5
     duhamel = quad(lambda s: moment(s) * np.exp(-decay * (end - s)) * np.sin(wd * (end - s)) / (J * wd), 0, end)[0]

@@ -1,5 +1,7 @@
-"""Moments about the foot in the accelerated ground. Between the points of the record the moment is linear in time and the
-motion is a matrix exponential of (turn, rate, moment, its slope); the turn at 1 s and 6 s again by Duhamel's integral."""
+"""Moments about the foot in the accelerated ground. Between the points of the record the moment is linear in time and
+the motion is a matrix exponential of (turn, rate, moment, its slope); the turn at 1 s and 6 s again by Duhamel's
+integral.
+"""
 import numpy as np
 from scipy.integrate import quad
 from scipy.linalg import expm
@@ -35,9 +37,12 @@ def answers(p):
     wd = (wn**2 - decay**2) ** 0.5
 
     def duhamel(t):
-        ends = [time for time in times if time < t] + [min(t, times[-1])]
-        return sum(quad(lambda s: S * np.interp(s, times, ground) / (J * wd) * np.exp(-decay * (t - s))
-                        * np.sin(wd * (t - s)), *pair, epsabs=1e-14)[0] for pair in zip(ends, ends[1:], strict=False))
+        ends = [*(time for time in times if time < t), min(t, times[-1])]
+
+        def blow(s):
+            return S * np.interp(s, times, ground) / (J * wd) * np.exp(-decay * (t - s)) * np.sin(wd * (t - s))
+
+        return sum(quad(blow, ends[i], ends[i + 1], epsabs=1e-14)[0] for i in range(len(ends) - 1))
 
     assert max(abs(duhamel(t) - motion(t)[0]) for t in (1.0, 6.0)) < 1e-10
     return {

@@ -7,6 +7,8 @@ import click
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.questions import INSIGHT
+from vibcli.report.blocks import paragraph, section
+from vibcli.report.render_text import render
 
 FLOAT_DIGITS = 12
 
@@ -29,8 +31,8 @@ def print_scenes(problems, sections, as_json, timings, digits=None, normalise="f
             if as_json:
                 found[case] = _data(problem, data, normalise, digits, sections(problem))
             else:
-                report = _report(case, problem, sections(problem), normalise, digits, question)
-                click.echo(("\n\n" if found else "") + report.text())
+                report = _report(problem, sections(problem), normalise, digits)
+                click.echo(("\n\n" if found else "") + render(report.document(case, question)))
                 found[case] = None
                 if report.refusal:
                     raise report.refusal
@@ -99,16 +101,15 @@ def _data(problem, parts, normalise, digits, sections):
     return found
 
 
-def _report(case, problem, sections, normalise, digits, question):
-    from vibcli.report.figures import wrapped
-    from vibcli.report.text import Report
+def _report(problem, sections, normalise, digits):
+    from vibcli.report.document import Report
 
     report = Report(problem, normalise)
-    report.head(case, question)
-    for section in sections:
-        report.add(section)
+    for name in sections:
+        report.add(name)
     if isinstance(report.refusal, NotInLetters) and "equations" in sections:
-        report.section("Not found in letters", wrapped(f"{report.refusal.message}: {report.refusal.hint}", indent=0))
+        remark = paragraph(f"{report.refusal.message}: {report.refusal.hint}", hang=0)
+        report.sections += section("Not found in letters", remark)
         report.refusal = None
     if digits is not None:
         _digits(report, problem, digits)
@@ -128,7 +129,7 @@ def _digits(report, problem, digits):
         lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
-    report.section(f"With {digits} digits", lines)
+    report.sections += section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines))
 
 
 def _signed(text):

@@ -20,7 +20,7 @@ def picture_options(suffixes):
                      help="Give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'."),
         click.option("--case", "case", metavar="NAME", help="This case of the file."),
         click.option("-o", "--output", metavar="FILE", type=click.Path(),
-                     help=f"The file to write: {', '.join(suffixes)}; by default {suffixes[0]}, with the scene's name."),
+                     help=f"The file to write: {', '.join(suffixes)}; {suffixes[0]} unless named."),
         click.option("--force", is_flag=True, help="Replace the file if it exists."),
         color_option,
     ]

@@ -18,7 +18,7 @@ FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
               "estimates of the lowest one.")
 def command(file, settings, case, as_json, timings, digits, normalise, insight):
     """The whole solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes."""
-    from vibcli.report.text import EVERYTHING
+    from vibcli.report.document import EVERYTHING
 
     problems = chosen(load(file, settings), case)
 

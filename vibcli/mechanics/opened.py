@@ -18,6 +18,7 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.rows import Row
 from vibcli.mechanics.steady import INSTANTS, SAME, matrices_at, steady, without_time
 from vibcli.scene.build import build_scene
+from vibcli.scene.loops import drawn_values
 
 
 class Opened:
@@ -40,8 +41,15 @@ class Opened:
     def values(self):
         """{name: float} of every symbol in equilibrium."""
         known = self.problem
-        rest = {node.name: 0.0 for nodes in (self.scene.q, self.scene.v, self.scene.a) for node in nodes}
-        return {**rest, **known.dependent_values, **known.at_rest}
+        return {**self._rest(), **known.dependent_values, **known.at_rest}
+
+    def _rest(self):
+        return {node.name: 0.0 for nodes in (self.scene.q, self.scene.v, self.scene.a) for node in nodes}
+
+    @cached_property
+    def sample(self):
+        """The same as drawn where the scene has letters, with sample values for them."""
+        return {**self._rest(), **drawn_values(self.scene)} if self.problem.symbolic else self.values
 
     @property
     def place(self):

@@ -14,6 +14,13 @@ def refuse_unwritable(path, suffixes):
         found = f"'{path.suffix}'" if path.suffix else "no suffix"
         raise PhysicsError(f"{path} is no file that can be written: it has {found}",
                            f"give it one of {', '.join(suffixes)}")
+    try:
+        _refuse_place(path)
+    except (OSError, ValueError) as error:
+        raise _unwritable(path, error) from None
+
+
+def _refuse_place(path):
     if not path.parent.is_dir():
         raise PhysicsError(f"there is no folder {path.parent}", f"make it first, to hold {path.name}")
     if path.is_symlink():
@@ -22,6 +29,10 @@ def refuse_unwritable(path, suffixes):
         raise PhysicsError(f"{path} is no file", "name a file")
     if not os.access(path.parent, os.W_OK | os.X_OK):
         raise PhysicsError(f"the folder {path.parent} may not be written to", "name another one")
+
+
+def _unwritable(path, error):
+    return PhysicsError(f"{path} cannot be written: {getattr(error, 'strerror', None) or error}", "name another file")
 
 
 def write_whole(path, data):
@@ -38,5 +49,5 @@ def write_whole(path, data):
         except BaseException:
             beside.unlink(missing_ok=True)
             raise
-    except OSError as error:
-        raise PhysicsError(f"{path} cannot be written: {error.strerror or error}", "name another file") from None
+    except (OSError, ValueError) as error:
+        raise _unwritable(path, error) from None

@@ -1,28 +1,28 @@
 """H(iΩ) of many degrees of freedom at many frequencies: banded LU, real modes where damping does not couple them, else
-complex modes."""
+complex modes. Each method gives (H, dH/ds or None, whether there is a pole) at each s."""
 
 import numpy as np
 
-from vibcli.analyses.frequency.response import SINGULAR, direct, probe, scales
-from vibcli.analyses.frequency.transfer import polynomial
+from vibcli.analyses.frequency.response import SINGULAR, along, direct, probe, scales
+from vibcli.analyses.frequency.transfer import polynomial, slope
 
 NARROW, COUPLED = 16, 1e-14     # widest band on either side; coupling relative to the damping of two modes
 DEPENDENT = 1e5                 # condition of complex modes from which on they lose too many digits
 
 
 def chosen(system):
-    """The method for this system, (system, Omega) → (values, resonant); None where neither fits."""
+    """The method for this system; None where none of them fits."""
     order, width = _ordered(system)
     if width <= NARROW:
-        return lambda system, Omega: _banded(system, Omega, order, width)
+        return lambda system, s, steep=False: _banded(system, s, steep, order, width)
     reduced = _reduced(system)
     if reduced is None:
         return None
     modes = _modes(system, *reduced)
     if modes is not None:
-        return lambda system, Omega: _modal(system, Omega, *modes)
+        return lambda system, s, steep=False: _by_modes(system, s, steep, *modes)
     modes = _complex_modes(*reduced)
-    return None if modes is None else lambda system, Omega: _by_complex_modes(system, Omega, *modes)
+    return None if modes is None else lambda system, s, steep=False: _by_complex_modes(system, s, steep, *modes)
 
 
 def _ordered(system):
@@ -37,7 +37,7 @@ def _ordered(system):
     return order, int(np.abs(rows - columns).max(initial=0))
 
 
-def _banded(system, Omega, order, width):
+def _banded(system, s, steep, order, width):
     from scipy.linalg import lapack
 
     n, at = system.n, np.arange(system.n)
@@ -45,24 +45,27 @@ def _banded(system, Omega, order, width):
     for k, matrix in enumerate((system.K, system.C, system.M)):
         rows, columns = np.nonzero(np.abs(at[:, None] - at) <= width)
         bands[k, 2 * width + rows - columns, columns] = matrix[np.ix_(order, order)][rows, columns]
-    s, scale = 1j * Omega, scales(system, Omega)[:, order]
+    scale = scales(system, s)[:, order]
     b, c = polynomial(system.b, s)[:, order] * scale, polynomial(system.c, s)[:, order] * scale
     rows = np.clip(np.arange(3 * width + 1)[:, None] - 2 * width + at, 0, n - 1)
-    values, lost = np.empty(len(Omega), complex), []
+    x, y, lost = np.zeros(b.shape, complex), np.zeros(b.shape, complex), []
     right = np.empty((n, 2), complex)
     right[:, 1] = probe(n)
-    for k, w in enumerate(Omega):
-        band = (bands[0] - w * w * bands[2] + 1j * w * bands[1]) * scale[k] * scale[k][rows]
+    for k, point in enumerate(s.tolist()):
+        band = (bands[0] + point * bands[1] + point * point * bands[2]) * scale[k] * scale[k][rows]
         right[:, 0] = b[k]
-        _, _, x, info = lapack.zgbsv(width, width, band, right)
-        if info or not np.abs(x[:, 1]).max() * SINGULAR * 64 < 1:
+        factors, pivots, info = lapack.zgbtrf(band, width, width)
+        found, _ = lapack.zgbtrs(factors, width, width, right, pivots)
+        if info or not np.abs(found[:, 1]).max() * SINGULAR * 64 < 1:
             lost.append(k)
-        values[k] = c[k] @ x[:, 0]
-    values += polynomial(system.d, s)
-    resonant = np.zeros(len(Omega), bool)
-    if lost:
-        values[lost], resonant[lost] = direct(system, Omega[lost])
-    return values, resonant
+            continue
+        x[k] = found[:, 0]
+        if steep:
+            y[k] = lapack.zgbtrs(factors, width, width, c[k], pivots, trans=1)[0]
+    values, slopes, back = np.einsum("ki,ki->k", c, x) + polynomial(system.d, s), None, np.argsort(order)
+    if steep:
+        slopes = along(system, s, (x * scale)[:, back], (y * scale)[:, back])
+    return _repaired(system, s, values, slopes, lost)
 
 
 def _reduced(system):
@@ -84,7 +87,7 @@ def _symmetric(matrix):
 
 
 def _modes(system, K, C, back):
-    """(λ₁ and λ₂ of each real mode, shapes) where damping does not couple them, else None."""
+    """(ω², 2ζω, shapes) of real modes where damping does not couple them, else None."""
     if not (_symmetric(system.K) and _symmetric(system.C)):
         return None
     squares, turn = np.linalg.eigh((K + K.T) / 2)
@@ -94,16 +97,16 @@ def _modes(system, K, C, back):
     return None if (apart > COUPLED * size).any() else (squares, np.diag(damping), back @ turn)
 
 
-def _modal(system, Omega, squares, damping, shapes):
-    """Σ (cᵀφ)(φᵀb)/(ω² − Ω² + iΩ·2ζω)."""
-    s = 1j * Omega
-    driven, seen = polynomial(system.b, s) @ shapes, polynomial(system.c, s) @ shapes
-    stiffness = squares - (Omega * Omega)[:, None] + s[:, None] * damping
-    return _summed(system, Omega, driven * seen, stiffness, np.abs(squares) + (Omega * Omega)[:, None])
+def _by_modes(system, s, steep, squares, damping, shapes):
+    """Σ (cᵀφ)(φᵀb)/(s² + 2ζω s + ω²)."""
+    at = s[:, None]
+    stiffness = squares + at * damping + at * at
+    size = np.abs(squares) + np.abs(at) ** 2
+    return _summed(system, s, steep, (shapes, shapes), (stiffness, 2 * at + damping), size)
 
 
 def _complex_modes(K, C, back):
-    """(λ, left and right shapes) of the first-order form; None where its vectors are nearly dependent."""
+    """(λ, right and left shapes) of the first-order form; None where its vectors are nearly dependent."""
     n = len(K)
     pace = np.sqrt(max(np.abs(K).max(), np.finfo(float).tiny))
     A = np.block([[np.zeros((n, n)), pace * np.eye(n)], [-K / pace, -C]])
@@ -111,22 +114,33 @@ def _complex_modes(K, C, back):
     left = np.linalg.inv(right)
     if np.linalg.norm(left, 2) * np.linalg.norm(right, 2) > DEPENDENT:
         return None
-    return values, back @ right[:n], left[:, n:] @ back.T / pace
+    return values, back @ right[:n], (left[:, n:] @ back.T).T / pace
 
 
-def _by_complex_modes(system, Omega, values, right, left):
-    """Σ (cᵀx)(yᵀb)/(iΩ − λ)."""
-    s = 1j * Omega
-    driven, seen = polynomial(system.b, s) @ left.T, polynomial(system.c, s) @ right
-    return _summed(system, Omega, driven * seen, s[:, None] - values, np.abs(values) + np.abs(Omega)[:, None])
+def _by_complex_modes(system, s, steep, values, right, left):
+    """Σ (cᵀx)(yᵀb)/(s − λ)."""
+    at = s[:, None]
+    return _summed(system, s, steep, (left, right), (at - values, np.ones((1, 1))), np.abs(values) + np.abs(at))
 
 
-def _summed(system, Omega, residues, distances, size):
-    """Σ residue/distance + d; by LU where a pole is as near as rounding."""
-    lost = (np.abs(distances) <= 64 * SINGULAR * size).any(axis=1)
-    distances[lost] = 1.0
-    values = np.sum(residues / distances, axis=1) + polynomial(system.d, 1j * Omega)
-    resonant = np.zeros(len(Omega), bool)
-    if lost.any():
-        values[lost], resonant[lost] = direct(system, Omega[lost])
-    return values, resonant
+def _summed(system, s, steep, shapes, distance, size):
+    """Σ (cᵀx)(yᵀb)/distance + d; by LU where a pole is as near as rounding. `distance`: with its slope."""
+    far, steeper = distance
+    lost = np.flatnonzero((np.abs(far) <= 64 * SINGULAR * size).any(axis=1))
+    far[lost] = 1.0
+    (left, right), slopes = shapes, None
+    driven, seen = polynomial(system.b, s) @ left, polynomial(system.c, s) @ right
+    values = np.sum(driven * seen / far, axis=1) + polynomial(system.d, s)
+    if steep:
+        moved = slope(system.b, s) @ left * seen + driven * (slope(system.c, s) @ right)
+        slopes = np.sum((moved - driven * seen * steeper / far) / far, axis=1) + slope(system.d, s)
+    return _repaired(system, s, values, slopes, lost)
+
+
+def _repaired(system, s, values, slopes, lost):
+    resonant = np.zeros(len(s), bool)
+    if len(lost):
+        values[lost], steep, resonant[lost] = direct(system, s[lost], slopes is not None)
+        if slopes is not None:
+            slopes[lost] = steep
+    return values, slopes, resonant

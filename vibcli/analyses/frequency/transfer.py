@@ -41,6 +41,12 @@ def polynomial(coefficients, s):
     return coefficients[0] + s * (coefficients[1] + s * coefficients[2])
 
 
+def slope(coefficients, s):
+    """The derivative of the same polynomial."""
+    s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
+    return coefficients[1] + 2 * s * coefficients[2]
+
+
 def transfer(problem, signal, driven_by, order=0):
     """The Transfer of a signal of a problem to a named input."""
     row, chosen, n = linear_row(problem, signal), named_input(problem, driven_by), len(problem.scene.q)

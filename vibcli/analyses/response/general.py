@@ -8,7 +8,7 @@ modes, rigid motion, flutter about to begin) share a block, its basis orthonorma
 import numpy as np
 
 from vibcli.analyses.response.block import Block
-from vibcli.analyses.response.clusters import groups, starting
+from vibcli.analyses.response.clusters import groups, joined, starting
 from vibcli.analyses.response.sharpened import sharpened
 from vibcli.errors import PhysicsError
 
@@ -19,8 +19,17 @@ def general(M, C, K):
     unit = np.ldexp(1.0, powers)
     M, C, K = (np.ldexp(unit[:, None] * matrix * unit, -lower * rate) for lower, matrix in enumerate((M, C, K)))
     check_inertia(M)
-    bases = [starting(M, C, K, group) for group in groups(M, C, K)]
-    return [_in_units(block, unit, rate) for block in blocks(M, C, sharpened(M, C, K, bases))]
+    return [_in_units(block, unit, rate) for block in blocks(M, exact_bases(M, C, K))]
+
+
+def exact_bases(M, C, K):
+    """The bases of all blocks, (X, B, half); eigenvalues that cannot be told apart are put together."""
+    found = groups(M, C, K)
+    while True:
+        bases, mixed = sharpened(M, C, K, [starting(M, C, K, group) for group in found])
+        if mixed is None:
+            return bases
+        found = joined(found, *mixed)
 
 
 def scaling(M, C, K):
@@ -49,7 +58,7 @@ def unmoved(i):
                         "q̈", hint="give what it moves a mass or inertia")
 
 
-def blocks(M, C, bases):
+def blocks(M, bases):
     """Blocks of bases (X, B, half): the rows that give c of a state are those of the inverse of all [X; X B]."""
     V = np.concatenate([_columns(basis) for basis in bases], axis=1)
     N, at, found = np.linalg.inv(V), 0, []

@@ -26,6 +26,12 @@ class Cells:
         """Those where the mask holds."""
         return Cells(self.segment[mask], self.early[mask], self.late[mask])
 
+    @staticmethod
+    def together(parts):
+        """All of several."""
+        return Cells(*(np.concatenate([getattr(part, name) for part in parts])
+                       for name in ("segment", "early", "late")))
+
     def divided(self, parts):
         """Each in equal parts."""
         edges = self.early[:, None] + (self.late - self.early)[:, None] * (np.arange(parts + 1) / parts)
@@ -85,25 +91,29 @@ def zeros(pieces, output, start, end):
     y, slope, curvature = (pieces.terms(output, order) for order in range(3))
     cells = stretches(timeline, start, end)
     cells = cells.where(y.bound(cells.segment, cells.early, cells.late) > 0)
-    found = _jumps(timeline, y, cells)
+    found, closest = _jumps(timeline, y, cells), []
     cells = cells.divided(max(8, FIRST // max(1, len(cells))))
     for _ in range(LEVELS):
         left, right = (y.at(cells.segment, tau) for tau in (cells.early, cells.late))
         width = cells.late - cells.early
         bend = curvature.bound(cells.segment, cells.early, cells.late)
         rounding = 4 * EPSILON * y.bound(cells.segment, cells.early, cells.late)
-        steep = np.maximum(*(np.abs(slope.at(cells.segment, tau)) for tau in (cells.early, cells.late))) > bend * width
+        rise = width * np.maximum(*(np.abs(slope.at(cells.segment, tau)) for tau in (cells.early, cells.late)))
+        steep = (rise > bend * width**2) & (rise > 4 * rounding)
         through = (left * right < 0) | (left == 0) | (right == 0)
         single = cells.where(steep & through)
         found.append(timeline.starts[single.segment] + root(y, slope, single))
         room = bend * width**2 / 8 + rounding
         unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= room))
-        cells, room, rounding = cells.where(unsure), room[unsure], rounding[unsure]
-        if len(cells) > MOST or (room <= 2 * rounding).all():
+        close = room <= 2 * rounding
+        closest.append(cells.where(unsure & close))
+        cells = cells.where(unsure & ~close)
+        if not len(cells) or len(cells) > MOST:
             break
         cells = cells.divided(PARTS)
-    if len(cells):
-        found.append(_touching(timeline, y, slope, curvature, cells))
+    closest = Cells.together([*closest, cells])
+    if len(closest):
+        found.append(_touching(timeline, y, slope, curvature, closest))
     return _distinct(np.concatenate(found), EPSILON * 4 * max(abs(start), abs(end)))
 
 

@@ -15,28 +15,36 @@ BITS = 320
 ALONE, JOINED = 1e-13, 1e-24
 STEPS = 8
 LARGEST = 60
+MIXED = 0.3
+NOTHING = 1e-20
 
 
 def sharpened(M, C, K, bases):
-    """The bases (X, B, half) made exact to floats, B upper triangular."""
+    """The bases (X, B, half) made exact to floats, B upper triangular; None and two places of `bases` where those two
+    cannot be told apart."""
     data, inverse = fx.fixed(np.concatenate([M, C, K], axis=1), BITS), np.linalg.inv(M)
     Xs, Bs = [_fixed(X) for X, _, _ in bases], [_fixed(B) for _, B, _ in bases]
     halves = [half for _, _, half in bases]
+    twins = [i for i, half in enumerate(halves) if half]
     goal = ALONE if all(len(B) == 1 for B in Bs) else JOINED
     for _ in range(STEPS if len(M) <= LARGEST else 0):
         residual = np.concatenate([_floats(_residual(data, X, B)) for X, B in zip(Xs, Bs, strict=True)], axis=1)
-        rounded = [(_floats(X), _floats(B)) for X, B in zip(Xs, Bs, strict=True)]
-        blocks = rounded + [(X.conj(), B.conj()) for (X, B), half in zip(rounded, halves, strict=True) if half]
+        blocks = [(_floats(X), _floats(B)) for X, B in zip(Xs, Bs, strict=True)]
+        blocks += [(X.conj(), B.conj()) for X, B in (blocks[i] for i in twins)]
         full = np.concatenate([X for X, _ in blocks], axis=1)
         rates = np.concatenate([X @ B for X, B in blocks], axis=1)
         S = -np.linalg.inv(np.concatenate([full, rates]))[:, len(M):] @ (inverse @ residual)
         E, D = _corrections(S, [B for _, B in blocks], len(bases))
+        largest = np.unravel_index(np.argmax(np.abs(E)), E.shape)
+        if not abs(E[largest]) < MIXED:
+            owner = np.repeat([*range(len(bases)), *twins], [len(B) for _, B in blocks])
+            return None, owner[list(largest)].tolist()
         moved = full @ E
         Xs = [X + _fixed(moved[:, at]) for X, (at, _) in zip(Xs, D, strict=True)]
         Bs = [B + _fixed(step) for B, (_, step) in zip(Bs, D, strict=True)]
-        if np.abs(E).max(initial=0.0) <= goal:
+        if abs(E[largest]) <= goal:
             break
-    return [_triangular(_floats(X), B, half) for X, B, half in zip(Xs, Bs, halves, strict=True)]
+    return [_triangular(_floats(X), B, half) for X, B, half in zip(Xs, Bs, halves, strict=True)], None
 
 
 def _fixed(a):
@@ -73,8 +81,8 @@ def _corrections(S, blocks, count):
     stops = np.cumsum([0] + [len(B) for B in blocks]).tolist()
     places = [slice(*ends) for ends in pairwise(stops)]
     values = np.concatenate([B.diagonal() for B in blocks])
-    with np.errstate(all="ignore"):
-        E, D = S / (values[:S.shape[1]] - values[:, None]), []
+    gaps = values[:S.shape[1]] - values[:, None]
+    E, D = np.divide(S, gaps, out=np.where(S, np.inf, S), where=gaps != 0), []
     for column, (at, own) in enumerate(zip(places[:count], blocks, strict=False)):
         D.append((at, S[at, at]))
         E[at, at] = 0.0
@@ -94,7 +102,7 @@ def sylvester(A, B, C):
 def _triangular(X, B, half):
     """(X Q, Qᴴ B Q, half) with an upper triangle, by a Schur form in the digits that Newton's method gave."""
     if len(B) == 1:
-        return X, _floats(B), half
+        return X, _clean(_floats(B)), half
     from mpmath import mp, mpc, mpf
 
     with mp.workprec(BITS):
@@ -103,4 +111,10 @@ def _triangular(X, B, half):
             exact[at] = mpc(*(mp.ldexp(mpf(int(part[at])), -BITS) for part in _halves(B)))
         Q, T = mp.schur(exact)
         Q, T = (np.array(matrix.tolist(), complex) for matrix in (Q, T))
-    return X @ Q, np.triu(T), half
+    return X @ Q, _clean(np.triu(T)), half
+
+
+def _clean(B):
+    """B without what is zero but for the rounding of many digits, in a system whose largest entries are near 1."""
+    re, im = (np.where(np.abs(part) > NOTHING * np.abs(B), part, 0.0) for part in (B.real, B.imag))
+    return np.where(np.abs(B) > NOTHING, re + 1j * im, 0.0)

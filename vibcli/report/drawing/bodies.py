@@ -2,11 +2,11 @@
 
 from math import pi
 
-from vibcli.report.drawing import plane, support
+from vibcli.report.drawing import joint, plane, support
 from vibcli.report.drawing.connection import snapped
 from vibcli.report.drawing.primitives import BODY, Circle, Hatch, Line
 
-RAIL = 17.0
+RAIL, WOUND = 17.0, 18.0
 
 
 def draw(sketch, looks, ties):
@@ -37,43 +37,41 @@ def marks(sketch, looks):
 
 
 def _pins(sketch, looks):
-    """A hinge at every pin; a bearing where it is on the ground."""
+    """A hinge at every pin; a bearing where it is on the ground, higher where a spiral spring winds about it."""
     found, grounded = [], {}
+    wound = {_rounded(at.drawn) for _, is_spring, _, at, _, other in joint.elements(sketch) if is_spring and not other}
     for name, body in sketch.scene.bodies.items():
         pivot = sketch.pivot(name) if name in looks else None
         if pivot is None:
             continue
         if sketch.is_fixed(pivot.carrier):
-            key = round(pivot.drawn[0], 3), round(pivot.drawn[1], 3)
-            grounded.setdefault(key, (pivot, []))[1].append(_outward(name, pivot.drawn, looks[name], sketch))
+            points = [point for part in looks[name].pieces for point in part.points]
+            grounded.setdefault(_rounded(pivot.drawn), (pivot, []))[1].extend(points)
         elif body.moves:
             found += support.hinge(sketch.now(pivot))
-    for pivot, directions in grounded.values():
-        found += support.bearing(sketch.now(pivot), down_of(directions))
+    for key, (pivot, points) in grounded.items():
+        height = WOUND if key in wound else support.HEIGHT
+        found += support.bearing(sketch.now(pivot), down_of(pivot.drawn, points), height)
     return found
 
 
-def _outward(name, pivot, look, sketch):
-    """From a pin towards the middle of its body."""
-    left, bottom, right, top = plane.bounds([p for part in look.pieces for p in part.points])
-    away = plane.minus(((left + right) / 2, (bottom + top) / 2), pivot)
-    return plane.unit(away) if plane.distance(away, (0, 0)) > 0.1 * look.size() else (0.0, 0.0)
+def _rounded(place):
+    return round(place[0], 3), round(place[1], 3)
 
 
-def down_of(directions):
-    """The direction of the ground from a bearing: away from what hangs, stands or reaches out from it."""
-    x, y = -sum(d[0] for d in directions), -sum(d[1] for d in directions)
-    if abs(x) < 1e-6 and abs(y) < 1e-6:
-        return 0.0, -1.0
-    if abs(y) >= 0.5 * abs(x):
-        return 0.0, 1.0 if y > 0 else -1.0
-    return (1.0 if x > 0 else -1.0), 0.0
+def down_of(place, points):
+    """The direction of the ground from a bearing: that in which its bodies reach least; below, if it can be."""
+    def reach(direction):
+        return max(plane.dot(plane.minus(point, place), direction) for point in points)
+
+    return min(((0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)),
+               key=lambda direction: round(reach(direction)) + 5 * abs(direction[0]) + (direction[1] > 0))
 
 
 def fixed_pivots(sketch, looks):
     """Rounded places of all bearings."""
     pivots = [sketch.pivot(name) for name in looks]
-    return {(round(p.drawn[0], 3), round(p.drawn[1], 3)) for p in pivots if p and sketch.is_fixed(p.carrier)}
+    return {_rounded(pivot.drawn) for pivot in pivots if pivot and sketch.is_fixed(pivot.carrier)}
 
 
 def _floor(name, look, sketch, ties):
@@ -87,7 +85,7 @@ def _floor(name, look, sketch, ties):
     frame = sketch.frames[name]
     left, bottom, right, top = plane.bounds([p for part in look.outlines for p in part.points])
     if abs(e[1]) > 0.95:
-        return _guides(name, (left, bottom, right, top), sketch)
+        return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
     e = e if e[0] > 0 else plane.times(e, -1)
     down = plane.times(plane.left(e), -1)
     if e == (1, 0):

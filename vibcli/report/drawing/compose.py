@@ -41,6 +41,8 @@ class Stage:
         self.bunches = connection.bunches(self.sketch, self.looks)
         self.ropes = {name: rope.stops(record, self.sketch, self.looks)
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
+        for number, found in enumerate(self.ties.implied):
+            self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         self.rows = lumped.layouts(rows.rows(scene), scene, left, top)
@@ -82,7 +84,8 @@ def scale_of(sketch):
             found += plane.circle(sketch.centre(name), max(radii))
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "circle" in record:
-            found += tracks.visible(record, _contacts(name, sketch)[0], sketch)
+            places = [place for place, room in tracks.contacts(name, sketch) if room is not None]
+            found += tracks.visible(record, places, sketch)
     left, bottom, right, top = plane.bounds(found) if found else (0.0, 0.0, 0.0, 0.0)
     size = sketch.numbers["size"] = hypot(right - left, top - bottom)
     if size < 100.0:
@@ -90,7 +93,10 @@ def scale_of(sketch):
         halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
                   if "curve" in record]
         return ALONE / (halves[0] * sketch.scale) if halves else 1.0 / sketch.scale
-    scale = min(WIDE / max(right - left, 1e-9 * size), HIGH / max(top - bottom, 1e-9 * size))
+    much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "springs", "dampers", "points", "forces"))
+    share = min(1.5, max(0.62, 0.5 + 0.12 * much))
+    wide, high = share * WIDE, min(share, 1.15) * HIGH
+    scale = min(wide / max(right - left, 1e-9 * size), high / max(top - bottom, 1e-9 * size))
     short = min((d for one, two in ties.ends if (d := plane.distance(one.drawn, two.drawn)) > 1e-9 * size),
                 default=size) * scale
     return scale * min(GROWTH, max(1.0, SHORT / short))
@@ -132,25 +138,8 @@ def _surfaces(sketch, looks):
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "body" in record and not sketch.is_fixed(record["body"].text):
             continue
-        contacts, free = _contacts(name, sketch)
-        found += tracks.ground(record, contacts, free, sketch)
+        found += tracks.ground(record, tracks.contacts(name, sketch), sketch)
     return found
-
-
-def _contacts(name, sketch):
-    """(places on a surface that are used as drawn, places on its free side)."""
-    contacts, free = [], []
-    for body in sketch.scene.bodies.values():
-        for key in ("roll", "slide"):
-            if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
-                contacts.append(sketch.centre(body.name))
-                free.append(sketch.centre(body.name))
-    for constraint in (sketch.spec.get("constraints") or {}).values():
-        if "surface" in constraint and constraint["surface"].text == name:
-            at = sketch.attachment(constraint["point"])
-            contacts.append(at.drawn)
-            free.append(sketch.centre(at.carrier) if at.carrier in sketch.scene.bodies else at.drawn)
-    return contacts, free
 
 
 def _pegs(sketch, ties):

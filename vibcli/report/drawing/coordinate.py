@@ -8,7 +8,7 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.report.drawing import arrow, captions, lettering, plane
 from vibcli.report.drawing.sketch import Attachment
 
-LENGTH, TICK = 26.0, 5.0
+LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 
 
@@ -99,6 +99,8 @@ def _by_rates(name, sketch):
         slopes = [gradient(node).get(q, scene.table.zero) for node in nodes]
         x, y, turn = evaluate(slopes, Floats, sketch.values)
         size = hypot(x, y)
+        if abs(turn) > 1e-9 and not sketch.spec.dimensions.of(name):
+            return Motion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
         if size > (best[0] if best else 1e-9):
             best = size, Motion(body.name, None, plane.unit((x, y)))
         elif best is None and abs(turn) > 1e-9:
@@ -120,17 +122,19 @@ def _straight(motion, sketch, looks):
     n, centre = plane.left(e), sketch.frames[motion.body].point(sketch.centre(motion.body))
     points = [sketch.frames[motion.body].point(p) for part in looks[motion.body].outlines or
               looks[motion.body].pieces for p in part.points]
-    found = []
     reach = [plane.dot(plane.minus(p, centre), n) for p in points]
     front = max(plane.dot(plane.minus(p, centre), e) for p in points)
-    sides = (max(reach), 1), (-min(reach), -1)
+    sides = ((max(reach), 1), (-min(reach), -1))
     if abs(e[1]) > 0.7:
         sides = sides[::-1]
+    wide = max(reach) - min(reach) > WIDE
+    found = []
     for gap in LINES:
-        for width, side in sides:
-            start = plane.plus(centre, n, side * (width + gap))
-            found.append(_ticked(start, e, n))
-        found.append(_ticked(plane.plus(centre, e, front + gap), e, n))
+        ahead = _ticked(plane.plus(centre, e, front + gap), e, n)
+        beside = [_ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
+        close = [_ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
+        found += [ahead, *beside] if wide else [*beside, ahead]
+        found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
     return found
 
 
@@ -170,7 +174,7 @@ def _round(motion, sketch, looks):
         return found
     heading = plane.heading(axis)
     for share in ARCS:
-        radius = min(max(share * far, 26.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
+        radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
         span = min(0.5 * pi, max(26.0 / radius, 0.3))
         found.append(_arced(centre, radius, heading, heading + span))
     return found

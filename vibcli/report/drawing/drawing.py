@@ -1,6 +1,19 @@
 """A problem as a drawing in the style of a textbook figure."""
 
-from vibcli.report.drawing import arrow, captions, compose, coordinate, lettering, load, lumped, notes, plane
+from vibcli.report.drawing import (
+    abstract,
+    arrow,
+    captions,
+    compose,
+    coordinate,
+    dimension,
+    lettering,
+    letters,
+    load,
+    lumped,
+    notes,
+    plane,
+)
 from vibcli.report.drawing.primitives import extent
 from vibcli.report.drawing.space import Space
 
@@ -9,7 +22,10 @@ GRAVITY = 30.0
 
 def draw(problem):
     """The primitives of a scene as drawn, with its names."""
-    stage = compose.Stage(problem.scene)
+    stage = letters.pleasing(problem, compose.Stage)
+    if not stage.scene.bodies:
+        found = abstract.draw(stage.scene)
+        return found + notes.lines(stage, extent(found))
     found, where = compose.figure(stage, stage.sketch)
     return found + annotations(stage, found, where)
 
@@ -41,10 +57,37 @@ def annotations(stage, found, where):
             words.append((runs, places, role))
     for runs, places, role in words:
         made.append(space.put(runs, places, role))
+    for parts, runs, places in _shaken(stage):
+        put(parts)
+        if runs:
+            made.append(space.put(runs, places, "driven"))
     for name, (middle, normal) in where.items():
         made.append(space.put(_element(name, sketch), _beside(middle, normal)))
+    for length in dimension.lengths(sketch):
+        drawn = dimension.draw(length, space)
+        if drawn is not None and (label := space.put(drawn[1], drawn[2], "measure", most=dimension.ROOM)) is not None:
+            put(drawn[0])
+            made.append(label)
     put(_gravity(sketch, extent(found + made)))
     return made + notes.lines(stage, extent(found + made))
+
+
+def _shaken(stage):
+    """[(primitives, runs, places)] of driven supports; those with the same motion are named once."""
+    found, named = [], set()
+    for name, record in stage.sketch.moving_points.items():
+        at = stage.sketch.frames[name].place
+        fields = [field for field in record["moves"] if stage.scene.lower(field).mask]
+        direction = (1.0, 0.0) if fields and fields[0] is record["moves"][0] else (0.0, 1.0)
+        start = plane.plus(at, plane.left(direction), -20.0)
+        ends = [plane.plus(start, direction, side * 13.0) for side in (-1, 1)]
+        parts = arrow.straight(*ends, "driven", both=True)
+        words = captions.expression(fields[0], stage.sketch, 18) if len(fields) == 1 else None
+        text = fields[0].text if fields else name
+        runs = (words or lettering.named(name)) if text not in named else None
+        named.add(text)
+        found.append((parts, runs, [ends[1], start]))
+    return found
 
 
 def _beside(middle, normal):

@@ -4,11 +4,12 @@ from math import pi
 from typing import NamedTuple
 
 from vibcli.report.drawing import plane
+from vibcli.report.drawing.posts import with_posts
 from vibcli.report.drawing.primitives import BEHIND, BODY, JOINT, Circle, Line, Polygon
 from vibcli.report.drawing.shape import BALL, ROD, outline
-from vibcli.report.drawing.tracks import curve_points
+from vibcli.report.drawing.tracks import contacts, curve_points, free_side
 
-BLOCK, FLAT, HUB, DECK, BEYOND = (36.0, 25.0), (22.0, 13.0), 11.0, 15.0, 26.0
+BLOCK, FLAT, BAR, HUB, DECK, DEEP, RIM, BEYOND = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 11.0, 15.0, 70.0, 8.0, 26.0
 
 
 class Look(NamedTuple):
@@ -33,7 +34,7 @@ class Look(NamedTuple):
 
 def looks(sketch, ties):
     """{name: Look} of all bodies that have a place."""
-    return {name: _with_posts(look_of(body, sketch, ties), body, sketch, ties)
+    return {name: with_posts(look_of(body, sketch, ties), body, sketch, ties)
             for name, body in sketch.scene.bodies.items() if name in sketch.frames}
 
 
@@ -51,8 +52,10 @@ def look_of(body, sketch, ties):
         surface = surfaces[0]
         rim = plane.circle(sketch.pair(surface["circle"]), sketch.length(surface["radius"]))
         return Look([Polygon(tuple(rim), None, width=2.2)], "hoop")
+    if name in ties.rims:
+        return _rim(centre, max(ties.radii[name]))
     if name in ties.radii:
-        return _wheel(centre, sorted(ties.radii[name], reverse=True), name in ties.toothed)
+        return _wheel(centre, _radii(name, centre, ties), name in ties.toothed)
     pivot = sketch.pivot(name)
     if pivot is not None:
         return _pinned(body, centre, pivot.drawn, sketch, ties)
@@ -64,6 +67,8 @@ def look_of(body, sketch, ties):
 def _shaped(record, sketch, toothed=False):
     parts = [outline(part, sketch) for part in record.get("parts", (record,))]
     pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]
+    if toothed and parts[0].band:
+        return _rim(sketch.centre(record.name), sketch.length(record["radius"]))
     if toothed:
         pieces = [piece._replace(points=tuple(teeth(piece.points))) for piece in pieces]
     return Look(pieces, record.get("shape", "parts"))
@@ -87,6 +92,21 @@ def teeth(points, pitch=7.0, height=1.7):
         for part, side in ((0.0, -1), (0.12, 1), (0.5, 1), (0.62, -1)):
             found.append(plane.polar(centre, radius + side * height, 2 * pi * (i + part) / count))
     return found
+
+
+def _radii(name, centre, ties):
+    """The radii of a wheel, that at which it carries places included."""
+    radii = sorted(ties.radii[name], reverse=True)
+    far = [plane.distance(centre, place) for place in ties.carried.get(name, ())]
+    if far and min(far) > radii[0] and max(far) - min(far) < 1e-6 * max(far):
+        return [max(far), *radii]
+    return radii
+
+
+def _rim(centre, radius):
+    """A gear with inner teeth."""
+    rim = plane.circle(centre, radius + RIM)
+    return Look([Polygon(tuple(rim)), Polygon(tuple(teeth(plane.circle(centre, radius))), "paper")], "wheel")
 
 
 def _wheel(centre, radii, toothed):
@@ -125,8 +145,8 @@ def _ball(centre, radius):
 def _blob(pivot, centre):
     """A body of any form about its pin and its mass centre."""
     length = plane.distance(pivot, centre)
-    low, high = -10.0, length + max(12.0, 0.35 * length)
-    a, b = (high - low) / 2, max(13.0, 0.3 * (high - low))
+    low, high = -10.0, length + min(40.0, max(12.0, 0.35 * length))
+    a, b = (high - low) / 2, min(40.0, max(12.0, 0.26 * (high - low)))
     at = plane.along(pivot, centre)
     points = [at((low + high) / 2 + a * x, b * y * (1 + 0.35 * x)) for x, y in
               [plane.polar((0, 0), 1.0, 2 * pi * i / 60) for i in range(60)]]
@@ -163,18 +183,36 @@ def _block(body, centre, sketch, ties):
     slots = [slot for slot in ties.slots.get(body.name, ()) if min(map(abs, slot[1])) > 0.05]
     if slots:
         return _ramp(*slots[0], ties.carried.get(body.name, ()))
-    room = ties.nearest(centre, sketch)
-    massless = body.mass is None
-    if massless and abs(direction[1]) > abs(direction[0]) and not ties.slots.get(body.name):
-        ball = _ball(centre, 2.4)
-        return Look([ball._replace(fill="ink")], "joint", None)
-    width, height = FLAT if massless else BLOCK
-    if abs(direction[1]) > abs(direction[0]) and not massless:
-        width = 30.0
+    room, massless = ties.nearest(centre, sketch), body.mass is None
+    upright = abs(direction[1]) > abs(direction[0])
+    if massless and upright:
+        return _holder(body, centre, ties)
+    width, height = FLAT if massless else (30.0, BLOCK[1]) if upright else BLOCK
     shrink = min(1.0, max(0.5, 1.3 * (room or width) / width))
     width, height = width * shrink, height * shrink
-    corners = plane.box(centre, width, height, angle)
-    return Look([Polygon(tuple(corners))], "block", corners, angle, width, height)
+    hook = _hook(body, centre, sketch)
+    middle = plane.plus(centre, (0.0, -1.0), hook + height / 2) if hook else centre
+    corners = plane.box(middle, width, height, angle)
+    hanger = [Line((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
+    return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
+
+
+def _holder(body, centre, ties):
+    """What has no mass and slides upright: bars at the places that it carries, else a knot where others meet."""
+    bars = [plane.box(place, *BAR, plane.heading(plane.minus(centre, place)) + pi / 2)
+            for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
+    if bars and ties.slots.get(body.name):
+        return Look([Polygon(tuple(bar), "driven") for bar in bars], "joint")
+    return Look([_ball(centre, 2.4)._replace(fill="ink")], "joint")
+
+
+def _hook(body, centre, sketch):
+    """How far below the axle of a wheel a body hangs that is drawn at the very axle; 0 of any other."""
+    for name, other in sketch.scene.bodies.items():
+        wheel = name in sketch.frames and name != body.name and other.rolling_radius is not None
+        if wheel and plane.distance(sketch.centre(name), centre) < 1e-6:
+            return sketch.scene.number(other.rolling_radius) * sketch.scale + 14.0
+    return 0.0
 
 
 def _ramp(place, direction, carried):
@@ -192,14 +230,19 @@ def _ramp(place, direction, carried):
 
 
 def _platform(body, sketch, surface):
-    """A plank under the surface that it carries, on the side away from what is on it."""
+    """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre."""
     a, b = (sketch.pair(place) for place in surface["line"])
-    down = plane.times(plane.left(plane.unit(plane.minus(b, a))), -DECK)
-    if down[1] > 1e-9:
-        down = plane.times(down, -1)
-    corners = [a, b, plane.plus(b, down), plane.plus(a, down)]
-    return Look([Polygon(tuple(corners))], "platform", corners, plane.heading(plane.minus(b, a)),
-                plane.distance(a, b), DECK)
+    side = free_side(a, b, contacts(surface.name, sketch))
+    if side < 0:
+        a, b = b, a
+    e = plane.unit(plane.minus(b, a))
+    down = plane.times(plane.left(e), -1)
+    offset = plane.minus(sketch.centre(body.name), a)
+    depth, s = plane.dot(offset, down), plane.dot(offset, e)
+    thick = max(DECK, depth + 8) if depth < DEEP else DECK
+    a, b = plane.plus(a, e, min(0.0, s - DECK)), plane.plus(a, e, max(plane.distance(a, b), s + DECK))
+    corners = [a, b, plane.plus(b, down, thick), plane.plus(a, down, thick)]
+    return Look([Polygon(tuple(corners))], "platform", corners, plane.heading(e), plane.distance(a, b), thick)
 
 
 def _bowl(surface, sketch):
@@ -224,51 +267,3 @@ def _loose(body, centre, sketch, ties):
             return Look([Polygon(tuple(bar)), *centre_mark(centre)], "bar", bar)
     ball = _ball(centre, 14.0 if turns else BALL + 2.5)
     return Look([ball], "ball", ball.points)
-
-
-def _with_posts(look, body, sketch, ties):
-    """The Look with a thin post to each carried place that is not on the body."""
-    posts = []
-    for place in ties.carried.get(body.name, ()):
-        if look.kind == "joint" or touches(place, look):
-            continue
-        root = _root(place, look, sketch.centre(body.name))
-        if not _along_element(root, place, ties, body.name):
-            posts.append(Line((root, place), width=2.4, layer=BEHIND))
-    return look._replace(pieces=[*posts, *look.pieces])
-
-
-def touches(place, look, slack=2.5):
-    """Is a place on a body as drawn?"""
-    for part in look.pieces:
-        points = list(part.points)
-        if not isinstance(part, Line) and plane.inside(place, points):
-            return True
-        pairs = zip(points, points[1:] + ([] if isinstance(part, Line) else points[:1]), strict=False)
-        if any(plane.distance(place, plane.nearest_on(place, a, b)) < slack for a, b in pairs):
-            return True
-    return False
-
-
-def _root(place, look, centre):
-    """Where a post to a place grows from a body: straight from its outline if it can."""
-    best = centre
-    for part in look.pieces:
-        points = list(part.points)
-        closing = [] if isinstance(part, Line) else points[:1]
-        near = min((plane.nearest_on(place, a, b) for a, b in zip(points, points[1:] + closing, strict=False)),
-                   key=lambda p: plane.distance(place, p))
-        if plane.distance(place, near) < plane.distance(place, best):
-            best = near
-    return best
-
-
-def _along_element(root, place, ties, name):
-    """Does a spring or damper from this place run where the post would?"""
-    for one, two in ties.ends:
-        for a, b in ((one, two), (two, one)):
-            if a.carrier == name and plane.distance(a.drawn, place) < 1e-6 and b.carrier != name:
-                d, e = plane.unit(plane.minus(b.drawn, place)), plane.unit(plane.minus(root, place))
-                if plane.dot(d, e) > 0.99:
-                    return True
-    return False

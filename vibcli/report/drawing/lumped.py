@@ -38,7 +38,7 @@ def layouts(found, scene, left, top):
         turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
         stack = max([len(edges) for edges in row.gaps.values()] or [1])
         height = max(RIM if turns else HALF, 0.5 * STACK * stack + 4)
-        above = height + 26 + LANE * len(row.lanes)
+        above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes)
         y = top - above
         walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
         x = left + (GAP if walled else 0.0)
@@ -49,7 +49,7 @@ def layouts(found, scene, left, top):
             x += 2 * half + GAP
         end = len(row.bodies)
         right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
-        made.append(Layout(row, places, left if walled else None, right, y, y + above - 26))
+        made.append(Layout(row, places, left if walled else None, right, y, y + above - 12))
         top = y - height - ROOM
     return made
 
@@ -101,7 +101,7 @@ def shaft(start, end):
 
 def _lane(layout, places, low, high, edge, lane):
     """An element that runs over the bodies between its ends."""
-    y = layout.y + max(place.height for place in places.values()) + 14 + LANE * lane
+    y = layout.y + max(place.height for place in places.values()) + 31 + LANE * lane
     bodies, ends = layout.row.bodies, []
     for column, side in ((low, 1), (high, -1)):
         if column < 0 or column == len(bodies):

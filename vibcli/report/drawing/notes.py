@@ -1,6 +1,6 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
-from vibcli.report.drawing import lettering, rows
+from vibcli.report.drawing import captions, lettering, rows
 
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
@@ -34,17 +34,26 @@ def of(stage):
     for key, field in getattr(spec.get("energies"), "values", {}).items():
         found.append(_note(f"{key} = ", scene, (field, "")))
     if "matrices" in spec.sections:
-        found.append(lettering.words("M, C, K given for " + ", ".join(scene.coordinates), SIZE))
+        given = ", ".join(key for key in "MCK" if key in spec.get("matrices"))
+        found.append(lettering.words(f"{given} as given", SIZE))
     return found
 
 
 def _note(head, scene, *parts):
     runs = list(lettering.words(head, SIZE))
     for field, after in parts:
-        written = lettering.written(scene.lower(field), SIZE)
-        if len(lettering.letters(written)) > lettering.LONGEST:
-            written = lettering.words(field.text, SIZE)
-        runs += written
+        runs += shortened(lettering.written(captions.raw(field, scene), SIZE))
         if after:
             runs += lettering.words(after, SIZE)
     return tuple(runs)
+
+
+def shortened(runs, longest=lettering.LONGEST):
+    """The runs as far as there is room for them."""
+    found, left = [], longest
+    for run in runs:
+        if len(run.text) > left:
+            return (*found, run._replace(text=run.text[:left] + " …"))
+        found.append(run)
+        left -= len(run.text)
+    return tuple(found)

@@ -64,13 +64,14 @@ def rows(scene):
     found = []
     for leader in dict.fromkeys(group.values()):
         members = [name for name in names if group[name] == leader]
-        found.append(_row(members, [edge for edge in every if (edge.one or edge.two) in members]))
+        massless = [name for name in members if scene.bodies[name].mass is None and scene.bodies[name].inertia is None]
+        found.append(_row(members, [edge for edge in every if (edge.one or edge.two) in members], massless))
     return found
 
 
-def _row(members, edges):
+def _row(members, edges, massless):
     orders = permutations(members) if len(members) <= BRUTE else [tuple(members)]
-    best = min(orders, key=lambda order: _cost(order, members, edges))
+    best = min(orders, key=lambda order: _cost(order, members, edges, massless))
     place = {name: i for i, name in enumerate(best)}
     gaps, lanes = {}, []
     for edge in edges:
@@ -92,7 +93,7 @@ def _columns(edge, place):
     return tuple(sorted((place[edge.one], place[edge.two])))
 
 
-def _cost(order, members, edges):
+def _cost(order, members, edges, massless=()):
     place = {name: i for i, name in enumerate(order)}
     cost = 0.0
     for edge in edges:
@@ -100,4 +101,5 @@ def _cost(order, members, edges):
         cost += high - low - 1 + 0.01 * (high == len(order))
         if edge.one and edge.two:
             cost += 0.001 * (place[edge.one] > place[edge.two])
+    cost += sum(0.1 for name in order[:-1] if name in massless)
     return cost, [members.index(name) for name in order]
