@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
+from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
 SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
@@ -103,13 +104,12 @@ class Terms:
         return found
 
     def oscillates(self, symbol):
-        """Does a driven displacement depend on the time through sines and cosines alone?"""
+        """Does a driven displacement come and go, so that it counts as a small one?"""
         return self.waves(self.driven[symbol])
 
     def waves(self, node):
-        """Does a function of the time depend on it through sines and cosines alone?"""
-        waves = {part: self.table.one for part in reachable([node]) if part.name in ("sin", "cos")}
-        return not substitute([node], waves)[0].mask & self.time.mask
+        """Does a function of the time stay bounded?"""
+        return stays_bounded(node, self.time, self.sample)
 
     def open_loads(self):
         """A load as an input beside each that is given, and one along each coordinate."""
