@@ -17,6 +17,8 @@ COMMANDS = {
     "solve": "The whole solution of a scene, as a textbook writes it.",
     "equations": "Energies and equations of motion, full and for small oscillations.",
     "frequencies": "Equilibrium, natural frequencies, damping and mode shapes.",
+    "draw": "The scene as a textbook figure, or a mode shape on it.",
+    "animate": "A mode in motion, as an animated gif or a page for the browser.",
     "check": "Compare the answers in problem files with the results.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",

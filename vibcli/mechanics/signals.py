@@ -10,7 +10,9 @@ def displacement(scene, text):
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, _, part = text.partition(".")
-    if part in ("x", "y"):
+    if part == "x" and name in scene.bodies and scene.bodies[name].frame is None:
+        place = _along_the_axis(scene.bodies[name])
+    elif part in ("x", "y"):
         place = scene.place(Name(name, None))[1]["xy".index(part)]
     elif part == "angle":
         body = scene.bodies[name]
@@ -20,6 +22,13 @@ def displacement(scene, text):
     else:
         return None
     return place - scene.at_drawn(place)[0]
+
+
+def _along_the_axis(body):
+    kind, node = body.lumped
+    if kind == "turn":
+        raise PhysicsError(f"'{body.name}' turns and has no place", f"ask for {body.name}.angle")
+    return node
 
 
 def _stretch(scene, name):
@@ -33,6 +42,8 @@ def _stretch(scene, name):
 def force(problem, text):
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
+    if name == "ground" or part == "energy":
+        return _of_outputs(problem, text)
     if name in (problem.spec.get("springs") or {}):
         return _tension(problem, name)
     if name in (problem.spec.get("dampers") or {}):
@@ -41,7 +52,7 @@ def force(problem, text):
     if part in ("normal", "friction"):
         return _contact(problem, name, part, known)
     if name in (problem.spec.get("points") or {}):
-        text = f"{_pinned_at(problem, name)}.{part}"
+        text = f"{pinned_at(problem, name)}.{part}"
     found = known.get(text)
     if found is None:
         pieces = [signal for signal in known if signal.startswith(text + ".")]
@@ -53,6 +64,14 @@ def force(problem, text):
     return found.value
 
 
+def _of_outputs(problem, text):
+    from vibcli.mechanics.outputs import is_quadratic, linear_row, squares
+
+    if is_quadratic(text):
+        return sum(weight * row.constant**2 for weight, row in squares(problem, text))
+    return linear_row(problem, text).constant
+
+
 def _tension(problem, name):
     terms = [term for term in problem.scene.springs if term.owner == name]
     nodes = [term.force + term.weight * term.s for term in terms]
@@ -60,7 +79,7 @@ def _tension(problem, name):
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def _pinned_at(problem, point):
+def pinned_at(problem, point):
     """The one body pinned at a named point."""
     found = [name for name, record in (problem.spec.get("bodies") or {}).items()
              if getattr((record.get("pin") or {}).get("at"), "text", None) == point]

@@ -3,6 +3,7 @@
 import re
 from fractions import Fraction
 
+from vibcli.algebra.pulses import PULSES
 from vibcli.algebra.rationals import ONE
 from vibcli.report.ordering import factor_rank, is_rooted, positive_first, term_rank
 from vibcli.report.roots import LARGEST, is_constant, place, split
@@ -111,6 +112,9 @@ class Notation:
     def _call(self, node, tightness):
         if node.name == "power":
             return self.power(self.write(node.args[0], 2), self.write(node.args[1], 0))
+        if node.name in PULSES or node.name in node.table.records:
+            order = node.args[1].coefficient if len(node.args) > 1 else 0
+            return self.function(node.name + "'" * order, [self.write(node.args[0], 0)])
         if len(node.args) == 1:
             return self.call(node.name, node.args[0], ONE)
         return self.function(node.name, [self.write(arg, 0) for arg in node.args])
