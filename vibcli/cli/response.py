@@ -4,11 +4,13 @@ import click
 
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
+from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets, save_to
 
 
 @click.command("response")
 @scene_options
+@report_options
 @click.option("--of", "signals", multiple=True, metavar="SIGNAL", help="What of the motion: x, x', s.force, k*x; the "
               "coordinates unless given, here or by `find` of the file.")
 @click.option("--until", metavar="TIME", help="Its end, as 2 or '500 ms'.")
@@ -24,13 +26,13 @@ def command(file, settings, case, as_json, timings, signals, until, points, phas
     """The motion in time: free, forced, steady and transient; as numbers, in the terminal, or in files."""
     from vibcli.report.wanted import Wanted
 
-    refuse_targets(saves, force)
+    refuse_targets(saves, report["force"])
     problems = chosen(load(file, settings), case)
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
     if until is not None:
         _until(problems, until)
-    code = print_scenes(problems, lambda problem: ("chosen", "response"), as_json, timings, data=("response",),
+    code = print_scenes(problems, lambda problem: ("chosen", "response"), output_of(file, as_json, **report), timings, data=("response",),
                         wanted=wanted)
     if code == 0 and (plot or saves):
         for _, problem in problems if case is None and not saves else problems[:1]:
