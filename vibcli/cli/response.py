@@ -22,17 +22,18 @@ from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets,
 @click.option("--transient", is_flag=True, help="Show the transient part as well.")
 @curve_options
 def command(file, settings, case, as_json, timings, signals, until, points, phase, steady, transient, plot, saves,
-            force):
+            **report):
     """The motion in time: free, forced, steady and transient; as numbers, in the terminal, or in files."""
     from vibcli.report.wanted import Wanted
 
     refuse_targets(saves, report["force"])
+    output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings), case)
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
     if until is not None:
         _until(problems, until)
-    code = print_scenes(problems, lambda problem: ("chosen", "response"), output_of(file, as_json, **report), timings, data=("response",),
+    code = print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted)
     if code == 0 and (plot or saves):
         for _, problem in problems if case is None and not saves else problems[:1]:

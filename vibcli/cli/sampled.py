@@ -17,7 +17,6 @@ def curve_options(function):
         click.option("--plot", is_flag=True, help="Plot in the terminal."),
         click.option("--save", "saves", multiple=True, metavar="FILE", help="Write a picture (.png, .svg, .pdf) or the "
                      "sampled numbers (.csv, .npz, .json)."),
-        click.option("--force", is_flag=True, help="Replace files that exist."),
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
 
