@@ -115,6 +115,10 @@ def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
     tree = answer.asked.tree
     head = tree[4] if tree[0] == "quantity" else None
+    if head is not None and tree[7]:
+        from vibcli.measured_signals import size_of
+
+        return EXACT * size_of(problem, tree)
     if head in ("M", "C", "G", "K"):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)

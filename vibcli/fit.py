@@ -13,7 +13,7 @@ from vibcli.algebra.meaning import (
     quantities_in,
     whole_literal,
 )
-from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.parse import FUNCTIONS, VALUE, ExpressionError
 from vibcli.reading import nearest
 
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
@@ -95,8 +95,24 @@ def _unit_hint(spec, expression):
 
 def _no_quantities(reader, expression):
     for tree in quantities_in(expression.tree):
+        if tree[4] == VALUE:
+            applied(reader, expression, tree)
+            continue
         reader.report(expression.scalar.place(tree[1], tree[2] - tree[1]), f"'{tree[3]}' cannot stand here",
                       "what is asked of a scene, such as omega[1], stands under answers")
+
+
+def applied(reader, expression, tree):
+    """Something like x(2), where it can be neither a function nor a value in time."""
+    inner, start = tree[7][0], tree[1]
+    if inner[0] == "name":
+        near = nearest(inner[3], FUNCTIONS)
+        hint = near if near and near.startswith("did") else "functions: " + " ".join(FUNCTIONS)
+        reader.report(expression.scalar.place(start, inner[2] - start), f"unknown function '{inner[3]}'", hint)
+        return
+    bracket = expression.text.index("(", inner[2])
+    reader.report(expression.scalar.place(bracket, 1), "expected an operator before '('",
+                  "there is no implicit multiplication: write a * between factors")
 
 
 def cyclic(spec, tree):

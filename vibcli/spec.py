@@ -9,9 +9,9 @@ from vibcli import naming
 from vibcli.algebra.parse import plain_name
 from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar
-from vibcli.elements import answer, coordinates, equilibrium, find, gravity
+from vibcli.elements import answer, coordinates, equilibrium, find, gravity, initial
 from vibcli.errors import Diagnostic, SpecError
-from vibcli.fields import Kind, Lazy, Named, Text
+from vibcli.fields import Choice, Kind, Lazy, Named, Text
 from vibcli.reading import MOST_PROBLEMS, Reader, TooMany, nearest
 
 MOST_CASES = 100
@@ -57,6 +57,9 @@ SECTIONS = {
     "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
     "matrices": (Lazy("matrices"), "M, C and K given outright"),
     "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
+    "initial": (initial.KIND, initial.ABOUT),
+    "motion": (Choice("small", "full"), "`small`: motions in time are those of the small oscillations, in closed form; "
+               "`full`: those of the full equations, integrated"),
     "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
     "choose": (Named(Lazy("choose"), "a mapping from parameters to conditions", ("pi", "t")),
                "parameters that conditions determine"),
@@ -66,8 +69,6 @@ SECTIONS = {
 
 
 INSTEAD = {
-    "initial": "motion in time does not work yet",
-    "motion": "the equations are always found in full and for small oscillations",
     "variants": "give other values under cases, or with --set",
     "damping": "write the dampers one by one under dampers",
 } | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
@@ -191,7 +192,7 @@ def _sections(root, reader):
             record = SECTIONS[key][0].read(value, reader)
             if record is not None:
                 sections[key] = record
-        if key not in ("answers", "find", "cases", "choose"):
+        if key not in ("answers", "find", "cases", "choose", "initial"):
             reader.sound &= len(reader.diagnostics) == before
     return sections
 

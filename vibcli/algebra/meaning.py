@@ -156,9 +156,12 @@ class DimensionCheck:
         if name == "sqrt":
             dimension = self.dimension(args[0])
             return dimension if dimension is ANY else units.raised(dimension, HALF)
-        if name == "abs":
+        if name in ("abs", "ramp"):
             return self.dimension(args[0])
-        if name == "sign":
+        if name == "impulse":
+            dimension = self.dimension(args[0])
+            return dimension if dimension is ANY else units.raised(dimension, -1)
+        if name in ("sign", "step"):
             self.dimension(args[0])
             return units.NONE
         if name in ("min", "max", "atan2"):
