@@ -68,11 +68,20 @@ class FrequencyResponse:
             raise PhysicsError(f"this frequency response has {len(self.marked) or 'no'} peaks", "ask for one it has")
         return self.marked[number - 1]
 
-    def sampled(self, low, high):
-        """(Ω, H) over a range, dense where the curve bends."""
+    def places(self, low, high):
+        """Frequencies of a range, dense where the curve bends."""
         from vibcli.analyses.frequency.grid import adaptive
 
-        return adaptive(self.transfer, low, high, True, self.extremes)
+        return adaptive(self.transfer, low, high, True, self.extremes)[0]
+
+    def values(self, Omega):
+        """H at frequencies; NaN where an undamped mode has no bound."""
+        import numpy as np
+
+        from vibcli.analyses.frequency.response import sampled
+
+        values, resonant = sampled(self.transfer, Omega)
+        return np.where(resonant, np.nan, values)
 
     @cached_property
     def span(self):

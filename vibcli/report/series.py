@@ -73,7 +73,10 @@ def sampled_curves(problem, wanted):
     high = wanted.high or _asked_end(problem, "up_to") or max(curve.span[1] for *_, curve in asked)
     if not low < high:
         raise PhysicsError(f"the range from {low:.6g} to {high:.6g} rad/s is empty", "give other ends")
-    return [SampledCurve(name, driver, unit, *curve.sampled(low, high),
+    import numpy as np
+
+    Omega = np.unique(np.concatenate([curve.places(low, high) for *_, curve in asked]))
+    return [SampledCurve(name, driver, unit, Omega, curve.values(Omega),
                          [Omega for Omega, _ in curve.peaks if low < Omega < high],
                          [Omega for Omega in curve.antiresonances if low < Omega < high])
             for name, driver, unit, curve in asked]
@@ -92,8 +95,7 @@ def frequency_figure(problem, curves, nyquist=False):
     """The frequency responses as a Figure: magnitude and phase, or in the complex plane."""
     from vibcli.report.plots import frequency
 
-    joined = merged(curves)
-    Omega, values = joined
+    Omega, values = curves[0].Omega, {curve.name: curve.values for curve in curves}
     marks = {name: sorted({x for curve in curves for x in getattr(curve, name)}) for name in ("peaks",
                                                                                            "antiresonances")}
     title = problem.spec.get("title") or ""
@@ -109,15 +111,6 @@ def _unit(curves):
     return units.pop() if len(units) == 1 else ""
 
 
-def merged(curves):
-    """(Ω of all curves, {name: values there})."""
-    import numpy as np
-
-    Omega = np.unique(np.concatenate([curve.Omega for curve in curves]))
-    return Omega, {curve.name: np.interp(Omega, curve.Omega, curve.values.real)
-                   + 1j * np.interp(Omega, curve.Omega, curve.values.imag) for curve in curves}
-
-
 def frequency_columns(curves):
-    Omega, values = merged(curves)
-    return [("Omega", "rad/s", Omega), *((curve.name, curve.unit, values[curve.name]) for curve in curves)]
+    """[(name, unit, array)] of frequency responses."""
+    return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 
 class Wanted(NamedTuple):
-    """signals: Expressions, those of the file if empty; driver: the Expression of an input or None; phase: sine,
+    """signals: Expressions, those of the file if empty; driver: the Expression of an input, or None; phase: sine,
     cosine or lead; low, high: angular frequencies or None; parts: show the steady and the transient part apart; points: instants
     that are sampled."""
 
