@@ -18,7 +18,7 @@ def response(problem, report):
         from vibcli.errors import NotInLetters
 
         raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
-    motion, asked = problem.motion, signals_asked(problem, report.signals)
+    motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
     yield from _start(problem, motion)
     yield from motion.sections(asked, report)
     yield from _extremes(asked, motion)

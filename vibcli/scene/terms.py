@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.expression import reachable
 from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
