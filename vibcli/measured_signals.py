@@ -204,7 +204,7 @@ _OF_FREQUENCY = {
     "re": _complex_part(lambda value: value.real), "im": _complex_part(lambda value: value.imag),
     "phase": _complex_part(lambda value: wrapped(-_angle(value))), "peak": _of_curve(_peak),
     "antiresonance": _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance")),
-    "half_power": _of_curve(lambda curve, i, _: _numbered(curve.half_power, i, "half-power point")),
+    "half_power": _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2]),
     "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
 }
 _IN_TIME = {
