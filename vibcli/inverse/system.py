@@ -46,6 +46,7 @@ class System:
     def _measure(self, numeric):
         import numpy as np
 
+        numeric.signed = True
         try:
             with np.errstate(all="ignore"):
                 if any(condition.word != BALANCE for condition in self.conditions):

@@ -53,7 +53,7 @@ def asking(head):
     """The name of an example whose answers ask for a quantity."""
     for name in names("examples"):
         for asked in _asked(document(name)):
-            if re.match(rf"{head}(\[|$)", asked):
+            if re.match(rf"{head}([\[(]|$)", asked):
                 return name
     return None
 

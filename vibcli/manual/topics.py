@@ -26,6 +26,15 @@ FUNCTIONS = {
     "abs": "magnitude, of any dimension", "sign": "−1, 0 or 1, of any dimension",
     "min": "`min(a, b)`: the smaller one; both of one dimension",
     "max": "`max(a, b)`: the larger one; both of one dimension",
+    "step": "0 before its argument is zero and 1 from there on: `F0*(step(t) - step(t - t1))` is a pulse; of any "
+            "dimension",
+    "ramp": "`ramp(u)` is `u*step(u)`, in the dimension of u: `v*ramp(t - t1)`",
+    "impulse": "Dirac's impulse: zero but where its argument is, its integral is 1; `impulse(t - t1)` is in 1/s, so "
+               "that `(3 N*s)*impulse(t)` is a blow of 3 N·s. Of expressions of the time alone",
+    "square": "the square wave of period 2π: 1 where sin is positive, −1 where it is negative, as in "
+              "`F0*square(Omega*t)`. Of expressions of the time alone",
+    "sawtooth": "the wave of period 2π that rises from −1 at 0 to 1 and falls back at once, as in "
+                "`F0*sawtooth(Omega*t)`. Of expressions of the time alone",
 }
 
 FIND = {
@@ -38,6 +47,10 @@ FIND = {
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
     "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
     "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
+    "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
+                "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
+    "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "
+                          "`{frequency_response: {of: [x], to: drive}}` says of what, and to which input",
     "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
               "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
     "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
@@ -259,7 +272,7 @@ ALIASES = {"expression": "expressions", "unit": "units", "function": "functions"
            "exit code": "exit", "json keys": "json", "derivatives": "expressions", "derivative": "expressions",
            "names": "expressions", "numbers": "expressions", "signs": "conventions", "coordinate system": "conventions",
            "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
-           "amplitude": "conventions", "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
+           "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
            "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
            "case": "cases", "tolerance": "quantities", "t": "time", "excitation": "time", "driven": "time",
            "signal": "signals", "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope",

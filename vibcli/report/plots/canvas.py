@@ -1,0 +1,93 @@
+"""A canvas of text: dots of braille (two by four to a cell), one layer a curve, and characters where no dots are."""
+
+from itertools import pairwise
+
+_BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
+_UPPER, _LOWER = 0x1B, 0xE4
+MARKS = "*+=~%&"
+
+
+class Canvas:
+    """`columns` by `rows` cells; dots count from the upper left."""
+
+    def __init__(self, columns, rows):
+        self.columns, self.rows = columns, rows
+        self.layers, self.letters, self.behind = [], {}, {}
+
+    def dots(self, across, up):
+        """(x, y) in dots, not rounded, of a place given as parts of the width and height; one far outside is brought
+        to just outside: the line towards it stays."""
+        wide, high = 2 * self.columns - 1, 4 * self.rows - 1
+        return min(max(across, -1.0), 2.0) * wide, min(max(1 - up, -1.0), 2.0) * high
+
+    def column(self, across):
+        return rounded(self.dots(across, 0.0)[0]) // 2
+
+    def row(self, up):
+        return rounded(self.dots(0.0, up)[1]) // 4
+
+    def holds(self, row, column):
+        return 0 <= row < self.rows and 0 <= column < self.columns
+
+    def layer(self):
+        """A new layer of dots, one byte a cell."""
+        self.layers.append(bytearray(self.columns * self.rows))
+        return self.layers[-1]
+
+    def dot(self, layer, x, y):
+        if 0 <= x < 2 * self.columns and 0 <= y < 4 * self.rows:
+            layer[y // 4 * self.columns + x // 2] |= _BITS[x % 2][y % 4]
+
+    def polyline(self, layer, points, pattern="x"):
+        """Straight lines through the points (dots, not rounded); `pattern`: x for a dot, a space for none."""
+        period, count = len(pattern), 0
+        if len(points) == 1:
+            self.dot(layer, *map(rounded, points[0]))
+        for (x, y), (x_end, y_end) in pairwise(points):
+            steps = max(abs(rounded(x_end) - rounded(x)), abs(rounded(y_end) - rounded(y)), 1)
+            for i in range(steps + 1):
+                if pattern[(count + i) % period] == "x":
+                    self.dot(layer, rounded(x + (x_end - x) * i / steps), rounded(y + (y_end - y) * i / steps))
+            count += steps
+
+    def used(self, row, column):
+        """The numbers of the layers that have dots in a cell."""
+        place = row * self.columns + column
+        return [i for i, layer in enumerate(self.layers) if layer[place]]
+
+    def free(self, row, column, length):
+        """Is there room for a text here?"""
+        if not (0 <= row < self.rows and column >= 0 and column + length <= self.columns):
+            return False
+        return not any((row, c) in self.letters or self.used(row, c) for c in range(column, column + length))
+
+    def write(self, row, column, cells):
+        """Put cells of text, over dots where they are."""
+        for i, cell in enumerate(cells):
+            self.letters[row, column + i] = cell
+
+    def lines(self, ascii=False):
+        """The rows as text; in ASCII one curve is drawn by strokes, several each by a character of its own."""
+        cell = self._ascii if ascii else self._braille
+        return ["".join(self.letters.get((row, column)) or cell(row, column) or self.behind.get((row, column), " ")
+                        for column in range(self.columns)) for row in range(self.rows)]
+
+    def _braille(self, row, column):
+        place = row * self.columns + column
+        dots = 0
+        for layer in self.layers:
+            dots |= layer[place]
+        return chr(0x2800 + dots) if dots else ""
+
+    def _ascii(self, row, column):
+        used = self.used(row, column)
+        if not used:
+            return ""
+        if len(self.layers) > 1:
+            return MARKS[used[0] % len(MARKS)]
+        dots = self.layers[0][row * self.columns + column]
+        return "|" if dots & _UPPER and dots & _LOWER else "'" if dots & _UPPER else "."
+
+
+def rounded(value):
+    return int(value + 0.5) if value >= 0 else -int(0.5 - value)

@@ -1,0 +1,54 @@
+"""The data of a plot, before any paper: curves in panels, panels in a figure. Labels are plain text, `x [mm]`."""
+
+from typing import NamedTuple
+
+KINDS = ("line", "steady", "envelope", "guide", "markers", "stem")
+
+
+class Curve(NamedTuple):
+    """Points in the units of the panel's labels; NaN breaks the line. `names`: a text beside each point, '' for none.
+
+    Kinds: `line`; `steady`, the part that stays; `envelope`, bounds of a line; `guide`, a thin line of reference
+    without entry in the legend; `markers`, points; `stem`, points on lines from zero.
+    """
+
+    label: str
+    x: tuple
+    y: tuple
+    kind: str = "line"
+    names: tuple = ()
+
+
+class Mark(NamedTuple):
+    """A thin line across the panel at x = `at` (or at y = `at`): a resonance, a breakpoint, a limit."""
+
+    at: float
+    label: str = ""
+    axis: str = "x"
+
+
+class Panel(NamedTuple):
+    """Axes with their curves. `equal`: one scale for both; `degrees`: ticks of y at parts of a turn; `tall`: height as
+    a part of the usual one; `names`: (x, text) in place of numbers along x."""
+
+    title: str
+    x_label: str
+    y_label: str
+    x_log: bool = False
+    y_log: bool = False
+    curves: tuple = ()
+    marks: tuple = ()
+    equal: bool = False
+    degrees: bool = False
+    tall: float = 1.0
+    x_range: tuple | None = None
+    y_range: tuple | None = None
+    names: tuple = ()
+
+
+class Figure(NamedTuple):
+    """Panels one below the other; those that follow each other with the same x share its ticks."""
+
+    title: str
+    panels: tuple
+    note: str = ""

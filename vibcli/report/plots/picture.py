@@ -1,0 +1,28 @@
+"""A figure drawn by Matplotlib, as the bytes of a file. Its object interface only: nothing global is left changed."""
+
+import io
+import warnings
+
+from vibcli.report.plots import style
+
+_SILENT = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None},
+           "pdf": {"Creator": None, "Producer": None, "CreationDate": None}}
+
+
+def picture(figure, kind):
+    """The bytes of a PNG, SVG or PDF."""
+    import matplotlib
+
+    with matplotlib.rc_context(), warnings.catch_warnings():
+        warnings.simplefilter("ignore")      # letters that no font has are drawn as boxes
+        matplotlib.rcParams.update(_settings(matplotlib.rcParamsDefault))
+        from vibcli.report.plots.layout import drawn
+
+        data = io.BytesIO()
+        drawn(figure).savefig(data, format=kind, dpi=style.DOTS, metadata=_SILENT[kind])
+    return data.getvalue()
+
+
+def _settings(defaults):
+    """Matplotlib's own settings, whatever a file of the user's says; to ask for a backend would import pyplot."""
+    return {name: value for name, value in defaults.items() if not name.startswith("backend")} | style.RC
