@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
+from vibcli.algebra.pulses import PULSES
 from vibcli.scene.closing import Constraint
 
 SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
@@ -103,13 +104,15 @@ class Terms:
         return found
 
     def oscillates(self, symbol):
-        """Does a driven displacement depend on the time through sines and cosines alone?"""
+        """Is a driven displacement none that drifts?"""
         return self.waves(self.driven[symbol])
 
     def waves(self, node):
-        """Does a function of the time depend on it through sines and cosines alone?"""
-        waves = {part: self.table.one for part in reachable([node]) if part.name in ("sin", "cos")}
-        return not substitute([node], waves)[0].mask & self.time.mask
+        """Is a function of the time none that drifts: of sines and other functions alone, or one of pulses?"""
+        calls = [part for part in reachable([node]) if part.op == "call" and part.mask & self.time.mask]
+        if any(part.name in PULSES or part.name in self.table.records for part in calls):
+            return True
+        return not substitute([node], dict.fromkeys(calls, self.table.one))[0].mask & self.time.mask
 
     def open_loads(self):
         """A load as an input beside each that is given, and one along each coordinate."""
