@@ -50,23 +50,38 @@ class FrequencyResponse:
     @cached_property
     def half_power(self):
         """Ω of the half-power points, two to each peak."""
+        return [Omega for number in range(1, len(self.marked) + 1) for Omega in self.half_power_of(number)]
+
+    def half_power_of(self, number):
+        """(Ω₁, Ω₂) about a peak, counted from 1."""
         from vibcli.analyses.frequency.peaks import half_power
 
-        return [Omega for one in self.marked for Omega in half_power(self.transfer, one, self.extremes)]
+        return half_power(self.transfer, self._peak(number), self.extremes)
 
     def quality(self, number):
         """Q of a peak, counted from 1."""
-        from vibcli.analyses.frequency.peaks import quality
+        low, high = self.half_power_of(number)
+        return self._peak(number).Omega / (high - low)
 
+    def _peak(self, number):
         if number > len(self.marked):
             raise PhysicsError(f"this frequency response has {len(self.marked) or 'no'} peaks", "ask for one it has")
-        return quality(self.transfer, self.marked[number - 1], self.extremes)
+        return self.marked[number - 1]
 
-    def sampled(self, low, high):
-        """(Ω, H) over a range, dense where the curve bends."""
+    def places(self, low, high):
+        """Frequencies of a range, dense where the curve bends."""
         from vibcli.analyses.frequency.grid import adaptive
 
-        return adaptive(self.transfer, low, high, True, self.extremes)
+        return adaptive(self.transfer, low, high, True, self.extremes)[0]
+
+    def values(self, Omega):
+        """H at frequencies; NaN where an undamped mode has no bound."""
+        import numpy as np
+
+        from vibcli.analyses.frequency.response import sampled
+
+        values, resonant = sampled(self.transfer, Omega)
+        return np.where(resonant, np.nan, values)
 
     @cached_property
     def span(self):

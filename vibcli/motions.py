@@ -25,6 +25,8 @@ class Motion:
     @cached_property
     def until(self):
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
+        if self.problem.end is not None:
+            return self.problem.end
         find = self.problem.spec.get("find")
         record = find.about(RESPONSE) if find is not None else None
         if record is not None and "until" in record:

@@ -2,7 +2,6 @@
 
 A turn phi > 0 (counter-clockwise) lowers the cage at the left by R phi and raises the counterweight by r phi."""
 import numpy as np
-from scipy.linalg import expm
 from scipy.optimize import minimize_scalar
 
 
@@ -10,10 +9,16 @@ def answers(p):
     J, m1, m2, R, r, kt, c, G = (p[n] for n in ("J", "m1", "m2", "R", "r", "kt", "c", "G"))
     inertia, damping = J + m1 * R**2 + m2 * r**2, c * r**2
     A = np.array([[0, 1], [-kt / inertia, -damping / inertia]])
+    roots, shapes = np.linalg.eig(A)
+    back = np.linalg.inv(shapes)
+
+    def propagated(t, state):
+        return (shapes * np.exp(roots * t) @ back @ state).real
+
     start = np.array([G * R / kt, 0])
 
     def state(t):
-        return expm(A * t) @ start
+        return propagated(t, start)
 
     root = np.linalg.eigvals(A)[0]
     period = 2 * np.pi / abs(root.imag)

@@ -32,7 +32,7 @@ def answers(p):
     assert np.allclose(run.y[:, -1], end, rtol=1e-8, atol=1e-11)
 
     def least(i):
-        grid = np.linspace(1e-3, 0.3, 1500)
+        grid = np.linspace(1e-3, 0.1, 100)
         values = [twist[i] @ state(t)[3:] for t in grid]
         turning = [brentq(lambda t: twist[i] @ state(t)[3:], grid[j], grid[j + 1], xtol=1e-15)
                    for j in range(len(grid) - 1) if values[j] * values[j + 1] < 0]

@@ -27,7 +27,7 @@ def answers(p):
     assert np.allclose(run.y[:, -1], end, rtol=1e-8, atol=1e-11)
 
     def extremes(x):
-        grid = np.linspace(1e-3, 2, 2000)
+        grid = np.linspace(1e-3, 0.7, 120)
         values = [x @ state(t)[2:] for t in grid]
         turning = [brentq(lambda t: x @ state(t)[2:], grid[j], grid[j + 1], xtol=1e-15) for j in range(len(grid) - 1)
                    if values[j] * values[j + 1] < 0]

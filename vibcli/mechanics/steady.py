@@ -7,10 +7,10 @@ coefficients (a shaken pivot) are refused by name.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.evaluate import Floats
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
+from vibcli.algebra.stand_ins import SmoothFloats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
@@ -106,7 +106,7 @@ def require_autonomous(problem, values):
 
 
 def matrices_at(form, values):
-    numbers = in_numbers(form, Floats, values)
+    numbers = in_numbers(form, SmoothFloats, values)
     found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
     return {**found, "size": numbers.elements.K_size}
 

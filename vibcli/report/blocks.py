@@ -111,14 +111,16 @@ class Definitions(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """A picture as the text of an SVG document, with the words that describe it; plain text leaves it out."""
+    """A picture: a short name for its file, the words that describe it, and draw("svg") or draw("pdf"), which gives
+    its bytes. A section adds pictures only where `report.pictures` is set; plain text leaves them out."""
 
-    svg: str
+    name: str
     caption: str
+    draw: object
 
 
 class Refusal(NamedTuple):
-    """Why something that was asked for is missing; as plain text it is a diagnostic of its own."""
+    """Why something that was asked for is missing; beside plain text it is a diagnostic."""
 
     message: str
     hint: str | None
@@ -138,6 +140,7 @@ class Document(NamedTuple):
     source: str | None
     question: tuple
     sections: tuple
+    refusal: Refusal | None = None
 
 
 def maths(*parts):

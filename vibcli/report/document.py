@@ -9,22 +9,27 @@ from importlib import import_module
 from vibcli.algebra.parse import plain_name
 from vibcli.errors import PhysicsError
 from vibcli.report.blocks import Document, Name, maths
+from vibcli.report.wanted import Wanted
 from vibcli.spec import QUOTE
 
 SECTIONS = {"given": "given", "chosen": "chosen", "coordinates": "given", "equilibrium": "rest",
             "virtual_work": "statics", "energies": "motion", "equations": "motion", "frequencies": "spectrum",
             "damping": "spectrum", "modes": "spectrum", "equilibria": "equilibria", "reactions": "statics",
-            "shares": "insight", "sensitivities": "insight", "estimates": "insight"}
+            "response": "response", "frequency_response": "frequency_response", "shares": "insight",
+            "sensitivities": "insight", "estimates": "insight", "schematic": "illustrations",
+            "mode_pictures": "illustrations"}
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
 
 
 class Report:
-    """Sections about one problem. `roots`: {sum: symbol} of the lengths that have a symbol so far."""
+    """Sections about one problem, `pictures` with pictures. `roots`: {sum: symbol} of the lengths that have a symbol
+    so far."""
 
-    def __init__(self, problem, normalise="first"):
-        self.problem, self.normalise, self.sections, self.roots = problem, normalise, [], {}
-        self.refusal = None
+    def __init__(self, problem, normalise="first", pictures=False, wanted=None):
+        self.problem, self.normalise, self.pictures = problem, normalise, pictures
+        self.sections, self.roots, self.refusal = [], {}, None
+        self.wanted = wanted or Wanted()
 
     def add(self, name):
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""
@@ -39,11 +44,14 @@ class Report:
 
     def document(self, case=None, question=True):
         """All of it under the title of the scene; with its question and source where that is asked for."""
-        spec = self.problem.spec
-        title = spec.get("title") or spec.file
-        told = question and not case
-        return Document(f"{title} — case {case}" if case else title, (told and spec.get("source")) or None,
+        spec, told = self.problem.spec, question and not case
+        return Document(title_of(spec, case), (told and spec.get("source")) or None,
                         tuple(_quoting(spec, spec.get("question") or "")) if told else (), tuple(self.sections))
+
+
+def title_of(spec, case):
+    title = spec.get("title") or spec.file
+    return f"{title} — case {case}" if case else title
 
 
 def _quoting(spec, text):

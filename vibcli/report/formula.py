@@ -33,7 +33,7 @@ def rows(parts, write, columns):
             size = 0
         found[-1].append(text)
         size += width(said)
-    return [write.beside(*row) for row in found]
+    return [write.beside(*row).strip() for row in found]
 
 
 def _pieces(part, write):

@@ -11,7 +11,11 @@ OPERATORS = {"−": "-", "·": r"\,", "≤": r"\le", "≥": r"\ge", "∓": r"\mp
 
 
 def _word(text):
-    return rf"\mathrm{{{text.replace('_', chr(92) + '_')}}}"
+    return rf"\mathrm{{{_escaped(text)}}}"
+
+
+def _escaped(name):
+    return name.replace("_", r"\_")
 
 
 class Latex(Stacked):
@@ -50,10 +54,10 @@ class Latex(Stacked):
         return f"{base}^{{{exponent}}}"
 
     def function(self, name, args):
-        return rf"\operatorname{{{name}}}\left({', '.join(args)}\right)"
+        return rf"{self.functional(name)}\left({', '.join(args)}\right)"
 
     def functional(self, name):
-        return "\\" + name if name in FUNCTIONS else rf"\operatorname{{{name}}}"
+        return "\\" + name if name in FUNCTIONS else rf"\operatorname{{{_escaped(name)}}}"
 
     def applied(self, head, text, bare):
         return head + " " * bare + text

@@ -53,6 +53,8 @@ class MathML(Stacked):
         return f"<mrow>{_operator('|', 'prefix')}{text}{_operator('|', 'postfix')}</mrow>"
 
     def power(self, base, exponent):
+        if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
+            return f"<msubsup>{base[len('<msub>'):-len('</msub>')]}{row(exponent)}</msubsup>"
         return f"<msup>{row(base)}{row(exponent)}</msup>"
 
     def function(self, name, args):

@@ -7,10 +7,12 @@ from vibcli.report.formula import formula, rows
 from vibcli.report.mathml import mathml, row
 from vibcli.report.notation import plain
 from vibcli.report.page import page, words
-from vibcli.report.render_latex import is_number
+from vibcli.report.render_latex import is_signed
 
 COLUMNS = 105       # of plain text, in a row of a formula
-_PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>", re.DOTALL)
+DISPLAYED = ' displaystyle="true"'
+_PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>", re.DOTALL)
+_DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
 def render(documents):
@@ -38,8 +40,8 @@ def _article(number, document):
     return "\n".join([*parts, "</article>"])
 
 
-def _math(inner, said, style=""):
-    return f'<math alttext="{words(said)}"{style}>{inner}</math>'
+def _math(inner, said, displayed=""):
+    return f'<math alttext="{words(said)}"{displayed}>{inner}</math>'
 
 
 def _said(parts):
@@ -66,7 +68,7 @@ def _equation(line):
         cells = [first, *(f'<mspace width="2em"/>{other}' for other in others)]
         inner = ('<mtable columnalign="left">'
                  + "".join(f'<mtr><mtd displaystyle="true">{row(cell)}</mtd></mtr>' for cell in cells) + "</mtable>")
-    return f'<div class="equation">{label}{_math(inner, _said(line.parts), " displaystyle=\"true\"")}</div>'
+    return f'<div class="equation">{label}{_math(inner, _said(line.parts), DISPLAYED)}</div>'
 
 
 def _paragraph(block, _):
@@ -79,20 +81,24 @@ def _heading(block, level):
 
 def _table(block, _):
     head = "".join(f'<th scope="col">{_cell(cell)}</th>' if cell else "<td></td>" for cell in block.head)
-    body = "".join(f'<tr><th scope="row">{_cell(first)}</th>{"".join(f"<td>{_cell(cell)}</td>" for cell in cells)}</tr>\n'
-                   for first, *cells in block.rows)
-    return f'<div class="wide"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody>\n</table></div>'
+    body = "\n".join(map(_row, block.rows))
+    return f'<div class="wide"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
+
+
+def _row(cells):
+    first, *others = map(_cell, cells)
+    return f'<tr><th scope="row">{first}</th>{"".join(f"<td>{cell}</td>" for cell in others)}</tr>'
 
 
 def _cell(cell):
-    if isinstance(cell, str) and is_number(cell):
+    if is_signed(cell):
         return words(cell.replace("-", "−")) if "e" not in cell else _math(row(mathml.numeral(cell)), cell)
     return _running((cell,))
 
 
 def _definitions(block, _):
     items = "\n".join(f"<li>{_running(item.term)}"
-                      + (f'<span class="about">{words(item.about)}</span>' if item.about else "") + "</li>"
+                      + (f' <span class="about">{words(item.about)}</span>' if item.about else "") + "</li>"
                       for item in block.items)
     return f'<ul class="items{" flowing" * block.flowing}">\n{items}\n</ul>'
 
@@ -103,7 +109,10 @@ def _refusal(refusal, _):
 
 
 def _picture(block, _):
-    return (f'<figure role="group" aria-label="{words(block.caption)}">{_PROLOGUE.sub("", block.svg).strip()}'
+    """The SVG with names of its own for what it defines, so that pictures of one page do not mix."""
+    svg = _PROLOGUE.sub("", block.draw("svg").decode()).strip()
+    svg = _DEFINED.sub(rf"\g<0>{re.sub('[^A-Za-z0-9]', '-', block.name)}-", svg)
+    return (f'<figure role="group" aria-label="{words(block.caption)}">{svg}'
             f"<figcaption>{words(block.caption)}</figcaption></figure>")
 
 

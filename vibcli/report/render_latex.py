@@ -1,12 +1,14 @@
 """A report as a complete LaTeX document for pdflatex, in plain ASCII."""
 
+import re
+
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
 from vibcli.report.formula import formula, rows
 from vibcli.report.latex import latex
 from vibcli.report.tex import escaped
 
 COLUMNS = 95        # of plain text, in a row of a formula
-NUMBERS = "0123456789-−."
+_SIGNED = re.compile(r"(?=.*[-−e])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[T1]{fontenc}
 \usepackage{lmodern}
@@ -53,7 +55,7 @@ def aligned(block):
     found, labelled = [], any(line.label for line in block.lines)
     for line in block.lines:
         first, *others = rows(line.parts, latex, COLUMNS)
-        label = formula(line.label, latex) + ":" if line.label else ""
+        label = formula(line.label, latex) + r":\quad" if line.label else ""
         head = f"{label} & {{}}" if labelled else "& {}"
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
     return " \\\\\n".join(found)
@@ -74,18 +76,14 @@ def _table(block):
 
 
 def _cell(cell):
-    if isinstance(cell, str) and is_number(cell):
+    if is_signed(cell):
         return f"${latex.numeral(cell)}$"
     return _running((cell,))
 
 
-def is_number(text):
-    """Is a cell a number? Then it is set as one, its sign and its power of ten too."""
-    try:
-        float(text.replace("−", "-"))
-    except ValueError:
-        return False
-    return text.lstrip("-−")[:1].isdigit() and text.isprintable()
+def is_signed(cell):
+    """Is a cell a number with a sign or a power of ten, which is to be set as mathematics?"""
+    return isinstance(cell, str) and bool(_SIGNED.fullmatch(cell))
 
 
 def _definitions(block):

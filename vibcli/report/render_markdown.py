@@ -6,9 +6,9 @@ from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragra
 from vibcli.report.clean import on_one_line
 from vibcli.report.formula import formula
 from vibcli.report.latex import latex
-from vibcli.report.render_latex import aligned, is_number
+from vibcli.report.render_latex import aligned, is_signed
 
-_SPECIAL = re.compile(r"[\\`*_\[\]#|~]")
+_SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
 _OTHERS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "$": r"<span>\$</span>", "://": r":\//", "www.": r"www\."}
 _OTHER = re.compile("|".join(map(re.escape, _OTHERS)), re.IGNORECASE)
 
@@ -72,7 +72,7 @@ def _table(block):
 
 
 def _cell(cell):
-    text = f"${latex.numeral(cell)}$" if isinstance(cell, str) and is_number(cell) else _running((cell,))
+    text = f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,))
     return text.replace("|", r"\vert ") if isinstance(cell, Maths) else text
 
 

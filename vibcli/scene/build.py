@@ -64,6 +64,7 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
         self.opened, self.inputs, self.holding = opened, {}, holding
         self.table = table = Table()
+        table.records = {name: record["samples"] for name, record in (spec.get("records") or {}).items()}
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
         given = {name: float(value) for name, value in given.items()}

@@ -3,8 +3,7 @@
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.expression import reachable
-from vibcli.algebra.pulses import PULSES
+from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
 SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
@@ -104,15 +103,12 @@ class Terms:
         return found
 
     def oscillates(self, symbol):
-        """Is a driven displacement none that drifts?"""
+        """Does a driven displacement come and go, so that it counts as a small one?"""
         return self.waves(self.driven[symbol])
 
     def waves(self, node):
-        """Is a function of the time none that drifts: of sines and other functions alone, or one of pulses?"""
-        calls = [part for part in reachable([node]) if part.op == "call" and part.mask & self.time.mask]
-        if any(part.name in PULSES or part.name in self.table.records for part in calls):
-            return True
-        return not substitute([node], dict.fromkeys(calls, self.table.one))[0].mask & self.time.mask
+        """Does a function of the time stay bounded?"""
+        return stays_bounded(node, self.time, self.sample)
 
     def open_loads(self):
         """A load as an input beside each that is given, and one along each coordinate."""
