@@ -86,7 +86,10 @@ def _signed(X):
 def _phase(problem, tree):
     import cmath
 
-    found = read_off.harmonics(_linear(problem, tree))
+    signal = _linear(problem, tree)
+    if not problem.motion.drive:
+        return wrapped(read_off.vibration(signal).phase)
+    found = read_off.harmonics(signal)
     if len(found) != 1:
         raise PhysicsError("this steady state has no one phase: it is not one harmonic", "ask for frf[…]")
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
