@@ -8,6 +8,7 @@ from vibcli.report.figures import figure, with_unit
 from vibcli.report.responses import extremes, signals_asked
 
 TURN = 6.283185307179586
+MOST_EVENTS, MOST_LINES = 40, 16
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
@@ -20,7 +21,8 @@ def response(problem, report):
         raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
     yield from _start(problem, motion)
-    yield from motion.sections(asked, report)
+    if problem.spec.get("motion") == "full":
+        yield from _integration(motion.trajectory())
     yield from _extremes(asked, motion)
 
 
@@ -33,8 +35,33 @@ def _start(problem, motion):
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), f"(0) = {figure(speeds[name])}")]
     yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
-                       blocks.equations(line(maths("Q"), " = ", node, label=Name(problem.scene.coordinates[i]))
-                                        for i, node in motion.drive.items()))
+                       _drive(problem, motion))
+
+
+def _drive(problem, motion):
+    """What stands on the right of M q̈ + C q̇ + K q = Q(t)."""
+    if len(motion.drive) > MOST_LINES:
+        return paragraph(f"driven at {len(motion.drive)} coordinates")
+    return blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
+                            for i, node in motion.drive.items())
+
+
+def _integration(trajectory):
+    """What happened on the way, and how well the energies balance."""
+    balance = trajectory.balance
+    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
+    for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
+                          ("work of what drives the motion", balance.driving)):
+        if values[-1]:
+            rows.append((words, figure(float(values[-1]))))
+    told = f"the balance of these energies holds to {figure(float(balance.error), digits=2)} of the largest of them"
+    if trajectory.drift is not None:
+        told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
+    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(told))
+    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
+    more = len(trajectory.events) - len(events)
+    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
+                       paragraph(f"and {more} more") if more else None)
 
 
 def _extremes(asked, motion):

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 class Wanted(NamedTuple):
     """signals: Expressions, those of the file if empty; driver: the Expression of an input, or None; phase: sine,
-    cosine or lead; low, high: angular frequencies or None; parts: show the steady and the transient part apart; points: instants
-    that are sampled."""
+    cosine or lead; low, high: angular frequencies or None; parts: steady, transient, to be shown apart; points: how
+    many instants are sampled."""
 
     signals: tuple = ()
     driver: object = None

@@ -9,7 +9,9 @@ HEIGHT, STEP, EDGE = 46.0, 58.0, 26.0
 def draw(scene):
     """The primitives, words included."""
     names = list(scene.spec.coordinates)
-    given = "given by M, C, K" if "matrices" in scene.spec.sections else "given by its energies"
+    given = "given by its energies"
+    if "matrices" in scene.spec.sections:
+        given = "given by " + ", ".join(key for key in "MCK" if key in scene.spec.get("matrices"))
     runs = lettering.words(given)
     wide = max(lettering.width(runs) + 2 * EDGE, STEP * len(names))
     found = [Polygon(tuple(plane.box((wide / 2, 0.0), wide, HEIGHT)), layer=ELEMENT),

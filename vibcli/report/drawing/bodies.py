@@ -12,7 +12,7 @@ RAIL, WOUND = 17.0, 18.0
 def draw(sketch, looks, ties):
     """All bodies with their pins and floors, large ones first."""
     found = []
-    for name, look in sorted(looks.items(), key=lambda item: -item[1].size()):
+    for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
         found += _floor(name, look, sketch, ties)
     return found + _pins(sketch, looks)
@@ -29,7 +29,7 @@ def marks(sketch, looks):
     """A radius on each round body, which shows how far it has turned."""
     found = []
     for name, look in looks.items():
-        if look.kind in ("disc", "ring", "wheel", "hub"):
+        if look.kind in ("disc", "ring", "wheel", "hub", "rim"):
             left, bottom, right, top = plane.bounds(look.pieces[-1].points)
             centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
             found.append(carried(Line((centre, plane.polar(centre, radius, pi / 2)), layer=BODY), sketch.frames[name]))

@@ -3,6 +3,7 @@
 from math import hypot
 
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.errors import PhysicsError
 from vibcli.report.drawing import bodies, connection, joint, lumped, plane, rope, rows, support, tracks
 from vibcli.report.drawing.look import looks as looks_of
 from vibcli.report.drawing.primitives import BODY, Circle, Line, extent
@@ -10,8 +11,10 @@ from vibcli.report.drawing.shape import outline
 from vibcli.report.drawing.sketch import Sketch
 from vibcli.report.drawing.ties import Ties
 from vibcli.scene.loops import drawn_values
+from vibcli.units import LENGTH
 
 WIDE, HIGH, SHORT, GROWTH, ALONE, BELOW = 300.0, 210.0, 46.0, 1.8, 90.0, 40.0
+MOST = 80       # bodies
 FINE = 1e9       # points per metre at which what has a size on paper alone has none
 
 
@@ -32,6 +35,8 @@ class Stage:
     """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
 
     def __init__(self, scene):
+        if len(scene.bodies) > MOST:
+            raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
         self.scene = scene
         plain = Sketch(scene, values_at(scene), FINE)
         self.sketch = Sketch(scene, plain.values, scale_of(plain) * FINE)
@@ -92,7 +97,8 @@ def scale_of(sketch):
         size = sketch.numbers["size"] = 0.0
         halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
                   if "curve" in record]
-        return ALONE / (halves[0] * sketch.scale) if halves else 1.0 / sketch.scale
+        sizes = halves or _given_lengths(sketch)
+        return ALONE / (sizes[0] * sketch.scale) if sizes else 1.0 / sketch.scale
     much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "springs", "dampers", "points", "forces"))
     share = min(1.5, max(0.62, 0.5 + 0.12 * much))
     wide, high = share * WIDE, min(share, 1.15) * HIGH
@@ -100,6 +106,14 @@ def scale_of(sketch):
     short = min((d for one, two in ties.ends if (d := plane.distance(one.drawn, two.drawn)) > 1e-9 * size),
                 default=size) * scale
     return scale * min(GROWTH, max(1.0, SHORT / short))
+
+
+def _given_lengths(sketch):
+    """The largest length among the parameters, in a list; empty where there is none."""
+    dimensions = sketch.spec.dimensions
+    found = [abs(sketch.values[name]) for name in sketch.spec.parameters
+             if name in sketch.values and dimensions.of(name) == LENGTH]
+    return [max(found)] if any(found) else []
 
 
 def figure(stage, sketch, unit=1.0):

@@ -54,6 +54,8 @@ def _edge(end, other, looks):
     look = looks.get(end.carrier)
     if look is None or look.core is None or not plane.inside(end.drawn, look.core):
         return end
+    if look.kind == "rectangle" and plane.distance(end.drawn, plane.middle(look.core[0], look.core[2])) > 1e-6:
+        return end
     edge = plane.leaves(end.drawn, plane.unit(plane.minus(other, end.drawn)), look.core)
     near = plane.distance(end.drawn, edge) < plane.distance(end.drawn, other) - 8
     return Attachment(end.carrier, edge, True) if near else end

@@ -133,7 +133,8 @@ def _straight(motion, sketch, looks):
         ahead = _ticked(plane.plus(centre, e, front + gap), e, n)
         beside = [_ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
         close = [_ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
-        found += [ahead, *beside] if wide else [*beside, ahead]
+        shifted = [_ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
+        found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
         found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
     return found
 
@@ -165,6 +166,8 @@ def _round(motion, sketch, looks):
     box = plane.bounds(points)
     axis = plane.minus(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), centre)
     found = []
+    if look.kind in ("rod", "bar") and plane.distance(axis, (0, 0)) < 0.15 * far:
+        axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)
     if plane.distance(axis, (0, 0)) < 0.15 * far:
         for gap in (6.0, 11.0, 17.0, 25.0):
             for start in (0.2, 0.7, -0.3, 1.2, -0.8):

@@ -10,7 +10,6 @@ from vibcli.report.drawing.shape import ROD
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0)
 SHORTEST, ROOM, BEYOND, CROWDED = 24.0, 5.0, 3.0, 4.0
-HEADS = 5.0
 
 
 class Length(NamedTuple):
@@ -93,7 +92,8 @@ def draw(length, space):
         if space.path([start, plane.plus(length.two, plane.minus(start, length.two), 0.1)]) > 2 * CROWDED:
             return None
         parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]
-        return parts, length.runs, [plane.middle(length.one, length.two)]
+        return parts, length.runs, [plane.plus(plane.middle(length.one, length.two), plane.left(
+            plane.unit(plane.minus(length.two, length.one))), side) for side in (2.0, -2.0)]
     e = plane.unit(plane.minus(length.two, length.one))
     n = plane.left(e)
     best = None
@@ -110,4 +110,4 @@ def draw(length, space):
     legs = [Line((plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND)), "measure", 0.6, layer=ARROW)
             for p, q in ((length.one, a), (length.two, b))]
     parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
-    return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, side * 2)]
+    return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]

@@ -27,7 +27,9 @@ def ropes(sketch):
         if name not in sketch.frames or slide is None or name in tied or set(slide.values) & {"surface", "carrier"}:
             continue
         rates = rates or {other: _rates(sketch, other) for other in sketch.frames if other in sketch.scene.bodies}
-        found += [rope for other in rates if other != name and (rope := _between(other, name, rates, sketch))][:1]
+        others = [other for other in rates if other != name]
+        if not any(plane.distance(sketch.centre(other), sketch.centre(name)) < CLOSE for other in others):
+            found += [rope for other in others if (rope := _between(other, name, rates, sketch))][:1]
     return found
 
 
@@ -58,7 +60,7 @@ def _between(wheel, weight, rates, sketch):
     """The rope between a wheel and a weight, None where they do not move as if there were one."""
     a, b = sketch.centre(wheel), sketch.centre(weight)
     moving = [(rate, mine) for rate, mine in zip(rates[wheel], rates[weight], strict=True) if hypot(*mine[:2])]
-    if not moving or plane.distance(a, b) < CLOSE:
+    if not moving:
         return None
     e = plane.unit(moving[0][1][:2])
     if all(hypot(rate[0] - mine[0], rate[1] - mine[1]) < CLOSE * hypot(*mine[:2]) for rate, mine in moving):

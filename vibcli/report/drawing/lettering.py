@@ -12,7 +12,7 @@ from vibcli.report.notation import GREEK, Plain, split_name
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
 FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STIXGeneral.ttf", "DejaVuSans.ttf")}
-MISSING, LONGEST, BLANK = "□", 90, 0.25
+MISSING, LONGEST, BLANK, GAP = "□", 90, 0.25, 0.13
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
 _HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
 _PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
@@ -105,6 +105,8 @@ def _printable(letters, slanted):
 
 @lru_cache(4096)
 def _advance(letters, slanted, size):
+    if not letters.strip():
+        return GAP * size * len(letters)
     found = font(file_of(letters, slanted))
     found.set_size(size, 72)
     found.set_text(letters, 0.0)

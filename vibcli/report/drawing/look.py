@@ -9,7 +9,7 @@ from vibcli.report.drawing.primitives import BEHIND, BODY, JOINT, Circle, Line, 
 from vibcli.report.drawing.shape import BALL, ROD, outline
 from vibcli.report.drawing.tracks import contacts, curve_points, free_side
 
-BLOCK, FLAT, BAR, HUB, DECK, DEEP, RIM, BEYOND = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 11.0, 15.0, 70.0, 8.0, 26.0
+BLOCK, FLAT, BAR, HUB, DECK, DEEP, RIM, BEYOND = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 11.0, 19.0, 70.0, 8.0, 26.0
 
 
 class Look(NamedTuple):
@@ -28,8 +28,12 @@ class Look(NamedTuple):
         return [part for part in self.pieces if not isinstance(part, Line)]
 
     def size(self):
+        """The larger side of its box."""
         left, bottom, right, top = plane.bounds([p for part in self.pieces for p in part.points])
         return max(right - left, top - bottom)
+
+    def area(self):
+        return max((plane.area(list(part.points)) for part in self.outlines), default=0.0)
 
 
 def looks(sketch, ties):
@@ -71,7 +75,8 @@ def _shaped(record, sketch, toothed=False):
         return _rim(sketch.centre(record.name), sketch.length(record["radius"]))
     if toothed:
         pieces = [piece._replace(points=tuple(teeth(piece.points))) for piece in pieces]
-    return Look(pieces, record.get("shape", "parts"))
+    core = list(pieces[0].points) if record.get("shape") == "rectangle" else None
+    return Look(pieces, record.get("shape", "parts"), core)
 
 
 def _piece(part):
@@ -106,7 +111,7 @@ def _radii(name, centre, ties):
 def _rim(centre, radius):
     """A gear with inner teeth."""
     rim = plane.circle(centre, radius + RIM)
-    return Look([Polygon(tuple(rim)), Polygon(tuple(teeth(plane.circle(centre, radius))), "paper")], "wheel")
+    return Look([Polygon(tuple(rim)), Polygon(tuple(teeth(plane.circle(centre, radius))), "paper")], "rim")
 
 
 def _wheel(centre, radii, toothed):
@@ -193,6 +198,11 @@ def _block(body, centre, sketch, ties):
     hook = _hook(body, centre, sketch)
     middle = plane.plus(centre, (0.0, -1.0), hook + height / 2) if hook else centre
     corners = plane.box(middle, width, height, angle)
+    beside = [x for x, y in ties.carried.get(body.name, ()) if abs(y - centre[1]) > height / 2]
+    if not angle and not upright and beside:
+        low, high = min(centre[0] - width / 2, min(beside) - 6), max(centre[0] + width / 2, max(beside) + 6)
+        middle, width = ((low + high) / 2, middle[1]), high - low
+        corners = plane.box(middle, width, height)
     hanger = [Line((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
 

@@ -8,7 +8,6 @@ from vibcli.report.drawing.primitives import BODY, ELEMENT, Circle, Hatch, Line,
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
 HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
-FEW = 60        # bodies that are laid out at most
 
 
 class Place(NamedTuple):

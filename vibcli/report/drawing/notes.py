@@ -1,6 +1,7 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
 from vibcli.report.drawing import captions, lettering, rows
+from vibcli.report.notation import GREEK
 
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
@@ -31,11 +32,12 @@ def of(stage):
     for name, record in (spec.get("constraints") or {}).items():
         if "equation" in record:
             found.append(_note(f"{name}: ", scene, (record["equation"], " = 0")))
+        for kind in ("gear", "belt"):
+            if kind in record and any(scene.bodies[end.text].frame is None for end in record[kind]):
+                names = " – ".join(end.text for end in record[kind])
+                found.append(lettering.words(f"{name}: {kind} {names}", SIZE))
     for key, field in getattr(spec.get("energies"), "values", {}).items():
-        found.append(_note(f"{key} = ", scene, (field, "")))
-    if "matrices" in spec.sections:
-        given = ", ".join(key for key in "MCK" if key in spec.get("matrices"))
-        found.append(lettering.words(f"{given} as given", SIZE))
+        found.append(_note(f"{GREEK.get(key, key)} = ", scene, (field, "")))
     return found
 
 

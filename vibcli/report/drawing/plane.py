@@ -126,6 +126,11 @@ def leaves(start, direction, polygon):
     return plus(start, direction, far)
 
 
+def area(polygon):
+    """The area within a closed polygon."""
+    return abs(sum(across(a, b) for a, b in zip(polygon, [*polygon[1:], polygon[0]], strict=True))) / 2
+
+
 def bounds(points):
     """(left, bottom, right, top) of points."""
     xs, ys = [x for x, _ in points], [y for _, y in points]
