@@ -60,7 +60,7 @@ def _listing(scenes):
 
 
 def _write(file, text):
-    """Write a new file; nothing is ever overwritten."""
+    """Write a new file; nothing is ever overwritten, and what is there already is left as it is."""
     try:
         with open(file, "x", encoding="utf-8") as new:
             new.write(text)

@@ -196,8 +196,8 @@ TIME = [
          "`abs(sin(Omega*t))` and `max(0, sin(Omega*t))` are rectified waves"),
         ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
     ],
-    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` and "
-    "`Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
+    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
+    "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
     "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
