@@ -16,7 +16,8 @@ ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 def measure_response(problem, tree):
     """(value, relative error bound) of a quantity with arguments; the value of an frf is complex."""
     head = tree[4]
-    if head in _OF_FREQUENCY or (head == "phase" and tree[7][0][4:5] == ("frf",)):
+    in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
+    if not in_time:
         return _OF_FREQUENCY[head](problem, tree)
     return _IN_TIME[head](problem, tree), ERROR
 
@@ -85,7 +86,10 @@ def _signed(X):
 def _phase(problem, tree):
     import cmath
 
-    found = read_off.harmonics(_linear(problem, tree))
+    signal = _linear(problem, tree)
+    if not problem.motion.drive:
+        return wrapped(read_off.vibration(signal).phase)
+    found = read_off.harmonics(signal)
     if len(found) != 1:
         raise PhysicsError("this steady state has no one phase: it is not one harmonic", "ask for frf[…]")
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
