@@ -66,10 +66,11 @@ class SmallMotion(Motion):
     def forcing(self, direct=()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         from vibcli.analyses.forcing.decompose import forcing_of
+        from vibcli.report.notation import plain
 
         n = len(self.matrices[0])
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct))
+        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain)
 
     def moved(self, direct=()):
         """The LinearMotion under the excitation."""

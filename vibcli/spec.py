@@ -243,5 +243,5 @@ def _report_unused(spec, used, diagnostics):
             diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used", hint))
     for name, record in (spec.get("records") or {}).items():
         if len(diagnostics) <= MOST_PROBLEMS and own(name) not in used:
-            diagnostics.append(Diagnostic(record.where, f"the record '{name}' is not used", f"write {name}(t) in a load "
-                                          "or motion, or take it out"))
+            hint = f"write {name}(t) in a load or motion, or take it out"
+            diagnostics.append(Diagnostic(record.where, f"the record '{name}' is not used", hint))
