@@ -79,11 +79,6 @@ class SmallMotion(Motion):
     def alone(self):
         return self.moved()
 
-    @property
-    def period(self):
-        """The period of the steady state, None where it has none."""
-        return self.alone.steady.period if self.drive else None
-
     def lasting(self):
         from vibcli.analyses.duration import duration
 

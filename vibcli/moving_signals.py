@@ -34,13 +34,30 @@ class LinearSignal:
 
     @cached_property
     def transient(self):
-        """The rest: it has no constant."""
-        return LinearSignal(self.motion.transient, self.output._replace(constant=0.0, channels={}))
+        return LinearSignal(self.motion.transient, self.output)
 
     @cached_property
+    def envelope(self):
+        return Envelope(self)
+
+    @property
     def phasors(self):
         """[(Ω, complex X)] of the steady state Re Σ X e^{iΩt}, by ascending Ω."""
-        return self.motion.steady.phasors(self.output)
+        from vibcli.read_off import harmonics
+
+        return harmonics(self)
+
+
+class Envelope:
+    """A e^{−δt} of a free vibration."""
+
+    def __init__(self, signal):
+        self.signal = signal
+
+    def values(self, times, order=0):
+        from vibcli.read_off import envelope
+
+        return envelope(self.signal, times)
 
 
 class ComposedSignal:
@@ -113,6 +130,9 @@ class Difference:
         return self.one.values(times, order) - self.other.values(times, order)
 
     extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+
+    def final(self):
+        return self.one.final() - self.other.final()
 
 
 class FullSignal:
