@@ -29,7 +29,7 @@ ROOMS = (
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
     ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals", "measured_signals",
-                 "curves", "on_request", "problem", "measured", "inverse", "draws", "check")),
+                 "curves", "read_off", "on_request", "problem", "measured", "inverse", "draws", "check")),
     ("manual", ("manual",)),
     ("cli", ("cli", "__main__")),
     ("bench", ("bench",)),

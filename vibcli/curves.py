@@ -47,11 +47,6 @@ class FrequencyResponse:
 
         return [one.Omega for one in antiresonances(self.transfer, self.extremes)]
 
-    @cached_property
-    def half_power(self):
-        """Ω of the half-power points, two to each peak."""
-        return [Omega for number in range(1, len(self.marked) + 1) for Omega in self.half_power_of(number)]
-
     def half_power_of(self, number):
         """(Ω₁, Ω₂) about a peak, counted from 1."""
         from vibcli.analyses.frequency.peaks import half_power

@@ -13,7 +13,7 @@ class InTime:
         """The Problem under the force that lets go at t = 0; None where none does."""
         from vibcli.elements.initial import let_go
 
-        if let_go(self.spec) is None or self.holding:
+        if let_go(self.spec) is None or self.holding is not None:
             return None
         return self.held_back()
 

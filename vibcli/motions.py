@@ -15,6 +15,8 @@ from vibcli.elements.find import RESPONSE
 from vibcli.errors import PhysicsError
 from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
 
+PERIODIC = 1e-7     # how equal the periods of a periodic motion are
+
 
 class Motion:
     """What both kinds of motion share: until when they are looked at, and what drives them."""
@@ -78,11 +80,6 @@ class SmallMotion(Motion):
     @cached_property
     def alone(self):
         return self.moved()
-
-    @property
-    def period(self):
-        """The period of the steady state, None where it has none."""
-        return self.alone.steady.period if self.drive else None
 
     def lasting(self):
         from vibcli.analyses.duration import duration
@@ -182,6 +179,17 @@ class FullMotion(Motion):
         except PhysicsError:
             raise PhysicsError("it is not known how long this motion is to be looked at",
                                "say until when: find: [{response: {until: 10 s}}]") from None
+
+    def period(self, tree):
+        """The time from one upward passage of a signal through the middle of its range to the next."""
+        signal = self.signal(tree)
+        high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
+        found = signal.zeros(0.0, self.until, 0.5 * (high + low))
+        gaps = [later - early for early, later in zip(found, found[2:], strict=False)]
+        if not gaps or max(gaps) - min(gaps) > PERIODIC * gaps[0]:
+            raise PhysicsError("this motion has no one period" if gaps else "this motion has not yet gone through a "
+                               "period", "give a later end: find: [{response: {until: 20 s}}]" if not gaps else None)
+        return sum(gaps) / len(gaps)
 
     def signal(self, tree):
         """The signal of a tree: a function of the coordinates, velocities and accelerations."""

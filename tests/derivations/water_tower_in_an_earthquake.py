@@ -28,7 +28,7 @@ def answers(p):
         i = np.searchsorted(times, t, side="right") - 1
         return expm(A * (t - times[i])) @ starts[i]
 
-    grid = np.arange(0.001, 8, 0.005)
+    grid = np.arange(0.001, 5, 0.02)
     rates = [motion(t)[1] for t in grid]
     turning = [brentq(lambda t: motion(t)[1], grid[i], grid[i + 1], xtol=1e-13) for i in range(len(grid) - 1)
                if rates[i] * rates[i + 1] < 0]

@@ -28,7 +28,7 @@ class Terms:
             for i, j, product, nodes in paths(block.B) if row.any() else ():
                 if row[i]:
                     self._add_path(nodes, row[i] * product, states[:, j], found, j)
-        if output.constant and not order:
+        if output.constant and pieces.motion.constants and not order:
             self._add_wave(0, 0j, slice(None), output.constant)
         if output.a or output.channels or (order and output.v) or order > 1:
             self._add_direct(pieces, output, order)
@@ -61,6 +61,18 @@ class Terms:
                 given = waves.coefficients @ row
                 for power, factor in waves.derivative(i).items() if given.any() else ():
                     self._add_wave(power, waves.exponent, waves.at, factor * given)
+
+    def nodes(self):
+        """The nodes of each exponential in the sum."""
+        return ([nodes for nodes, _ in self.free + self.linked] + [nodes for nodes, _, _ in self.near]
+                + [(s,) for _, s in self.waves])
+
+    def on(self, segment):
+        """(nodes, factor) of all on one segment: the output is Re Σ factor · E[nodes](τ)."""
+        found = [(nodes, row[segment]) for nodes, row in self.free + self.linked]
+        found += [(nodes, row[np.flatnonzero(at == segment)[0]]) for nodes, at, row in self.near if segment in at]
+        return found + [((s,) * (power + 1), math.factorial(power) * row[segment])
+                        for (power, s), row in self.waves.items()]
 
     def at(self, segment, tau):
         """The values at the times `tau` after the starts of the segments."""
