@@ -18,7 +18,9 @@ from vibcli.errors import PhysicsError
 from vibcli.report.plots.braille import braille
 from vibcli.report.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.report.plots.frequency import lag
+from vibcli.report.plots.inline import svg_text
 from vibcli.report.plots.paper import sheets, thinned
+from vibcli.report.plots.picture import picture
 from vibcli.report.plots.prefixes import readable
 from vibcli.report.plots.response import of_response
 from vibcli.report.plots.save import SUFFIXES, refuse, save
@@ -249,8 +251,6 @@ print(json.dumps(found))
 
 
 def test_the_same_bytes_in_two_processes_and_again():
-    from vibcli.report.plots.picture import picture
-
     first, second = run(DIGESTS), run("import matplotlib\nmatplotlib.rcParams['font.size'] = 30\n"
                                       "matplotlib.rcParams['svg.fonttype'] = 'none'\n" + DIGESTS)
     assert first == second
@@ -259,8 +259,6 @@ def test_the_same_bytes_in_two_processes_and_again():
 
 def test_nothing_global_is_left_changed():
     import matplotlib
-
-    from vibcli.report.plots.picture import picture
 
     matplotlib.rcParams["lines.linewidth"] = 3.5
     before = dict(matplotlib.rcParams)
@@ -385,3 +383,27 @@ def test_rays_of_constant_damping():
         zeta = float(ray.names[1].removeprefix("ζ = "))
         assert -ray.x[1] / math.hypot(ray.x[1], ray.y[1]) == pytest.approx(zeta, rel=1e-12)
     assert not panel.equal and FIGURES["round"].panels[0].equal
+
+
+# inside a page
+
+@EACH
+def test_svg_in_a_page_is_whole_and_its_names_its_own(name):
+    first, second = svg_text(FIGURES[name]), svg_text(FIGURES[name], "fig 2<")
+    for text in (first, second):
+        tree = ET.fromstring(text)
+        ids = [part.get("id") for part in tree.iter() if part.get("id")]
+        used = re.findall(r'(?:href="|url\()#([^")]*)', text)
+        assert len(ids) == len(set(ids)) and set(used) == set(ids)
+        assert not re.search(r"<style|<!|<metadata|<script|http(?!://www.w3.org/2000/svg)|\n{2}", text)
+    assert all(text.startswith("fig-2-") for text in re.findall(r' id="([^"]*)"', second))
+    assert not set(re.findall(r' id="([^"]*)"', first)) & set(re.findall(r' id="([^"]*)"', second))
+
+
+def test_svg_in_a_page_draws_the_same():
+    (curve,) = FIGURES["single"].panels[0].curves
+    figure = Figure("", (Panel("", "x", "y", curves=(curve._replace(x=(0, 1, 2), y=(0, 3, 1)),)),))
+    found = [re.findall(r'd="M ([\d. \nL]+)"', text) for text in (svg_text(figure), picture(figure, "svg").decode())]
+    inline, file = ([[float(number) for number in re.findall(r"[\d.]+", path)] for path in paths] for paths in found)
+    assert len(inline) == len(file) > 5
+    assert all(a == pytest.approx(b, abs=0.006) for a, b in zip(inline, file, strict=True))

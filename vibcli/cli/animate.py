@@ -3,7 +3,7 @@
 import click
 
 from vibcli.cli.common import load
-from vibcli.cli.pictures import one, picture_options, target, write
+from vibcli.cli.pictures import moving, one, picture_options, target, write
 
 SUFFIXES = (".gif", ".html")
 
@@ -18,4 +18,4 @@ def command(file, settings, case, output, force, index):
     from vibcli.report.drawing.animation import data, of_mode
 
     title = problem.spec.get("title") or path.stem
-    write(path, data(*of_mode(problem, index), title=title, kind=path.suffix[1:].lower()))
+    write(path, data(*of_mode(moving(problem), index), title=title, kind=path.suffix[1:].lower()))

@@ -21,6 +21,10 @@ class Dynamics:
 
     __slots__ = ("M", "bends", "gaps", "h", "names", "rates", "slopes")
 
+    def nodes(self):
+        """All expressions that the accelerations are made of."""
+        return [*self.M.values(), *self.h, *self.slopes.values(), *self.bends]
+
 
 def dynamics(scene, redundant=()):
     """The Dynamics of a scene; `redundant`: names of constraints which follow from the others."""

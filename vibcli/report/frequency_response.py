@@ -47,8 +47,8 @@ def _in_numbers(problem, name, driver, unit):
         rows.append((f"peak {number}", figure(Omega), figure(Omega / TURN), figure(value) if isfinite(value) else "∞",
                      *_bandwidth(curve, number)))
     for number, Omega in enumerate(curve.antiresonances, 1):
-        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / TURN), figure(abs(curve.at(Omega)[0])),
-                     "", "", ""))
+        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / TURN),
+                     "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield Table(head, tuple(rows)) if rows else paragraph("no resonance")

@@ -9,6 +9,7 @@ from vibcli.report.responses import extremes, signals_asked
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
+FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
@@ -23,6 +24,13 @@ def response(problem, report):
     yield from _start(problem, motion)
     if problem.spec.get("motion") == "full":
         yield from _integration(motion.trajectory())
+    else:
+        from vibcli.report.formulas import formulas, free_vibration, steady_state
+
+        yield from free_vibration(problem, asked)
+        yield from formulas(asked)
+        if motion.drive:
+            yield from steady_state(asked, report.wanted.phase)
     yield from _extremes(asked, motion)
 
 
@@ -83,10 +91,24 @@ def phase_in(convention, X):
     return wrapped(sign * (-cmath.phase(X) + turn * TURN))
 
 
+def harmonics_of(signal):
+    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+    from vibcli.read_off import fundamental, harmonic
+
+    if not hasattr(signal, "output"):
+        return []
+    if signal.motion.steady.period is None:
+        return signal.phasors
+    Omega = fundamental(signal)
+    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X in found)
+    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+
+
 def steady_rows(asked, convention):
     """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
     for one in asked:
-        for Omega, X in one.signal.phasors:
+        for Omega, X in harmonics_of(one.signal):
             if Omega:
                 theta = phase_in(convention, X)
                 yield (f"{one.text} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),

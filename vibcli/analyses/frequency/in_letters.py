@@ -1,7 +1,7 @@
 """Amplitudes in letters, for one and two degrees of freedom: H(iΩ) = (N_r + iΩ N_i)/(D_r + iΩ D_i).
 
 By Cramer's rule from D = K − Ω²M + iΩC: N = cᵀ adj(D) b + d det D. Products of entries are not multiplied out, which is
-how a textbook prints them. |H| = √(N_r² + Ω²N_i²)/√(D_r² + Ω²D_i²), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
+how a textbook prints them. |H|² = (N_r² + Ω²N_i²)/(D_r² + Ω²D_i²), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
 """
 
 from vibcli.algebra.calculus import gradient, substitute

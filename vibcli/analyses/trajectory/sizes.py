@@ -20,11 +20,11 @@ class Sizes:
     def __init__(self, q):
         self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
 
-    def measure(self, system, t, q, v, g):
+    def measure(self, system, accelerations, t, q, v, g):
         """Take weight, radian and noise from the system as it is at t."""
         values = system.inertia(np.array([t]), q[:, None], v[:, None], g)
         self.weight = np.sqrt(np.maximum([float(np.max(value)) for value in values], 1e-300))
-        a, J = jacobian(system, t, q, v, g)
+        a, J = jacobian(accelerations, t, q, v)
         n = len(q)
         self.radian, self.noise = np.inf, 4 * EPSILON * system.sizes(t, q, v, g) / self.weight**2
         if np.isfinite(J).all():
@@ -55,10 +55,10 @@ class Sizes:
         return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
 
 
-def jacobian(system, t, q, v, g):
+def jacobian(accelerations, t, q, v):
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
-    a = system.accelerations(np.array([t]), q[:, None], v[:, None], g)[:, 0]
+    a = accelerations(np.array([t]), q[:, None], v[:, None])[:, 0]
     span = np.max(np.abs(q), initial=0.0), np.max(np.abs(v), initial=0.0)
     size = np.concatenate([np.where(np.abs(q) > 0, np.abs(q), span[0] or 1e-3),
                            np.where(np.abs(v) > 0, np.abs(v), span[1] or 1e-3)])
@@ -67,4 +67,4 @@ def jacobian(system, t, q, v, g):
     Q[range(n), range(n)] += step[:n]
     V[range(n), range(n, 2 * n)] += step[n:]
     with np.errstate(all="ignore"):
-        return a, (system.accelerations(np.full(2 * n, t), Q, V, g) - a[:, None]) / step
+        return a, (accelerations(np.full(2 * n, t), Q, V) - a[:, None]) / step

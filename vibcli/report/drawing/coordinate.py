@@ -80,7 +80,7 @@ def wanted(sketch):
         if bare is not None:
             found.append((lettering.named(name), "coordinate", bare))
     for motion in known:
-        node = sketch.scene.lower(motion.field)
+        node = captions.raw(motion.field, sketch.scene)
         if node.mask and node.mask == sketch.scene.time.mask:
             runs = captions.expression(motion.field, sketch, 18) or lettering.words("driven")
             found.append((runs, "driven", motion))

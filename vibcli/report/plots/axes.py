@@ -75,12 +75,21 @@ def _ticks(axes, panel, x, y, last):
         axis.set_major_locator(FixedLocator([place for place, _ in found]))
         axis.set_major_formatter(FixedFormatter([label for _, label in found]))
         if of.log:
-            axis.set_minor_locator(FixedLocator(minor(of.low, of.high)))
+            _minor_ticks(axes, axis, minor(of.low, of.high))
     axes.set_axisbelow(True)
-    axes.grid(True, which="major", color=style.LIGHT, linewidth=0.7)
-    axes.tick_params(which="major", labelsize=style.TICK, length=3.5, width=0.8)
-    axes.tick_params(which="minor", length=2, width=0.5)
-    axes.tick_params(axis="x", which="both", labelbottom=last)
+    axes.grid(True, color=style.LIGHT, linewidth=0.7)
+    axes.tick_params(labelsize=style.TICK, length=3.5, width=0.8)
+    axes.tick_params(axis="x", labelbottom=last)
+
+
+def _minor_ticks(axes, axis, places):
+    """All of them in one line of markers: Matplotlib's own take a millisecond each."""
+    across = axis is axes.xaxis
+    zeros = [0.0] * len(places)
+    x, y, transform, marker = ((places, zeros, axes.get_xaxis_transform(), 3) if across
+                               else (zeros, places, axes.get_yaxis_transform(), 0))     # 3: TICKDOWN, 0: TICKLEFT
+    axes.plot(x, y, linestyle="", marker=marker, markersize=2.5, markeredgewidth=0.5, color="black", clip_on=False,
+              transform=transform, scalex=False, scaley=False)
 
 
 def _fits_across(found, axis, inches):
