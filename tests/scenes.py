@@ -63,4 +63,4 @@ _FUNCTIONS = {"abs": abs, "min": min, "max": max, "sign": lambda x: (x > 0) - (x
 def value(scene, quantity):
     """The value of a quantity such as omega[1], K[x,y] or stable of a numeric problem."""
     tree = parse(quantity)
-    return measure(scene, tree if tree[0] == "quantity" else ("quantity", 0, 0, quantity, quantity, (), ""))[0]
+    return measure(scene, tree if tree[0] == "quantity" else ("quantity", 0, 0, quantity, quantity, (), "", ()))[0]

@@ -12,8 +12,9 @@ from vibcli.algebra.parse import parse
 from vibcli.check import check
 from vibcli.draws import Draws
 from vibcli.errors import PhysicsError
+from vibcli.report.document import Report
+from vibcli.report.render_text import section_lines, shown
 from vibcli.report.results import frequencies_data
-from vibcli.report.text import Report
 
 
 def printed(found):
@@ -21,7 +22,7 @@ def printed(found):
     report = Report(found)
     for section in ("equilibrium", "equations", "frequencies", "modes"):
         report.add(section)
-    return [line.strip() for line in report.text().splitlines()]
+    return [line.strip() for line in shown(section_lines(report.sections)).splitlines()]
 
 
 @pytest.mark.parametrize("name", TEXTBOOK)

@@ -274,3 +274,13 @@ def test_hypotenuse():
     found = scene("bodies: {b: {mass: m, at: [0, 0], move: [x, y, 0]}}\nsprings: {s: {k: k, between: [[3*L, 4*L], b]}}")
     matches(found, lambda x, y, u, w: m * (u * u + w * w) / 2,
             lambda x, y: m * g * y + k * (hypot(3 * L - x, 4 * L - y) - 5 * L) ** 2 / 2, PLACES, SPEEDS)
+
+
+@pytest.mark.parametrize("a", ["-2 m", "1 m - 3 m", "-b"])
+def test_a_parameter_that_is_given_as_negative_is_not_taken_as_positive(a):
+    found = problem(f"""
+        parameters: {{m: 2 kg, k: 800 N/m, b: 2 m, a: {a}}}
+        bodies: {{block: {{mass: m, slide: x}}}}
+        springs: {{s: {{k: k*abs(a)/b, between: [ground, block]}}}}
+    """)
+    assert value(found, "omega[1]") == pytest.approx(sqrt(800 / 2), rel=1e-15)

@@ -3,12 +3,26 @@
 from vibcli import units
 from vibcli.algebra.meaning import DimensionCheck, counts_cycles, names_in, quantities_in, whole_literal
 from vibcli.algebra.parse import ExpressionError
+from vibcli.asking_signals import arguments_fit, input_dimension, inputs, output_dimension, response_dimension
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
 from vibcli.fit import check, cyclic
 from vibcli.parameters import independent
-from vibcli.questions import ASKED, BARE, SEVERAL, STATE_FUNCTIONS, dimension
+from vibcli.questions import (
+    ALL,
+    ASKED,
+    BARE,
+    IN_FREQUENCY,
+    SEVERAL,
+    SIGNAL,
+    STATE_FUNCTIONS,
+    declared,
+    dimension,
+    usage,
+)
 from vibcli.signals import near_signals, signal_dimension
+
+MOST_COUNTED = 1000
 
 
 def check_answers(spec, reader):
@@ -22,6 +36,8 @@ def check_answers(spec, reader):
 def asked_dimension(spec, tree):
     if is_choice(spec, tree):
         return spec.dimensions.of(tree[4])
+    if tree[7] or tree[4] in IN_FREQUENCY:
+        return response_dimension(spec, tree)
     indices = [coordinate_name(spec, index) or index for index in tree[5]]
 
     def of(name):
@@ -54,7 +70,7 @@ def _answer(spec, reader, answer):
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
     if tree[0] == "name" and tree[3] in BARE and not tree[4] and not is_choice(spec, tree):
-        tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "")
+        tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
         asked.tree = tree
     whole = tree[0] == "quantity"
     for quantity in quantities_in(tree):
@@ -63,9 +79,13 @@ def _answer(spec, reader, answer):
     chosen = {name for name, *_ in names_in(tree)} & set(spec.get("choose") or ())
     if not whole and not quantities_in(tree) and not chosen:
         if asked.text in ASKED:
-            reader.report(asked.where, f"{quoted(asked.text)} needs an index", f"write {_usage(asked.text)}")
+            needs = "an index" if ASKED[asked.text].indices else "a signal"
+            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage(asked.text)}")
+        elif at_no_time(spec, tree):
+            reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
+                          f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
-            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED))
+            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED) or ALL)
         return
     head = tree[4] if whole else None
     if head == "stable":
@@ -86,10 +106,21 @@ def _answer(spec, reader, answer):
     names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
     check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
-    expected.unit = ASKED[head].unit if whole and not is_choice(spec, tree) else None
+    expected.unit = unit_asked(tree) if whole and not is_choice(spec, tree) else None
     check(spec, reader, expected, names, dimension_asked)
     if answer.rtol is not None:
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
+
+
+def at_no_time(spec, tree):
+    """Is this a signal alone, without an instant?"""
+    return tree[0] == "name" and output_dimension(spec, tree[3]) is not None
+
+
+def unit_asked(tree):
+    """The unit that the value of a quantity is expected in; None where its indices or arguments settle it."""
+    unit = declared(tree).unit
+    return None if unit == SIGNAL else unit
 
 
 def dimension_of(spec, expression):
@@ -100,25 +131,23 @@ def dimension_of(spec, expression):
         return None
 
 
-def _usage(head):
-    indices = ["1" if kind == "mode" else kind for kind in ASKED[head].indices]
-    return head + (f"[{', '.join(indices)}]" if indices else "")
-
-
-def can_be_asked(spec, reader, expression, tree):
-    """Is this a quantity that can be asked of this scene? Reports what is wrong with it."""
+def can_be_asked(spec, reader, expression, tree, bare=False):
+    """Is this a quantity that can be asked of this scene? Reports what is wrong with it. `bare`: a frequency response
+    stands without a frequency."""
     head, indices, attribute = tree[4], tree[5], tree[6]
     place = expression.scalar.place(tree[1], tree[2] - tree[1])
     if is_choice(spec, tree):
         return True
-    asked = ASKED.get(head)
+    asked = declared(tree)
     if asked is None:
-        reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED))
+        reader.report(place, f"unknown quantity '{head}'", nearest(head, ASKED) or ALL)
         return False
     kinds = (*asked.indices, "equilibrium") if head in SEVERAL and len(indices) > len(asked.indices) else asked.indices
     if len(indices) != len(kinds) and not (head == "J" and len(indices) == 1):
         takes = {0: "no index", 1: "one index", 2: "two indices"}[len(asked.indices)]
-        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {_usage(head)}")
+        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {usage(head)}")
+        return False
+    if not arguments_fit(spec, reader, expression, tree, bare):
         return False
     if attribute not in asked.attributes:
         reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
@@ -147,6 +176,15 @@ def _index(spec, reader, place, head, kind, index):
     elif kind == "signal":
         good = coordinate_name(spec, index) is not None or signal_dimension(spec, index) is not None
         valid = near_signals(spec, index)
+    elif kind == "output":
+        good, valid = output_dimension(spec, index) is not None, near_signals(spec, index)
+    elif kind == "input":
+        good, valid = input_dimension(spec, index) is not None, inputs(spec)
+    elif kind == "number":
+        return _counted(reader, place, index.isdecimal() and index.isascii() and 0 < int(index) <= MOST_COUNTED,
+                        f"a whole number from 1 to {MOST_COUNTED}", index)
+    elif kind == "fraction":
+        return _counted(reader, place, _is_fraction(index), "a fraction between 0 and 1", index)
     elif kind == "parameter":
         good, valid = index in independent(spec.parameters), independent(spec.parameters)
         if not good and index in spec.parameters:
@@ -160,6 +198,19 @@ def _index(spec, reader, place, head, kind, index):
         kind = "coordinate or signal" if kind == "signal" else kind
         reader.report(place, f"this scene has no {kind} {quoted(index)}", nearest(index, valid) or "it has none at all")
     return good
+
+
+def _counted(reader, place, good, wants, index):
+    if not good:
+        reader.report(place, f"expected {wants} in square brackets, found {quoted(index)}")
+    return good
+
+
+def _is_fraction(text):
+    try:
+        return 0 < float(text) < 1
+    except ValueError:
+        return False
 
 
 def refuse_cycles(spec, reader, head, expected):

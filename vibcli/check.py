@@ -84,7 +84,7 @@ def _compare(problem, answer):
     found, error = value_of(problem, answer.asked)
     expected, _ = value_of(problem, answer.expected)
     tolerance = _tolerance(problem, answer, expected, error)
-    agrees = abs(found - expected) <= tolerance
+    agrees = bool(abs(found - expected) <= tolerance)
     remark = None if agrees else likely_mistake(head, expected, found)
     return Verdict(answer, agrees, expected, found, remark)
 
@@ -115,6 +115,10 @@ def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
     tree = answer.asked.tree
     head = tree[4] if tree[0] == "quantity" else None
+    if head is not None and tree[7]:
+        from vibcli.measured_signals import size_of
+
+        return EXACT * size_of(problem, tree)
     if head in ("M", "C", "G", "K"):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)

@@ -2,7 +2,7 @@
 
 from vibcli import units
 from vibcli.algebra.meaning import names_in, quantities_in
-from vibcli.asking import asked_dimension, can_be_asked, dimension_of, refuse_cycles
+from vibcli.asking import asked_dimension, can_be_asked, dimension_of, refuse_cycles, unit_asked
 from vibcli.fit import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS
 from vibcli.reading import Record
@@ -67,7 +67,7 @@ def _equation(spec, reader, name, condition):
     if not check(spec, reader, asked, spec.parameters, None):
         return
     if _head(asked):
-        expected.unit = ASKED[_head(asked)].unit
+        expected.unit = unit_asked(asked.tree)
         check(spec, reader, expected, spec.parameters, asked_dimension(spec, asked.tree))
     elif check(spec, reader, expected, spec.parameters, None):
         _same(spec, reader, asked, expected)

@@ -6,6 +6,7 @@ from vibcli import units
 from vibcli.algebra.meaning import (
     ANY,
     DimensionCheck,
+    calls_in,
     counts_cycles,
     literal_unit,
     literals_in,
@@ -13,9 +14,10 @@ from vibcli.algebra.meaning import (
     quantities_in,
     whole_literal,
 )
-from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.parse import FUNCTIONS, VALUE, ExpressionError
 from vibcli.reading import nearest
 
+TIMED = ("impulse", "square", "sawtooth")
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
@@ -34,6 +36,7 @@ def check(spec, reader, expression, names, expected, local=None):
         elif name != "pi":
             reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
     _ambiguous(spec, reader, expression)
+    _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
         _no_quantities(reader, expression)
     if len(reader.diagnostics) > before:
@@ -49,6 +52,16 @@ def check(spec, reader, expression, names, expected, local=None):
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
+
+
+def _of_time_alone(spec, reader, expression):
+    """Impulses, waves and records are functions of the time, not of where things are."""
+    for call in calls_in(expression.tree):
+        if call[3] in TIMED or call[3] in spec.named.get("records", ()):
+            for name, _, start, end in (place for arg in call[4] for place in names_in(arg)):
+                if name in spec.coordinates:
+                    reader.report(expression.scalar.place(start, end - start), f"{call[3]} is a function of the time: "
+                                  f"the coordinate '{name}' cannot stand in it", f"as in {call[3]}(t)")
 
 
 def _sides(checker, expression):
@@ -95,8 +108,24 @@ def _unit_hint(spec, expression):
 
 def _no_quantities(reader, expression):
     for tree in quantities_in(expression.tree):
+        if tree[4] == VALUE:
+            applied(reader, expression, tree)
+            continue
         reader.report(expression.scalar.place(tree[1], tree[2] - tree[1]), f"'{tree[3]}' cannot stand here",
                       "what is asked of a scene, such as omega[1], stands under answers")
+
+
+def applied(reader, expression, tree):
+    """Something like x(2), where it can be neither a function nor a value in time."""
+    inner, start = tree[7][0], tree[1]
+    if inner[0] == "name":
+        near = nearest(inner[3], FUNCTIONS)
+        hint = near if near and near.startswith("did") else "functions: " + " ".join(FUNCTIONS)
+        reader.report(expression.scalar.place(start, inner[2] - start), f"unknown function '{inner[3]}'", hint)
+        return
+    bracket = expression.text.index("(", inner[2])
+    reader.report(expression.scalar.place(bracket, 1), "expected an operator before '('",
+                  "there is no implicit multiplication: write a * between factors")
 
 
 def cyclic(spec, tree):
@@ -126,6 +155,8 @@ def _primes(spec, reader, expression, name, primes, start, end):
 def _unknown(spec, name, names):
     if name == "t":
         return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
+    if name in spec.named.get("records", ()):
+        return f"'{name}' is a record, a function of the time", f"write {name}(t)"
     if name in spec.coordinates:
         return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
     if name.lower() in NO_NUMBERS:

@@ -9,7 +9,7 @@ from vibcli.algebra.parse import ExpressionError
 from vibcli.asking import coordinate_name, is_choice
 from vibcli.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.mechanics.signals import displacement, force
-from vibcli.questions import ASKED, SEVERAL
+from vibcli.questions import ASKED, IN_FREQUENCY, SEVERAL
 
 ROUNDING = 1e-14
 
@@ -17,6 +17,10 @@ ROUNDING = 1e-14
 def measure(problem, tree):
     """(value, relative error bound) of a quantity tree."""
     head, indices, attribute = tree[4], tree[5], tree[6]
+    if tree[7] or head in IN_FREQUENCY:
+        from vibcli.measured_signals import measure_response
+
+        return measure_response(problem, tree)
     if is_choice(problem.spec, tree) and problem.chosen is not None:
         return problem.chosen.value(head, int(indices[0])), ROUNDING
     if head in SEVERAL and len(indices) > len(ASKED[head].indices):
@@ -36,8 +40,9 @@ def value_of(problem, expression):
         return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
 
     value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
-    if not isfinite(value):
-        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
+    if isinstance(value, complex) or not isfinite(value):
+        raise PhysicsError("this is complex: it is compared by its parts" if isinstance(value, complex) else
+                           "this is not a finite real number", "mind the signs under roots, and what may vanish",
                            expression.where)
     return value, worst
 

@@ -10,9 +10,11 @@ from vibcli.algebra.meaning import (
 )
 from vibcli.algebra.parse import parse
 from vibcli.diagnostics import quoted
+from vibcli.elements.initial import RELEASED
 from vibcli.fit import check
 from vibcli.questions import dimension
 from vibcli.reading import Record, nearest
+from vibcli.recorded import call_records, record_dimensions
 
 MOST_COORDINATES = 2000
 
@@ -23,13 +25,15 @@ def resolve(spec, reader):
     spec.dimensions = units.Dimensions()
     spec.used = set()
     spec.coordinates = _coordinates(spec, reader)
+    call_records(spec, reader)
     _references(spec, reader)
     _units_of_symbols(spec, reader)
     expected = [answer.expected for answer in spec.answers] + [answer.asked for answer in spec.answers]
     apart = set(map(id, expected)) | {id(a.rtol) for a in spec.answers}
     apart |= {id(side) for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
     spec.free_numbers = not any(part[4] for e in reader.expressions for part in literals_in(e.tree)) and not any(
-        "unit" in p for p in spec.parameters.values())
+        "unit" in p for p in (*spec.parameters.values(), *(spec.get("records") or {}).values()))
+    record_dimensions(spec)
     _parameters(spec, reader)
     _matrices(spec, reader)
     _start(spec, reader)
@@ -51,6 +55,10 @@ def resolve(spec, reader):
         from vibcli.choosing import check_choices
 
         check_choices(spec, reader)
+    if spec.get("find") and reader.sound and len(reader.diagnostics) == before:
+        from vibcli.asking_signals import check_questions
+
+        check_questions(spec, reader, *spec.get("find").signals)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
         from vibcli.asking import check_answers
 
@@ -107,7 +115,7 @@ def _coordinates(spec, reader):
 
 def _references(spec, reader):
     """Every reference must name something of its namespace; points and bodies share one namespace."""
-    spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces")}
+    spaces = {space: dict.fromkeys(spec.named.get(space, ())) for space in ("points", "bodies", "surfaces", "forces")}
     spaces |= {"ground": {"ground": None}, "coordinates": spec.coordinates}
     for name, record in (spec.get("points") or {}).items():
         if name in spaces["bodies"]:
@@ -129,7 +137,7 @@ def _references(spec, reader):
                       nearest(name.text, valid) or f"expected {wants}")
 
 
-_KINDS = {"surfaces": "surface", "bodies": "body", "coordinates": "coordinate"}
+_KINDS = {"surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
 
 
 def _units_of_symbols(spec, reader):
@@ -195,6 +203,10 @@ def _start(spec, reader):
                                                     spec.dimensions.unknown(record["coordinate"].text), -1)
     for name, value in (spec.get("equilibrium") or {}).items():
         value.dimension = spec.dimensions.unknown(name)
+    for name, value in spec.get("initial").values.items() if spec.get("initial") else ():
+        if name != RELEASED:
+            plain = name.rstrip("'")
+            value.dimension = units.times(spec.dimensions.unknown(plain), units.TIME, -(len(name) - len(plain)))
     for name, bounds in spec.get("find").within.items() if spec.get("find") else ():
         for bound in bounds:
             bound.dimension = spec.dimensions.unknown(name)

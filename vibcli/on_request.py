@@ -43,6 +43,20 @@ class OnRequest:
 
         return reactions(self)
 
+    @cached_property
+    def opened(self):
+        """The scene with what drives it as further coordinates, linearised about the equilibrium."""
+        from vibcli.mechanics.opened import Opened
+
+        return Opened(self)
+
+    @cached_property
+    def moving_reactions(self):
+        """Forces in constraints and supports during small oscillations."""
+        from vibcli.mechanics.moving_reactions import MovingReactions
+
+        return MovingReactions(self)
+
     @Stage
     def shares(self):
         """Whose energy the modes have."""
@@ -63,3 +77,12 @@ class OnRequest:
         from vibcli.analyses.estimates import estimates
 
         return estimates(self)
+
+    def frequency_response(self, signal, driver):
+        """The FrequencyResponse of a signal to an input."""
+        from vibcli.curves import FrequencyResponse
+
+        known = self.__dict__.setdefault("_curves", {})
+        if (signal, driver) not in known:
+            known[signal, driver] = FrequencyResponse(self, signal, driver)
+        return known[signal, driver]

@@ -40,6 +40,16 @@ def _with_unit(tree, chain):
     return (*tree[:4], chain)
 
 
+def _may_be_negative(tree):
+    """Does a value hold a minus, a zero or a function?"""
+    if tree[0] in ("sum", "product"):
+        return any(sign < 0 and tree[0] == "sum" for sign, _ in tree[3]) or any(
+            _may_be_negative(part) for _, part in tree[3])
+    if tree[0] == "power":
+        return _may_be_negative(tree[3])
+    return tree[0] == "call" or (tree[0] == "number" and not tree[3])
+
+
 class Parameters:
     """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
     `in_letters`: what those that are defined by letters stand for in the scene."""
@@ -47,12 +57,30 @@ class Parameters:
     def __init__(self, spec, table):
         self.table = table
         self.records = spec.parameters
-        self.nodes = {name: table.parameter(name, record.get("sign") != "any")
-                      for name, record in spec.parameters.items()}
         self.order = _order(spec.parameters)
+        unsigned = {name for name, record in spec.parameters.items() if record.get("sign") == "any"}
+        unsigned |= self._not_positive()
+        self.nodes = {name: table.parameter(name, name not in unsigned) for name in spec.parameters}
         self.definitions = self._lowered()
         self.free = [name for name in spec.parameters if name not in self.definitions]
         self.in_letters = self._letters() if self.free else {}
+
+    def _not_positive(self):
+        """Names of parameters that are given as zero or a negative number: found where nothing is taken as positive."""
+        if not any(_may_be_negative(record["value"].tree) for record in self.records.values() if "value" in record):
+            return set()
+        from vibcli.algebra.evaluate import Floats, evaluate
+
+        table, values = self.table.__class__(), {}
+        nodes = {name: table.parameter(name, False) for name in self.records}
+        for name in self.order:
+            if "value" in self.records[name]:
+                try:
+                    node = lower(self.records[name]["value"].tree, table, lambda name, primes, tree: nodes[name])
+                    values[name] = evaluate([node], Floats, values)[0]
+                except (ExpressionError, KeyError):     # reported later, or defined by letters
+                    continue
+        return {name for name, value in values.items() if not value > 0}
 
     def _letters(self):
         """{name: expression} of parameters defined by parameters without value: m1 = 4·m is written out."""

@@ -11,6 +11,7 @@ from functools import cached_property
 from vibcli.errors import defined_as_drawn
 from vibcli.in_letters import InLetters
 from vibcli.in_numbers import InNumbers
+from vibcli.in_time import InTime
 from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
 
@@ -19,17 +20,24 @@ STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energi
           "equilibria", "reactions", "shares", "sensitivities", "estimates")
 
 
-class Problem(InNumbers, InLetters, OnRequest):
+class Problem(InNumbers, InLetters, InTime, OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
-    def __init__(self, spec, given=None):
-        self.spec, self.given = spec, dict(given or {})
+    def __init__(self, spec, given=None, holding=None):
+        """`holding`: the Problem whose motion starts under the force that lets go, where this one is held by it."""
+        self.spec, self.given, self.holding = spec, dict(given or {}), holding
         self.costs, self.inner, self._cases = {}, 0.0, {}
+        self.end = None         # of a motion in time [s], where it is not that of the file
+        self.signed = False     # amplitudes have a sign, so that a search sees where they vanish
         self.chosen = None      # what was chosen (inverse), where this is the scene with its solution
 
     def with_values(self, given):
         """The same scene with values for its symbols."""
-        return Problem(self.spec, {**self.given, **given})
+        return Problem(self.spec, {**self.given, **given}, self.holding)
+
+    def held_back(self):
+        """The same scene under the force that lets go where its motion starts."""
+        return Problem(self.spec, self.given, holding=self)
 
     def sharing(self, given):
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
@@ -53,7 +61,9 @@ class Problem(InNumbers, InLetters, OnRequest):
 
     def draw(self):
         """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
-        return [self.scene, *(self.case(name).scene for name in self.spec.cases)]
+        problems = [self, *(self.case(name) for name in self.spec.cases)]
+        problems += [problem.before for problem in problems if problem.before is not None]
+        return [problem.scene for problem in problems]
 
     def dimension(self, coordinate):
         """The dimension of a coordinate; a length where nothing settles it."""
@@ -66,13 +76,17 @@ class Problem(InNumbers, InLetters, OnRequest):
     def scene(self):
         from vibcli.scene.build import build_scene
 
-        scene = build_scene(self.spec, self.given)
+        scene = build_scene(self.spec, self.given, holding=self.holding is not None)
         if self.symbolic_parameters(scene):
             from vibcli.mechanics.symbolic import drawn_stable
 
             scene = drawn_stable(self.spec, self.given, scene)
         self.preloads = {}
-        if scene.static_preloads:
+        if scene.static_preloads and self.holding is not None:
+            from vibcli.mechanics.preload import take_over
+
+            take_over(scene, self.holding.preloads)
+        elif scene.static_preloads:
             from vibcli.mechanics.preload import settle_static_preloads
 
             self.preloads = defined_as_drawn(settle_static_preloads, scene)
@@ -85,7 +99,8 @@ class Problem(InNumbers, InLetters, OnRequest):
             return self.scene
         from vibcli.scene.build import build_scene
 
-        return build_scene(self.spec, self.given, self.scene.attempt, loose=True)
+        return build_scene(self.spec, self.given, self.scene.attempt, loose=True,
+                           holding=self.holding is not None)
 
     @property
     def symbolic(self):

@@ -5,12 +5,19 @@ from vibcli import units
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
         "normal": "N", "friction": "N"}
+SPRING = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")}      # of length, and of torsion
+DAMPER = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")}
+GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
 FORCES = {"rope": ("force",), "link": ("force",), "gear": ("force",), "belt": ("force",), "point": ("force",),
           "join": ("force.x", "force.y")}
 ABOUT = (
     ("P.x, P.y", "displacement of a point from where it is drawn; of a body, that of its mass centre"),
     ("B.angle", "turn of a body"),
     ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),
+    ("s.energy", "energy stored in a spring, tension²/(2k)"),
+    ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
+    ("ground.force", "force that springs and dampers exert on the ground (fixed or driven) in one-axis scenes; "
+                     "ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
     ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
                     "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
     ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "
@@ -32,11 +39,12 @@ def _unit(spec, text):
         return BODY.get(part)
     if name in (spec.get("points") or {}):
         return POINT.get(part)
-    for section in ("springs", "dampers"):
+    if name == "ground":
+        return GROUND.get(part)
+    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
         record = (spec.get(section) or {}).get(name)
         if record is not None:
-            torsion = "torsion" in record
-            return {"stretch": "rad" if torsion else "m", "force": "N*m" if torsion else "N"}.get(part)
+            return parts[part]["torsion" in record] if part in parts else None
     record = (spec.get("constraints") or {}).get(name)
     if record is not None:
         kind = next((kind for kind in FORCES if kind in record), None)
@@ -52,9 +60,11 @@ def near_signals(spec, text):
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
             return [f"{name}.{part}" for part in parts]
-    for section in ("springs", "dampers"):
+    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
         if name in (spec.get(section) or {}):
-            return [f"{name}.stretch", f"{name}.force"]
+            return [f"{name}.{part}" for part in parts]
+    if name == "ground":
+        return [f"ground.{part}" for part in GROUND]
     record = (spec.get("constraints") or {}).get(name)
     if record is not None:
         return [f"{name}.{part}" for kind, parts in FORCES.items() if kind in record for part in parts]

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from vibcli.algebra import pulses
 from vibcli.algebra.rationals import HALF
 
 
@@ -11,7 +12,12 @@ class Arrays:
     pi = np.pi
     functions = {"sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan,
                  "atan2": np.arctan2, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "exp": np.exp, "log": np.log,
-                 "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "power": np.power}
+                 "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "power": np.power,
+                 **pulses.on_arrays()}
+
+    @staticmethod
+    def record(name, samples):
+        return samples.on_arrays
 
     @staticmethod
     def number(value):

@@ -56,7 +56,7 @@ def _product(node):
 def _call(node):
     if not node.mask:
         return {}
-    outer = _OUTER[node.name](node, *node.args)
+    outer = _OUTER.get(node.name, _higher)(node, *node.args)
     return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
 
 
@@ -80,6 +80,19 @@ def _extreme(sign):
     return slopes
 
 
+def _sign_slope(node, u):
+    """Where u is a function of the time alone, sign u jumps by 2 where it vanishes; of other kinks see kinks.py."""
+    time = node.table.time
+    return (node.table.call("impulse", u) * 2 if time is not None and u.mask == time.mask else node.table.zero,)
+
+
+def _higher(node, u, order=None):
+    """The next rate of an impulse, or of a train of jumps: the same function with its order as second argument."""
+    following = node.table.number(1) if order is None else order + 1
+    slope = node.table.call(node.name, u, following)
+    return (slope,) if order is None else (slope, node.table.zero)
+
+
 _OUTER = {
     "sin": lambda node, u: (node.table.call("cos", u),),
     "cos": lambda node, u: (-node.table.call("sin", u),),
@@ -94,7 +107,12 @@ _OUTER = {
     "exp": lambda node, u: (node,),
     "log": lambda node, u: (1 / u,),
     "abs": lambda node, u: (node.table.call("sign", u),),
-    "sign": lambda node, u: (node.table.zero,),
+    "sign": _sign_slope,
+    "step": lambda node, u: (node.table.call("impulse", u),),
+    "ramp": lambda node, u: (node.table.call("step", u),),
+    "impulse": _higher,
+    "square": _higher,
+    "sawtooth": _higher,
     "min": _extreme(-1),
     "max": _extreme(1),
     "power": _power_slopes,

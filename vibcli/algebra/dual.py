@@ -71,6 +71,13 @@ class Duals:
         steep = self.number(exponent) * self.inner.power(base.value, exponent - ONE)
         return dual(self.inner.power(base.value, exponent), steep * base.slope)
 
+    def record(self, name, samples):
+        plain = self.inner.record(name, samples)
+
+        def at(u, order):
+            return dual(plain(value(u), order), plain(value(u), order + 1) * slope(u))
+        return at
+
     def _function(self, name):
         plain, slopes = self.inner.functions[name], _SLOPES[name]
 
@@ -116,6 +123,11 @@ _SLOPES = {
     "log": lambda inner, y, x: (1 / x,),
     "abs": lambda inner, y, x: (inner.functions["sign"](x),),
     "sign": lambda inner, y, x: (0,),
+    "step": lambda inner, y, x: (0,),
+    "ramp": lambda inner, y, x: (inner.functions["step"](x),),
+    "impulse": lambda inner, y, *args: (0,) * len(args),
+    "square": lambda inner, y, *args: (0,) * len(args),
+    "sawtooth": lambda inner, y, x, *order: (0, 0) if order else (inner.functions["sawtooth"](x, 1),),
     "min": _extreme(-1),
     "max": _extreme(1),
     "power": _power,

@@ -7,6 +7,7 @@ sums and products use the operators of the numbers themselves.
 import math
 from fractions import Fraction
 
+from vibcli.algebra import pulses
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.rationals import HALF, ONE, bits
 
@@ -36,9 +37,17 @@ def evaluate(nodes, arithmetic, values):
             done[node] = number(node.coefficient)
         elif node.op == "pi":
             done[node] = arithmetic.pi
+        elif node.name in node.table.records:
+            done[node] = _recorded(node, arithmetic, done[node.args[0]])
         else:
             done[node] = functions[node.name](*[done[arg] for arg in node.args])
     return [done[node] for node in nodes]
+
+
+def _recorded(node, arithmetic, u):
+    """The value of a record, or of a rate of it."""
+    order = node.args[1].coefficient if len(node.args) > 1 else 0
+    return arithmetic.record(node.name, node.table.records[node.name])(u, order)
 
 
 def _sign(x):
@@ -74,6 +83,10 @@ class Floats:
     def isfinite(value):
         return math.isfinite(value)
 
+    @staticmethod
+    def record(name, samples):
+        return samples.at
+
 
 def _guarded(function):
     def call(*args):
@@ -86,7 +99,8 @@ def _guarded(function):
 
 
 Floats.functions = {name: _guarded(getattr(math, name)) for name in ELEMENTARY}
-Floats.functions.update(abs=abs, sign=_sign, min=min, max=max, power=_guarded(lambda b, e: b**e))
+Floats.functions.update(abs=abs, sign=_sign, min=min, max=max, power=_guarded(lambda b, e: b**e),
+                        **{name: _guarded(f) for name, f in pulses.on(math.pi, math.floor).items()})
 
 
 class Rationals:
@@ -102,6 +116,10 @@ class Rationals:
         raise self.Irrational
 
     number = Fraction
+
+    @classmethod
+    def record(cls, name, samples):
+        raise cls.Irrational
 
     @classmethod
     def power(cls, base, exponent):
@@ -131,6 +149,8 @@ def multiprecision():
         pi, ordered = +mpmath.mp.pi, True
         isfinite = staticmethod(mpmath.isfinite)
 
+        record = staticmethod(Floats.record)
+
         @staticmethod
         def number(value):
             return mpmath.mpf(value.numerator) / value.denominator
@@ -144,7 +164,8 @@ def multiprecision():
             return mpmath.power(base, mpmath.mpf(exponent.numerator) / exponent.denominator)
 
         functions = {name: getattr(mpmath, name) for name in (*ELEMENTARY, "sign")}
-    Multiprecision.functions.update(abs=abs, min=min, max=max, power=mpmath.power)
+    Multiprecision.functions.update(abs=abs, min=min, max=max, power=mpmath.power,
+                                    **pulses.on(Multiprecision.pi, mpmath.floor))
     return Multiprecision()
 
 
@@ -160,11 +181,16 @@ def sympy_arithmetic():
             return sympy.Rational(value.numerator, value.denominator)
 
         @staticmethod
+        def record(name, samples):
+            return sympy.Function(name, real=True)
+
+        @staticmethod
         def power(base, exponent):
             return sympy.Pow(base, sympy.Rational(exponent.numerator, exponent.denominator))
 
         functions = {name: getattr(sympy, name) for name in (*ELEMENTARY, "sign")}
-    Symbolic.functions.update(abs=sympy.Abs, min=sympy.Min, max=sympy.Max, power=sympy.Pow)
+    Symbolic.functions.update(abs=sympy.Abs, min=sympy.Min, max=sympy.Max, power=sympy.Pow,
+                              **{name: sympy.Function(name, real=True) for name in pulses.PULSES})
     return Symbolic()
 
 
@@ -184,6 +210,6 @@ def from_sympy(table, expression, symbols):
     if expression.is_NumberSymbol and str(expression) == "pi":
         return table.pi
     name = {"Abs": "abs", "Min": "min", "Max": "max"}.get(expression.func.__name__, expression.func.__name__)
-    if name not in Floats.functions:
+    if name not in Floats.functions and name not in table.records:
         raise ValueError(f"no {name} here")
     return table.call(name, *(from_sympy(table, part, symbols) for part in expression.args))

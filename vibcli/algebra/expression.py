@@ -70,6 +70,7 @@ class Table:
         self._count = 0
         self.variables, self.called = [], set()
         self.sample, self._signs = None, {}
+        self.time, self.records = None, {}      # the variable that is the time; sampled functions of it by name
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")

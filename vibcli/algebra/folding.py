@@ -1,13 +1,19 @@
-"""Values of functions that are exact: sin 0, cos(π/6), |a| of a positive a; and f(−u) by parity."""
+"""Values of functions that are exact: sin 0, cos(π/6), |a| of a positive a; and f(−u) by parity.
+
+What begins at t = 0 has not begun in the drawn position: step(0) and a record at its start fold to 0, and square(0) to
+the mean of its jump.
+"""
 
 from fractions import Fraction
 
 from vibcli.algebra.rationals import HALF, ONE, ZERO
 
 _EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
-          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0)}
+          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0),
+          "square": (0, 0), "sawtooth": (0, -1)}
 _ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
 _EVEN = {"cos", "cosh", "abs"}
+_STARTS = ("step", "ramp", "impulse")
 _SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): HALF, Fraction(1, 6): Fraction(3, 4),
                   Fraction(1, 4): ONE}
 
@@ -15,8 +21,13 @@ _SQUARED_SINES = {ZERO: ZERO, Fraction(1, 12): Fraction(1, 4), Fraction(1, 8): H
 def folded(table, name, args):
     """The simpler node that name(args) equals exactly, or None."""
     value = _EXACT.get(name)
-    if value is not None and args[0].op == "number" and args[0].coefficient == value[0]:
+    if value is not None and args[0].op == "number" and args[0].coefficient == value[0] and len(args) == 1:
         return table.number(value[1])
+    if name in _STARTS and args[0].op == "number":
+        begun = args[0].coefficient > 0
+        return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero
+    if name in table.records and args[0].is_zero and table.records[name].times[0] >= 0:
+        return table.zero
     if name in _ODD and _is_negative(args[0]):
         return -table.call(name, -args[0])
     if name in _EVEN and _is_negative(args[0]):

@@ -4,11 +4,14 @@ Trees are tuples (kind, start, end, …), the offsets being those of the text:
 
     ("number", …, value, chain)        chain: [(unit, power, start, end)], empty for a plain number
     ("name", …, name, primes)          primes: 1 for x', 2 for x''
-    ("quantity", …, text, head, indices, attribute)     omega[1], J[disc, O], centre[rod].x
+    ("quantity", …, text, head, indices, attribute, args)
+                                       omega[1], J[disc, O], centre[rod].x; args: the trees in round brackets, of
+                                       frf[x, F](5 Hz), amplitude(x); of x(2 s) the head is VALUE, the first of them x
     ("sum", …, [(sign, tree)])         ("product", …, [(±1, tree)])
     ("power", …, base, exponent)       ("call", …, name, trees)       ("equation", …, left, right)
 
-Sums and products are flat, so depth is that of the parentheses, and bounded. Nothing is ever evaluated as code.
+A name may have parts, as in `tip.x`. Sums and products are flat, so depth is that of the parentheses, and bounded.
+Nothing is ever evaluated as code.
 """
 
 import re
@@ -21,7 +24,11 @@ LONGEST, DEEPEST, PARTS = 2000, 64, 400
 SMALLEST, LARGEST = 1e-60, 1e60
 RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
-             "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2}
+             "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
+             "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
+OF_SIGNALS = ("abs", "amplitude", "arg", "argmax", "argmin", "beat_period", "decrement", "envelope", "final", "im",
+              "max", "mean", "min", "overshoot", "period", "phase", "re", "rms", "steady", "transient")
+VALUE = "value"         # the head of x(2 s), and of what is written like a function and is none
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
     "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
@@ -31,6 +38,7 @@ _WHOLE = re.compile(r"[0-9]{1,15}")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
 _UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(-?\d)(?!\d)|([²³⁴]))?(?![\w.(\[])")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
+_PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
 _INDEX = re.compile(r"\[([^][]{1,80})\]")
 _SUPERSCRIPTS = {"²": 2, "³": 3, "⁴": 4}
 _SPACE = re.compile(r"[ \t\n]*")
@@ -201,11 +209,11 @@ class _Parser:
             return self.number(number)
         word = _NAME.match(self.text, start)
         if word:
-            return self.word(word, depth)
+            return self.applied(self.word(word, depth), start, depth)
         if self.take("("):
             inner = self.expression(depth + 1)
             self.close(start, ")")
-            return inner
+            return self.applied(inner, start, depth)
         if start >= len(self.text):
             raise ExpressionError(max(start - 1, 0), 1, "the expression ends too early",
                                   "a number, a name or a bracket is missing at its end")
@@ -213,6 +221,26 @@ class _Parser:
             raise ExpressionError(start, 1, "two operators in a row", "put the signed factor in parentheses")
         raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
                               "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
+
+    def applied(self, tree, start, depth):
+        """x(2 s) of a tree x that is no function; `start` is where its text starts."""
+        while self.text.startswith("(", self.at):
+            if depth > DEEPEST:
+                raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
+            depth += 1
+            args = self.arguments(depth)
+            attribute = self.attribute()
+            tree = ("quantity", start, self.at, self.text[start:self.at], VALUE, (), attribute, (tree, *args))
+        return tree
+
+    def arguments(self, depth):
+        """The trees within round brackets."""
+        start, self.at = self.at, self.at + 1
+        args = [self.expression(depth + 1)]
+        while self.take(","):
+            args.append(self.expression(depth + 1))
+        self.close(start, ")")
+        return args
 
     def close(self, start, bracket):
         if not self.take(bracket):
@@ -258,10 +286,13 @@ class _Parser:
         name = match.group()
         if len(name) > 32:
             raise ExpressionError(start, len(name), "a name has at most 32 characters", "shorten it")
-        if self.text.startswith("(", self.at):
+        if self.text.startswith("(", self.at) and (name in FUNCTIONS or name in OF_SIGNALS):
             return self.call(start, name, depth)
         if self.text.startswith("[", self.at):
-            return self.quantity(start, name)
+            return self.quantity(start, name, depth)
+        while part := _PART.match(self.text, self.at):
+            self.at = part.end()
+        name = self.text[start:self.at]
         primes = 0
         while primes < 3 and self.text.startswith("'", self.at):
             primes, self.at = primes + 1, self.at + 1
@@ -272,24 +303,17 @@ class _Parser:
         return ("name", start, self.at, plain_name(name), primes)
 
     def call(self, start, name, depth):
-        if name not in FUNCTIONS:
-            from difflib import get_close_matches
-
-            near = get_close_matches(name, FUNCTIONS, 1)
-            raise ExpressionError(start, len(name), f"unknown function '{name}'",
-                                  f"did you mean '{near[0]}'?" if near else "functions: " + " ".join(FUNCTIONS))
-        self.at += 1
-        args = [self.expression(depth + 1)]
-        while self.take(","):
-            args.append(self.expression(depth + 1))
-        self.close(start + len(name), ")")
-        if len(args) != FUNCTIONS[name]:
-            raise ExpressionError(start, self.at - start, f"{name} takes {FUNCTIONS[name]} argument"
-                                  + ("s" if FUNCTIONS[name] > 1 else "") + f", found {len(args)}",
-                                  f"write {name}(" + ", ".join("xy"[:FUNCTIONS[name]]) + ")")
+        args = self.arguments(depth)
+        wanted = FUNCTIONS.get(name, 1)
+        if len(args) == 1 and name in OF_SIGNALS and (wanted != 1 or name not in FUNCTIONS):
+            return ("quantity", start, self.at, self.text[start:self.at], name, (), "", tuple(args))
+        if len(args) != wanted:
+            raise ExpressionError(start, self.at - start, f"{name} takes {wanted} argument"
+                                  + ("s" if wanted > 1 else "") + f", found {len(args)}",
+                                  f"write {name}(" + ", ".join("xy"[:wanted]) + ")")
         return ("call", start, self.at, name, args)
 
-    def quantity(self, start, head):
+    def quantity(self, start, head, depth):
         if head in FUNCTIONS:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices = []
@@ -298,7 +322,13 @@ class _Parser:
             self.at = match.end()
         if self.text.startswith("[", self.at):
             raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
-        attribute = ""
+        args = self.arguments(depth) if self.text.startswith("(", self.at) else ()
+        attribute = self.attribute()
+        return ("quantity", start, self.at, self.text[start:self.at], head, tuple(indices), attribute, tuple(args))
+
+    def attribute(self):
+        """The word after a dot, such as x of centre[rod].x, or nothing."""
         if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
-            attribute, self.at = word.group(), word.end()
-        return ("quantity", start, self.at, self.text[start:self.at], head, tuple(indices), attribute)
+            self.at = word.end()
+            return word.group()
+        return ""

@@ -4,12 +4,15 @@ import click
 
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
+from vibcli.cli.reports import output_of, report_options
 
 
 @click.command("equations")
 @scene_options
-def command(file, settings, case, as_json, timings):
+@report_options
+def command(file, settings, case, as_json, timings, **report):
     """Energies and equations of motion, full and for small oscillations."""
+    output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings), case)
-    return print_scenes(problems, lambda problem: ("chosen", "coordinates", "energies", "equations"), as_json,
+    return print_scenes(problems, lambda problem: ("chosen", "coordinates", "energies", "equations"), output,
                         timings, data=("equations",))

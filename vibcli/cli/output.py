@@ -1,50 +1,82 @@
-"""Printing the results of one file: as text section by section, or as one JSON document."""
+"""Printing the results of one file: as a report in some format, or as one JSON document."""
 
 import json
 
 import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
+from vibcli.cli.reports import write_documents, write_text
 from vibcli.errors import NotInLetters, PhysicsError
-from vibcli.questions import INSIGHT
+from vibcli.questions import INSIGHT, RESPONSES
+from vibcli.report.blocks import Document, Refusal, paragraph, section
+from vibcli.report.document import Report, title_of
+from vibcli.report.render_text import render
 
 FLOAT_DIGITS = 12
 
 
-def print_scenes(problems, sections, as_json, timings, digits=None, normalise="first", data=(),
-                 question=False):
-    """Print the scene and its cases; `sections(problem)` names the text sections, `data` the parts of the JSON.
+def print_scenes(problems, sections, output, timings, digits=None, normalise="first", data=(), question=False,
+                 wanted=None):
+    """Print the scene and its cases, or write them; `sections(problem)` names the sections of the report, `data` the
+    parts of the JSON.
 
     A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
     """
     for _, problem in problems:
         require_quick(problem, digits)
-    refused = False
-    found, solved = {}, []
+    found, solved, refused = {}, [], False
     for case, problem in problems:
         try:
             if problem.spec.choices:
                 problem = _settled(problem, question, digits)
             solved.append((case, problem))
-            if as_json:
-                found[case] = _data(problem, data, normalise, digits, sections(problem))
+            if output.kind == "json":
+                found[case] = _data(problem, data, normalise, digits, sections(problem), wanted)
             else:
-                report = _report(case, problem, sections(problem), normalise, digits, question)
-                click.echo(("\n\n" if found else "") + report.text())
-                found[case] = None
+                report = _report(problem, _illustrated(sections(problem), output), normalise, digits, output.pictures,
+                                 wanted)
+                found[case] = report.document(case, question)
+                _print_at_once(found, case, output)
                 if report.refusal:
                     raise report.refusal
         except PhysicsError as error:
-            if as_json and len(problems) == 1:
+            if output.kind == "json" and len(problems) == 1:
                 raise
             refused = True
             show_refusal(error, problem.spec.file + (f", case {case}" if case else ""))
-            found[case] = {"error": error.message}
-    if as_json:
-        _print_json(found)
+            found[case] = ({"error": error.message} if output.kind == "json" else
+                           _refused(found.get(case), problem.spec, case, error))
+    if output.kind == "json":
+        _print_json(found, output)
+    elif not _at_once(output):
+        write_documents(list(found.values()), output)
     if timings:
         show_timings(solved)
     return 4 if refused else 0
+
+
+def _at_once(output):
+    """Is each case printed as soon as it is solved?"""
+    return output.kind == "text" and output.path is None
+
+
+def _print_at_once(found, case, output):
+    if _at_once(output):
+        click.echo(("\n\n" if len(found) > 1 else "") + render(found[case]))
+
+
+def _refused(document, spec, case, error):
+    """The document of what was found, or an empty one, with the refusal."""
+    document = document or Document(title_of(spec, case), None, (), ())
+    return document._replace(refusal=Refusal(error.message, error.hint))
+
+
+def _illustrated(sections, output):
+    """The sections, with pictures of the scene and of its modes where they are asked for."""
+    if not output.pictures:
+        return sections
+    return ["schematic", *(part for name in sections
+                           for part in ((name, "mode_pictures") if name == "modes" else (name,)))]
 
 
 def _settled(problem, thorough, digits):
@@ -58,14 +90,14 @@ def _settled(problem, thorough, digits):
     return found
 
 
-def _print_json(found):
+def _print_json(found, output):
     first, *cases = found
     if cases:
         found[first]["cases"] = {case: found[case] for case in cases}
-    click.echo(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1))
+    write_text(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1), output)
 
 
-def _data(problem, parts, normalise, digits, sections):
+def _data(problem, parts, normalise, digits, sections, wanted=None):
     from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
@@ -92,6 +124,12 @@ def _data(problem, parts, normalise, digits, sections):
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)
+    if asked := [word for word in sections if word in RESPONSES]:
+        from vibcli.report import response_data
+        from vibcli.report.wanted import Wanted
+
+        for word in asked:
+            found[word] = getattr(response_data, word + "_data")(problem, wanted or Wanted())
     if words := [word for word in sections if word in INSIGHT]:
         from vibcli.report.insight_data import insight_data
 
@@ -99,16 +137,13 @@ def _data(problem, parts, normalise, digits, sections):
     return found
 
 
-def _report(case, problem, sections, normalise, digits, question):
-    from vibcli.report.figures import wrapped
-    from vibcli.report.text import Report
-
-    report = Report(problem, normalise)
-    report.head(case, question)
-    for section in sections:
-        report.add(section)
+def _report(problem, sections, normalise, digits, pictures, wanted=None):
+    report = Report(problem, normalise, pictures, wanted)
+    for name in sections:
+        report.add(name)
     if isinstance(report.refusal, NotInLetters) and "equations" in sections:
-        report.section("Not found in letters", wrapped(f"{report.refusal.message}: {report.refusal.hint}", indent=0))
+        remark = paragraph(f"{report.refusal.message}: {report.refusal.hint}", hang=0)
+        report.sections += section("Not found in letters", remark)
         report.refusal = None
     if digits is not None:
         _digits(report, problem, digits)
@@ -128,7 +163,7 @@ def _digits(report, problem, digits):
         lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
-    report.section(f"With {digits} digits", lines)
+    report.sections += section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines))
 
 
 def _signed(text):

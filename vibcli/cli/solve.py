@@ -4,6 +4,7 @@ import click
 
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
+from vibcli.cli.reports import output_of, report_options
 from vibcli.questions import INSIGHT, ON_REQUEST
 
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
@@ -13,13 +14,15 @@ FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
 
 @click.command("solve")
 @scene_options
+@report_options
 @number_options
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
-def command(file, settings, case, as_json, timings, digits, normalise, insight):
+def command(file, settings, case, as_json, timings, digits, normalise, insight, **report):
     """The whole solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes."""
-    from vibcli.report.text import EVERYTHING
+    from vibcli.report.document import EVERYTHING
 
+    output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings), case)
 
     def sections(problem):
@@ -29,5 +32,5 @@ def command(file, settings, case, as_json, timings, digits, normalise, insight):
         asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
         return [s for s in EVERYTHING + ON_REQUEST if s in asked]
 
-    return print_scenes(problems, sections, as_json, timings, digits, normalise,
+    return print_scenes(problems, sections, output, timings, digits, normalise,
                         ("equations", "frequencies", "equilibria"), question=True)

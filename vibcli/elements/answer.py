@@ -4,7 +4,7 @@ from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.diagnostics import quoted
 from vibcli.document import Mapping
 from vibcli.fields import Element, Expression, Field, Kind, Quantity, nearest
-from vibcli.questions import ASKED
+from vibcli.questions import ALL, ASKED
 
 ELEMENT = Element(
     "answer",
@@ -46,7 +46,7 @@ class Answers(Kind):
             except ExpressionError as error:
                 asked = key.text.partition("(")[0].strip()
                 if error.message.startswith("unknown function") and error.offset == 0:
-                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, ASKED))
+                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, ASKED) or ALL)
                 else:
                     reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue

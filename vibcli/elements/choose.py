@@ -4,7 +4,7 @@ from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.diagnostics import quoted
 from vibcli.document import Scalar, Sequence
 from vibcli.fields import Element, Expression, Field, Kind, Quantity, near, nearest
-from vibcli.questions import ASKED
+from vibcli.questions import ALL, ASKED
 
 BALANCE, LIMIT = "equilibrium", "stability limit"
 
@@ -43,7 +43,7 @@ class _Condition(Kind):
             asked = node.text[error.offset:error.offset + error.width]
             if error.message.startswith("unknown function"):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
-                                     nearest(asked, ASKED))
+                                     nearest(asked, ASKED) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
         sides = [_side(node, tree) for tree in (left, right)]
         reader.expressions += sides

@@ -1,11 +1,12 @@
-"""What is asked of a scene: words, and the search for all equilibria."""
+"""What is asked of a scene: words, the search for all equilibria, motions in time and frequency responses."""
 
+from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.document import Mapping, Scalar, Sequence
 from vibcli.elements.equilibrium import ByCoordinate
-from vibcli.fields import Choice, Element, Field, Many, OneOf, Quantity
+from vibcli.fields import Choice, Element, Expression, Field, Kind, Many, OneOf, Quantity
 from vibcli.questions import FIND
 
-SEARCH = "equilibria"
+SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
 ELEMENT = Element(
     "search",
     "All equilibria within bounds, each with its residual and whether it is stable. Without bounds angles are searched "
@@ -21,17 +22,83 @@ ELEMENT = Element(
 )
 
 
+class _Signal(Kind):
+    """An expression of signals; what its names mean is settled when all are known."""
+
+    wants = "a signal such as x, x' or s.force"
+
+    def read(self, node, reader):
+        if not isinstance(node, Scalar) or not node.text.strip():
+            return reader.expected(node, self.wants)
+        try:
+            return Expression(node, parse(node.text), None, None)
+        except ExpressionError as error:
+            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
+
+    def schema(self):
+        return {"type": "string"}
+
+
+_SIGNALS = Many(_Signal(), 1, 50, "a list of signals")
+_IN_TIME = Element(
+    "motion in time",
+    "The motion in time: which signals, and until when.",
+    {
+        "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
+        "until": Field(Quantity("s"), "the end of the motion; some periods, or until it has died out, if left out"),
+    },
+    example="bump_in_the_road",
+)
+_IN_FREQUENCY = Element(
+    "response curve",
+    "Frequency responses of signals to a unit of an input.",
+    {
+        "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
+        "to": Field(_Signal(), "the input: a force, a driven point, or a coordinate for the generalised force on it"),
+        "from": Field(Quantity("rad/s"), "the lowest angular frequency"),
+        "up_to": Field(Quantity("rad/s"), "the highest angular frequency"),
+    },
+    example="frequency_response",
+)
+ASKED_AT_LENGTH = {
+    SEARCH: ELEMENT,
+    RESPONSE: Element("response", "What of the motion in time is asked.", {
+        RESPONSE: Field(_IN_TIME, "what of it", required=True)}, example="bump_in_the_road"),
+    FREQUENCY_RESPONSE: Element("frequency response", "What of the frequency response is asked.", {
+        FREQUENCY_RESPONSE: Field(_IN_FREQUENCY, "what of it", required=True)}, example="frequency_response"),
+}
+
+
 class Questions(list):
-    """The words asked, in order; search: the Record of the search for equilibria, or None."""
+    """The words asked, in order; `records`: {word: Record} of those that are asked at length."""
 
     def __init__(self, items):
-        super().__init__(item if isinstance(item, str) else SEARCH for item in items)
-        self.search = next((item for item in items if not isinstance(item, str)), None)
+        self.records = {key: item for item in items if not isinstance(item, str)
+                        for key in ASKED_AT_LENGTH if key in item}
+        super().__init__(item if isinstance(item, str) else next(key for key in ASKED_AT_LENGTH if key in item)
+                         for item in items)
+
+    @property
+    def search(self):
+        """The Record of the search for equilibria, or None."""
+        return self.records.get(SEARCH)
 
     @property
     def within(self):
         """{coordinate: [least, most]} as written."""
         return self.search.get("within", {}) if self.search else {}
+
+    def about(self, word):
+        """The Record of what is asked of a response, or None."""
+        record = self.records.get(word)
+        return None if record is None else record[word]
+
+    @property
+    def signals(self):
+        """The expressions of all signals asked, and the inputs."""
+        records = [record for record in map(self.about, (RESPONSE, FREQUENCY_RESPONSE)) if record is not None]
+        return ([signal for record in records for signal in record.get("of", ())],
+                [record["to"] for record in records if "to" in record])
 
 
 class _Question(OneOf):
@@ -42,7 +109,13 @@ class _Question(OneOf):
     def read(self, node, reader):
         if isinstance(node, Scalar) and node.text == SEARCH:
             return reader.expected(node, self.wants, f"write {{{SEARCH}: all}}")
+        if isinstance(node, Mapping):
+            kind = next((kind for key, kind in ASKED_AT_LENGTH.items() if key in node.entries), ELEMENT)
+            return kind.read(node, reader)
         return super().read(node, reader)
+
+    def schema(self):
+        return {"anyOf": [self.kinds[Scalar].schema(), *(kind.schema() for kind in ASKED_AT_LENGTH.values())]}
 
 
 class _Find(OneOf):
@@ -50,7 +123,7 @@ class _Find(OneOf):
 
     def __init__(self):
         super().__init__("a list of questions", sequence=Many(_Question(), 1, 20, "a list of questions"),
-                         mapping=ELEMENT)
+                         mapping=_Question())
 
     def read(self, node, reader):
         if isinstance(node, Scalar):
@@ -58,9 +131,11 @@ class _Find(OneOf):
         items = super().read(node, reader)
         if items is None:
             return None
-        searches = [item for item in node.items if isinstance(item, Mapping)] if isinstance(node, Sequence) else ()
-        if len(searches) > 1:
-            return reader.report(searches[1].where, f"'{SEARCH}' is asked twice", "leave one of the two out")
+        for word in ASKED_AT_LENGTH:
+            again = [item for item in node.items if isinstance(item, Mapping) and word in item.entries] if isinstance(
+                node, Sequence) else ()
+            if len(again) > 1:
+                return reader.report(again[1].where, f"'{word}' is asked twice", "leave one of the two out")
         return Questions(items if isinstance(items, list) else [items])
 
 

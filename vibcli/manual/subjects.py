@@ -1,6 +1,6 @@
 """Pages of the topics, quantities, shapes, functions, units and JSON keys."""
 
-from vibcli import units
+from vibcli import questions, units
 from vibcli.algebra.expression import Table
 from vibcli.algebra.normal import textbook
 from vibcli.elements.body import MOTIONS
@@ -79,8 +79,10 @@ def shape_page(catalogue, word):
 
 
 def usage(head):
-    """How a quantity is written: M[q,r], J[body, O]."""
+    """How a quantity is written: M[q,r], J[body, O], amplitude(x)."""
     asked = ASKED[head]
+    if asked.args:
+        return questions.usage(head)
     if not asked.indices:
         return head
     letters = [LETTERS[kind][min(asked.indices[:i].count(kind), len(LETTERS[kind]) - 1)]
@@ -102,13 +104,13 @@ def quantities_table(catalogue):
 
 
 def _unit(asked):
-    return f" [{asked.unit}]" if asked.unit not in (None, "1") else ""
+    return f" [{asked.unit}]" if asked.unit not in (None, "1", questions.SIGNAL) else ""
 
 
 def quantity_page(catalogue, head):
     """One quantity: how it is written, and a scene whose answers ask for it."""
     asked = ASKED[head]
-    rows = [("means", asked.about), ("unit", asked.unit if asked.unit not in (None, "1") else None)]
+    rows = [("means", asked.about), ("unit", _unit(asked).strip(" []") or None)]
     compared = {"equation": "equations", "motion": "equations", "T": "energies", "V": "energies", "Phi": "energies",
                 "stable": "stable"}.get(head)
     rows.append(("compared", dict(topics.COMPARED)[compared] if compared else topics.IN_SHORT))

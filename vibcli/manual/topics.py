@@ -26,6 +26,15 @@ FUNCTIONS = {
     "abs": "magnitude, of any dimension", "sign": "−1, 0 or 1, of any dimension",
     "min": "`min(a, b)`: the smaller one; both of one dimension",
     "max": "`max(a, b)`: the larger one; both of one dimension",
+    "step": "0 before its argument is zero and 1 from there on: `F0*(step(t) - step(t - t1))` is a pulse; of any "
+            "dimension",
+    "ramp": "`ramp(u)` is `u*step(u)`, in the dimension of u: `v*ramp(t - t1)`",
+    "impulse": "Dirac's impulse: zero but where its argument is, its integral is 1; `impulse(t - t1)` is in 1/s, so "
+               "that `(3 N*s)*impulse(t)` is a blow of 3 N·s. Of expressions of the time alone",
+    "square": "the square wave of period 2π: 1 where sin is positive, −1 where it is negative, as in "
+              "`F0*square(Omega*t)`. Of expressions of the time alone",
+    "sawtooth": "the wave of period 2π that rises from −1 at 0 to 1 and falls back at once, as in "
+                "`F0*sawtooth(Omega*t)`. Of expressions of the time alone",
 }
 
 FIND = {
@@ -38,6 +47,10 @@ FIND = {
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
     "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
     "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
+    "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
+                "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
+    "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "
+                          "`{frequency_response: {of: [x], to: drive}}` says of what, and to which input",
     "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
               "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
     "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
@@ -173,11 +186,22 @@ TIME = [
         ("energies", "`V: -F0*sin(Omega*t)*x`"),
         ("answers", "in energies and equations: `equation[x]: m*x'' + k*x = F0*sin(Omega*t)`"),
     ],
+    "Pulses, waves and blows are made of",
+    [
+        ("step", "`F0*(step(t) - step(t - t1))`, a rectangular pulse; `H*sin(pi*t/T)*(step(t) - step(t - T))`, half a "
+         "sine. What begins at t = 0 has not begun in the drawn position."),
+        ("ramp", "`F0*(ramp(t) - ramp(t - t1))/t1` rises in t1 and stays"),
+        ("impulse", "`P*impulse(t - t1)`, a blow of the momentum P"),
+        ("square", "`F0*square(Omega*t)`; `F0*(1 + sawtooth(Omega*t))/2` rises from 0 to F0 in each period; "
+         "`abs(sin(Omega*t))` and `max(0, sin(Omega*t))` are rectified waves"),
+        ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
+    ],
+    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
+    "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
     "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
     "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so, `vibcli equations` works.",
-    "Responses in time do not work yet.",
 ]
 
 SIGNALS = [
@@ -225,6 +249,13 @@ REMARKS = {
         "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
         "coordinates, shift it. A load of velocities damps: `value: -c*x'`.",
     ],
+    "record": [
+        "The file is plain text of at most 5 MB and 200000 rows, in UTF-8, with decimal points. Names lead down from "
+        "the folder of the scene, never out of it. Its numbers are read as double precision. What is measured in units "
+        "of g has no unit: write `g*ag(t)`.",
+        "Responses of small motions are exact for the straight lines between the samples. The rate of a record is a "
+        "staircase, and its second rate, where something is carried by what moves so, holds an impulse at each sample.",
+    ],
     "point": ["A driven point is one that bodies can be pinned at, and springs, ropes and links can end at."],
 }
 
@@ -259,7 +290,7 @@ ALIASES = {"expression": "expressions", "unit": "units", "function": "functions"
            "exit code": "exit", "json keys": "json", "derivatives": "expressions", "derivative": "expressions",
            "names": "expressions", "numbers": "expressions", "signs": "conventions", "coordinate system": "conventions",
            "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
-           "amplitude": "conventions", "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
+           "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
            "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
            "case": "cases", "tolerance": "quantities", "t": "time", "excitation": "time", "driven": "time",
            "signal": "signals", "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope",

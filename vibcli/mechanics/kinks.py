@@ -5,7 +5,8 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.errors import PhysicsError
 
-KINKED = ("abs", "sign", "min", "max")
+SIDES = {"sign": (-1, 1), "step": (0, 1)}     # values on both sides of a vanishing argument
+KINKED = ("abs", "min", "max", "ramp", *SIDES)
 SAME = 1e-9
 
 
@@ -18,18 +19,20 @@ def require_smooth(problem):
     for node in [term.s for term in terms] + [term.weight for term in scene.forces] + list(scene.energies.values()):
         for part in (node, *gradient(node).values()):
             if _jumps(problem, part):
-                raise PhysicsError("abs, sign, min or max has a kink in the equilibrium: there are no small "
-                                   "oscillations about it", "the full equations are those of `vibcli equations`")
+                raise PhysicsError("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no "
+                                   "small oscillations about it", "the full equations are those of `vibcli equations`")
 
 
 def _jumps(problem, node):
-    """Has an expression two values at the equilibrium, one to each side of a vanishing argument of sign?"""
-    turns = [part for part in reachable([node]) if part.name == "sign" and part.mask]
+    """Has an expression two values at the equilibrium, one to each side of a vanishing argument of sign or step?"""
+    time = problem.scene.time.mask
+    turns = [part for part in reachable([node]) if part.name in SIDES and part.mask & ~time]
     if not turns:
         return False
     at = problem.at_rest
     sizes = evaluate([part.args[0] for part in turns], Floats, at)
     turns = [part for part, size in zip(turns, sizes, strict=True) if not abs(size) > 1e-12]
-    sides = [substitute([node], dict.fromkeys(turns, problem.scene.table.number(side)))[0] for side in (-1, 1)]
+    number = problem.scene.table.number
+    sides = [substitute([node], {part: number(SIDES[part.name][side]) for part in turns})[0] for side in (0, 1)]
     left, right = evaluate(sides, Floats, at)
     return abs(left - right) > SAME * max(abs(left), abs(right))

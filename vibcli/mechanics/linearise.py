@@ -140,10 +140,10 @@ def _written_out(scene, found, number):
 
 def _outright(scene, found, key, rows):
     """Adds a matrix that the scene gives outright: M, K, or C = sym C + G."""
-    pairs = [(i, j) for i in range(found.n) for j in range(found.n)]
+    pairs = [(i, j) for i in range(len(rows)) for j in range(len(rows))]
     if key == "K":
         found.K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
-        found.residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=True)))
+        found.residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=False)))
                                for i, row in enumerate(rows)})
         return
     parts = [(found.M if key == "M" else found.C, 1)] + [(found.G, -1)] * (key == "C")

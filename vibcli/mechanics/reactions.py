@@ -20,7 +20,7 @@ from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.linearise import linearise
 
 OPEN = 1e-9
-_LENGTHENING = ("rope", "link", "gear", "belt", "equation")
+LENGTHENING = ("rope", "link", "gear", "belt", "equation")
 
 
 class Reaction(NamedTuple):
@@ -38,7 +38,8 @@ class Released:
         from vibcli.scene.build import build_scene
 
         self.problem = problem
-        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True)
+        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True,
+                                 holding=problem.holding is not None)
         if self.scene.static_preloads and not problem.symbolic:
             nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
                      in self.scene.static_preloads}
@@ -72,12 +73,12 @@ def reactions(problem):
     flat = evaluate([*nodes, *(node for row in released.slopes() for node in row)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
-    multipliers, loose = _solved(G[:, :n], E[:n])
+    multipliers, loose = solved(G[:, :n], E[:n])
     held = E[n:] + multipliers @ G[:, n:]
     left_open = np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
     found = []
     for k, constraint in enumerate(scene.constraints):
-        sign = 1.0 if constraint.form in _LENGTHENING else -1.0
+        sign = 1.0 if constraint.form in LENGTHENING else -1.0
         unknown = np.abs(loose[:, k]).max(initial=0.0) > OPEN
         found.append(Reaction(signal_of(constraint), None if unknown else sign * float(multipliers[k]) + 0.0,
                               constraint.form))
@@ -103,7 +104,7 @@ def _at_rest(problem, released):
             released.scene.time.name: 0.0}
 
 
-def _solved(G, E):
+def solved(G, E):
     """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
     import numpy as np
 

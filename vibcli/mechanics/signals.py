@@ -1,6 +1,7 @@
 """Signals as functions of the coordinates, and the forces in equilibrium (vibcli/signals.py lists them)."""
 
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.rationals import HALF, ONE
 from vibcli.errors import PhysicsError
 from vibcli.reading import Name
 
@@ -10,7 +11,9 @@ def displacement(scene, text):
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, _, part = text.partition(".")
-    if part in ("x", "y"):
+    if part == "x" and name in scene.bodies and scene.bodies[name].frame is None:
+        place = _along_the_axis(scene.bodies[name])
+    elif part in ("x", "y"):
         place = scene.place(Name(name, None))[1]["xy".index(part)]
     elif part == "angle":
         body = scene.bodies[name]
@@ -22,6 +25,13 @@ def displacement(scene, text):
     return place - scene.at_drawn(place)[0]
 
 
+def _along_the_axis(body):
+    kind, node = body.lumped
+    if kind == "turn":
+        raise PhysicsError(f"'{body.name}' turns and has no place", f"ask for {body.name}.angle")
+    return node
+
+
 def _stretch(scene, name):
     terms = [term for term in (*scene.springs, *scene.dampers) if term.owner == name]
     if len(terms) == 1:
@@ -30,9 +40,43 @@ def _stretch(scene, name):
     return scene.table.sqrt(square)
 
 
+def moving(problem, text, primes=0):
+    """The node of a coordinate or signal along a motion, `primes` times differentiated."""
+    scene = problem.scene
+    if text in problem.spec.coordinates:
+        return scene.symbol(text, primes)
+    name, _, part = text.partition(".")
+    node = displacement(scene, text)
+    if node is None:
+        node = _along(scene, name, part)
+    if node is None:
+        raise PhysicsError(f"'{text}' is not found along a motion of the full equations",
+                           "ask for it with motion: small, or see `find: [reactions]`")
+    for _ in range(primes):
+        node = scene.rate(node)
+    return node
+
+
+def _along(scene, name, part):
+    """The tension or energy of a spring, the force or power of a damper; None of another force."""
+    springs = [term for term in scene.springs if term.owner == name]
+    rates = [(term.weight, scene.rate(term.s)) for term in scene.dampers if term.owner == name]
+    table = scene.table
+    if springs and part == "energy":
+        return table.sum(*(((term.force + term.weight * term.s) ** 2 / term.weight, HALF) for term in springs))
+    if rates and part == "power":
+        return table.sum(*((c * rate * rate, ONE) for c, rate in rates))
+    forces = [term.force + term.weight * term.s for term in springs] or [c * rate for c, rate in rates]
+    if part != "force" or not forces:
+        return None
+    return forces[0] if len(forces) == 1 else table.sqrt(table.sum(*((force * force, ONE) for force in forces)))
+
+
 def force(problem, text):
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
+    if name == "ground" or part == "energy":
+        return _of_outputs(problem, text)
     if name in (problem.spec.get("springs") or {}):
         return _tension(problem, name)
     if name in (problem.spec.get("dampers") or {}):
@@ -41,7 +85,7 @@ def force(problem, text):
     if part in ("normal", "friction"):
         return _contact(problem, name, part, known)
     if name in (problem.spec.get("points") or {}):
-        text = f"{_pinned_at(problem, name)}.{part}"
+        text = f"{pinned_at(problem, name)}.{part}"
     found = known.get(text)
     if found is None:
         pieces = [signal for signal in known if signal.startswith(text + ".")]
@@ -53,6 +97,14 @@ def force(problem, text):
     return found.value
 
 
+def _of_outputs(problem, text):
+    from vibcli.mechanics.outputs import is_quadratic, linear_row, squares
+
+    if is_quadratic(text):
+        return sum(weight * row.constant**2 for weight, row in squares(problem, text))
+    return linear_row(problem, text).constant
+
+
 def _tension(problem, name):
     terms = [term for term in problem.scene.springs if term.owner == name]
     nodes = [term.force + term.weight * term.s for term in terms]
@@ -60,7 +112,7 @@ def _tension(problem, name):
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def _pinned_at(problem, point):
+def pinned_at(problem, point):
     """The one body pinned at a named point."""
     found = [name for name, record in (problem.spec.get("bodies") or {}).items()
              if getattr((record.get("pin") or {}).get("at"), "text", None) == point]

@@ -7,10 +7,10 @@ coefficients (a shaken pivot) are refused by name.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.evaluate import Floats
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
+from vibcli.algebra.stand_ins import SmoothFloats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
@@ -95,18 +95,18 @@ def _at(terms, start):
 def require_autonomous(problem, values):
     """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
     scene = problem.scene
-    wanted = _matrices(problem.form, values)
+    wanted = matrices_at(problem.form, values)
     for instant in INSTANTS:
         at = {**values, scene.time.name: instant}
         if scene.loops is not None:
             at = scene.loops.followed({**values, scene.time.name: 0.0}, at) or at
-        found = _matrices(problem.timed_form, at)
+        found = matrices_at(problem.timed_form, at)
         for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
             _compare(scene, key, wanted[key], found[key], size)
 
 
-def _matrices(form, values):
-    numbers = in_numbers(form, Floats, values)
+def matrices_at(form, values):
+    numbers = in_numbers(form, SmoothFloats, values)
     found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
     return {**found, "size": numbers.elements.K_size}
 

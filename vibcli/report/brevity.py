@@ -1,11 +1,12 @@
 """Expressions that are too long to read."""
 
+from vibcli.report.blocks import Words
 from vibcli.report.notation import plain
 
 LONGEST = 2400
 
 
-def short(node):
-    """An expression as text, or its size where it is too long to read."""
-    text = plain(node)
-    return text if len(text) <= LONGEST else f"(an expression of {len(text)} characters; see --json)"
+def brief(node):
+    """An expression, or words about its size where it is too long to read."""
+    size = len(plain(node))
+    return node if size <= LONGEST else Words(f"(an expression of {size} characters; see --json)")

@@ -1,44 +1,48 @@
-"""The parameters that a scene chose: as lines of a report, and as data."""
+"""The parameters that a scene chose: as a section of a report, and as data."""
 
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.meaning import literals_in
 from vibcli.elements.choose import BALANCE, LIMIT
-from vibcli.report.figures import figure, with_unit, wrapped
+from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.figures import figure, quantity
 from vibcli.report.language import language
-from vibcli.report.notation import plain
 
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
 
 
-def chosen_lines(problem):
+def chosen(problem, _):
     """Conditions, solutions with closed form and number, and how well they hold."""
-    chosen = problem.chosen
-    texts = dict.fromkeys(WORDS.get(text, text) for text in chosen.conditions.values())
-    lines = wrapped(f"{', '.join(map(plain.symbol, chosen.conditions))} so that {', '.join(texts)}")
-    several = len(chosen.solutions) > 1
-    for number, solution in enumerate(chosen.solutions, 1):
-        mark, inset = (f"{number}.  ", 4) if several else ("", 0)
-        for i, name in enumerate(chosen.conditions):
-            text = _equation(problem, name, solution)
-            lines += wrapped(mark + text, indent=inset + 2) if not i else wrapped(text, indent=inset + 2, first=inset)
-    residual = figure(max(solution.residual for solution in chosen.solutions), digits=2)
+    found = problem.chosen
+    texts = dict.fromkeys(WORDS.get(text, text) for text in found.conditions.values())
+    told = paragraph(*separated(maths(Name(name)) for name in found.conditions), f" so that {', '.join(texts)}")
+    several = len(found.solutions) > 1
+    residual = figure(max(solution.residual for solution in found.solutions), digits=2)
     where = " at several values of the letters" if problem.letters else ""
     checked = f"checked by substitution{where}: relative residual {residual}" + " at most" * several
-    if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(chosen):
+    if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(found):
         checked += "; closed forms in SI units"
-    return [*lines, checked] + ["what follows is with the first solution"] * several
+    yield from section("Chosen", told, equations(_lines(problem, several)), paragraph(checked, hang=None),
+                       paragraph("what follows is with the first solution", hang=None) if several else None)
+
+
+def _lines(problem, several):
+    for number, solution in enumerate(problem.chosen.solutions, 1):
+        for i, name in enumerate(problem.chosen.conditions):
+            mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
+            yield line(*mark, *_equation(problem, name, solution), hang=6 if several else 2, inset=inset)
 
 
 def _equation(problem, name, solution):
-    """c = closed form = number."""
+    """Parts of c = closed form = number."""
     form, value = solution.forms[name], solution.values[name]
-    parts = [plain.symbol(name)]
+    parts = [Name(name)]
     if form is not None and (value is None or _has_letters(form)):
-        parts.append(plain(form))
+        parts += [" = ", form]
     if value is not None:
-        parts.append(with_unit(float(value), problem.spec.dimensions.of(name)))
+        number, unit = quantity(float(value), problem.spec.dimensions.of(name))
+        parts += [" = ", number, Words(unit)]
     about = problem.spec.parameters[name].get("about")
-    return " = ".join(parts) + (f"   {about}" if about else "")
+    return parts + [Words(f"   {about}")] * bool(about)
 
 
 def _has_letters(node):

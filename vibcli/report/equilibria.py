@@ -1,9 +1,10 @@
-"""The list of all equilibria, as text and as data."""
+"""The list of all equilibria, as a section of a report and as data."""
 
-from vibcli import units
 from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
 from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, judged
-from vibcli.report.figures import figure, table, with_unit, wrapped
+from vibcli.report.blocks import Name, Table, Words, maths, paragraph, section, separated
+from vibcli.report.figures import figure, with_unit
+from vibcli.report.given import unit
 from vibcli.report.notation import plain
 
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
@@ -12,18 +13,19 @@ WIDEST = 6      # coordinates side by side
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
 
-def equilibria_lines(problem):
-    """Lines of a report: a table of the equilibria, and where they were searched."""
+def equilibria(problem, _):
+    """A table of the equilibria, and where they were searched."""
     found = problem.equilibria
-    lines = _table(problem) if found.items else ["none"]
-    for number, about in enumerate(problem.about_each, 1):
-        warning = _warning(about)
-        lines += wrapped(f"{number}: {warning}", indent=3) if warning else []
-    limits = [f"{plain.symbol(name)} from {with_unit(low, problem.dimension(name))} to "
-              f"{with_unit(high, problem.dimension(name))}" for name, (low, high) in found.bounds.items()]
-    lines += wrapped("searched: " + ", ".join(limits)) if limits else []
-    lines += ["the equations are linear: there are no others"] if found.linear and found.items else []
-    return lines if found.complete else [*lines, CUT]
+    warned = [(number, _warning(about)) for number, about in enumerate(problem.about_each, 1)]
+    limits = [maths(Name(name), Words(f" from {with_unit(low, problem.dimension(name))} to "
+                                      f"{with_unit(high, problem.dimension(name))}"))
+              for name, (low, high) in found.bounds.items()]
+    yield from section(
+        "Equilibria", _table(problem) if found.items else paragraph("none"),
+        *(paragraph(f"{number}: {warning}", hang=3) for number, warning in warned if warning),
+        paragraph("searched: ", *separated(limits)) if limits else None,
+        paragraph("the equations are linear: there are no others") if found.linear and found.items else None,
+        None if found.complete else paragraph(CUT, hang=None))
 
 
 def equilibrium_warning(problem):
@@ -42,14 +44,14 @@ def _table(problem):
         found = judged(about)
         rows.append((str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2),
                      _kind(found, item), _rates(about, found)))
-    return table(rows, ("", *_heads(problem), "residual", "", "ω [rad/s]"))
+    return Table(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
 
 
 def _heads(problem):
     names = problem.scene.coordinates
     if len(names) > WIDEST:
         return ["position in SI units"]
-    return [f"{plain.symbol(name)} [{_unit(problem.dimension(name))}]" for name in names]
+    return [maths(Name(name), Words(f" [{unit(problem.dimension(name))}]")) for name in names]
 
 
 def _places(problem, item):
@@ -58,10 +60,6 @@ def _places(problem, item):
     if len(names) > WIDEST:
         return [", ".join(f"{plain.symbol(name)} = {figure(values[name])}" for name in names)]
     return [figure(values[name]) for name in names]
-
-
-def _unit(dimension):
-    return "rad" if dimension == {} else units.text(dimension)
 
 
 def _rates(problem, found):

@@ -21,9 +21,14 @@ def figure(value, error=0.0, digits=SHOWN):
 
 def with_unit(value, dimension, error=0.0):
     """`0.0785 m`: a number and the SI unit of its dimension."""
+    return "".join(quantity(value, dimension, error))
+
+
+def quantity(value, dimension, error=0.0):
+    """The number, and what is written behind it: ("0.0785", " m")."""
     unit = "rad" if dimension == {} else units.text(dimension)
     degrees = f" ({figure(math.degrees(value), digits=4)}°)" if dimension == {} and value else ""
-    return f"{figure(value, error)} {unit}".rstrip() + degrees
+    return figure(value, error), f" {unit}".rstrip() + degrees
 
 
 def table(rows, head):

@@ -1,49 +1,43 @@
-"""Shares, sensitivities and estimates as text: what `solve` prints only where it is asked for."""
+"""Shares, sensitivities and estimates: what `solve` prints only where it is asked for."""
 
 from vibcli import units
 from vibcli.errors import PhysicsError
-from vibcli.report.figures import figure, table, wrapped
+from vibcli.report.blocks import Name, Table, Words, maths, paragraph, section, separated
+from vibcli.report.figures import figure
 from vibcli.report.insight_data import logarithmic, require_numbers
-from vibcli.report.notation import plain
 
 COLUMNS, ROWS = 8, 40       # of a table; the rest is in the JSON
 NOTHING = 1e-9              # per cent
 
 
-def add(report, name):
-    """Add one of the sections to a report."""
-    require_numbers(report.problem, name)
-    _SECTIONS[name](report, report.problem)
-
-
-def _grid(report, title, columns, write):
-    """A table of [(head, {name: number})], a row to each name."""
+def _grid(title, columns, write, *told):
+    """A table of [(head, {name: number})], a row to each name, and what is told under it."""
     names = list(dict.fromkeys(name for _, column in columns for name in column))
     shown = columns[:COLUMNS]
     rows = [(name, *(write(column.get(name)) for _, column in shown)) for name in names[:ROWS]]
-    if rows:
-        lines = table(rows, ("", *(head for head, _ in shown)))
-        left = [f"{len(columns) - COLUMNS} more modes"] * (len(columns) > COLUMNS)
-        left += [f"{len(names) - ROWS} more rows"] * (len(names) > ROWS)
-        report.section(title, lines + [f"… {' and '.join(left)}: see --json"] * bool(left))
+    left = [f"{len(columns) - COLUMNS} more modes"] * (len(columns) > COLUMNS)
+    left += [f"{len(names) - ROWS} more rows"] * (len(names) > ROWS)
+    return section(title, Table(("", *(head for head, _ in shown)), tuple(rows)),
+                   paragraph(f"… {' and '.join(left)}: see --json", hang=None) if left else None, *told) if rows else ()
 
 
 # shares
 
 
-def _shares(report, problem):
+def shares(problem, _):
+    require_numbers(problem, "shares")
     found = problem.shares
     potential = [(f"mode {i}", column) for i, column in found.potential.items() if column]
-    _grid(report, "Shares of the potential energy [%]", potential, _per_cent)
-    if any(share < -NOTHING / 100 for _, column in potential for share in column.values()):
-        report.lines += ["  (negative: it lowers the stiffness of the mode)"]
-    for group in found.coinciding:
-        report.lines += [f"  (modes {_listed(group)} have one frequency: only the means of their shares are definite)"]
-    _grid(report, "Shares of the kinetic energy [%]", [(f"mode {i}", column) for i, column in found.kinetic.items()],
-          _per_cent)
+    lowering = any(share < -NOTHING / 100 for _, column in potential for share in column.values())
+    told = [paragraph("(negative: it lowers the stiffness of the mode)", hang=None)] * lowering
+    told += [paragraph(f"(modes {_listed(group)} have one frequency: only the means of their shares are definite)",
+                       hang=None) for group in found.coinciding]
+    yield from _grid("Shares of the potential energy [%]", potential, _per_cent, *told)
+    yield from _grid("Shares of the kinetic energy [%]",
+                     [(f"mode {i}", column) for i, column in found.kinetic.items()], _per_cent)
     if found.dissipation is not None:
-        _grid(report, "Shares of the energy that the damped modes lose [%]",
-              [(_damped_head(mode), column) for mode, column in found.dissipation if column], _per_cent)
+        yield from _grid("Shares of the energy that the damped modes lose [%]",
+                         [(_damped_head(mode), column) for mode, column in found.dissipation if column], _per_cent)
 
 
 def _listed(indices):
@@ -63,23 +57,26 @@ def _damped_head(mode):
 # sensitivities
 
 
-def _sensitivities(report, problem):
-    found, start = problem.sensitivities, len(report.lines)
+def sensitivities(problem, _):
+    require_numbers(problem, "sensitivities")
+    found = problem.sensitivities
     heads = [(f"mode {mode.index}", mode) for mode in problem.modes if mode.omega]
-    _grid(report, "Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
-        (head, {plain.symbol(name): logarithmic(found.values[name], rates[mode.index], float(mode.omega))
-                for name, rates in found.omega.items()}) for head, mode in heads], _rate)
-    _grid(report, "∂ω/∂p [rad/s per unit of p]", [
-        (head, {_with_unit(problem, name): rates[mode.index] for name, rates in found.omega.items()})
-        for head, mode in heads], _rate)
-    _grid(report, "Sensitivity of the damping ratios: ∂ζ/∂p [per unit of p]", [
-        (f"mode {one.mode.index}", {_with_unit(problem, name): rate for name, rate in one.zeta.items()})
-        for one in _one_of_each(found.damped) if one.zeta is not None], _rate)
-    remarks = [line for remark in _remarks(found) for line in wrapped(remark)]
-    if len(report.lines) == start:
-        report.section("Sensitivities", remarks)
-    else:
-        report.lines += ["  " + line for line in remarks]
+    tables = [
+        *_grid("Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
+            (head, {maths(Name(name)): logarithmic(found.values[name], rates[mode.index], float(mode.omega))
+                    for name, rates in found.omega.items()}) for head, mode in heads], _rate),
+        *_grid("∂ω/∂p [rad/s per unit of p]", [
+            (head, {_with_unit(problem, name): rates[mode.index] for name, rates in found.omega.items()})
+            for head, mode in heads], _rate),
+        *_grid("Sensitivity of the damping ratios: ∂ζ/∂p [per unit of p]", [
+            (f"mode {one.mode.index}", {_with_unit(problem, name): rate for name, rate in one.zeta.items()})
+            for one in _one_of_each(found.damped) if one.zeta is not None], _rate)]
+    remarks = [paragraph(remark) for remark in _remarks(found)]
+    if not tables:
+        tables = section("Sensitivities", *remarks)
+    elif remarks:
+        tables[-1] = tables[-1]._replace(blocks=(*tables[-1].blocks, *remarks))
+    yield from tables
 
 
 def _one_of_each(damped):
@@ -89,7 +86,7 @@ def _one_of_each(damped):
 
 def _with_unit(problem, name):
     unit = units.text(problem.spec.dimensions.of(name))
-    return plain.symbol(name) + (f" [{unit}]" if unit else "")
+    return maths(Name(name), *[Words(f" [{unit}]")] * bool(unit))
 
 
 def _rate(value):
@@ -115,29 +112,28 @@ def _remarks(found):
 # estimates
 
 
-def _estimates(report, problem):
+def estimates(problem, _):
+    require_numbers(problem, "estimates")
     title = "Estimates of the lowest natural frequency"
     try:
         found = problem.estimates
     except PhysicsError as error:
-        report.section(title, wrapped(f"None: {error.message}."))
+        yield from section(title, paragraph(f"None: {error.message}."))
         return
-    rows = [("Rayleigh (from above)", figure(found.rayleigh), _off(found.rayleigh, found.omega)),
+    rows = (("Rayleigh (from above)", figure(found.rayleigh), _off(found.rayleigh, found.omega)),
             ("exact", figure(found.omega), ""),
-            ("Dunkerley (from below)", figure(found.dunkerley), _off(found.dunkerley, found.omega))]
-    lines = table(rows, ("", "ω [rad/s]", "error"))
-    if len(found.deflection) > 1:
-        lines += wrapped("Rayleigh's shape is the static deflection " + ",  ".join(
-            f"{plain.symbol(name)} = {figure(x, digits=4)}" for name, x in list(found.deflection.items())[:ROWS]))
-    if len(found.alone) > 1:
-        lines += wrapped("Dunkerley: 1/ω² = Σ 1/ω_j², with the inertia of one alone " + ",  ".join(
-            f"{name}: {figure(x)} rad/s" for name, x in list(found.alone.items())[:ROWS]))
-    report.section(title, lines)
+            ("Dunkerley (from below)", figure(found.dunkerley), _off(found.dunkerley, found.omega)))
+    deflection = [maths(Name(name), " = ", figure(x, digits=4)) for name, x in list(found.deflection.items())[:ROWS]]
+    alone = [f"{name}: {figure(x)} rad/s" for name, x in list(found.alone.items())[:ROWS]]
+    yield from section(
+        title, Table(("", "ω [rad/s]", "error"), rows),
+        paragraph("Rayleigh's shape is the static deflection ", *separated(deflection, ",  "))
+        if len(found.deflection) > 1 else None,
+        paragraph("Dunkerley: ", maths("1/ω² = Σ 1/ω_j²"), ", with the inertia of one alone ", ",  ".join(alone))
+        if len(found.alone) > 1 else None)
 
 
 def _off(value, exact):
     off = 100 * (value / exact - 1)
     return "0 %" if abs(off) < NOTHING else f"{off:+.2g} %".replace("-", "−")
 
-
-_SECTIONS = {"shares": _shares, "sensitivities": _sensitivities, "estimates": _estimates}

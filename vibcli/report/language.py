@@ -10,6 +10,8 @@ from vibcli.report.roots import place
 class Language(Plain):
     """The scene's own expression language, so that a result can be pasted into a file."""
 
+    minus = "-"
+
     def symbol(self, name):
         return name
 
@@ -19,9 +21,6 @@ class Language(Plain):
     @staticmethod
     def _ascii(value):
         return str(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
-
-    def minus(self, text):
-        return text.replace("−", "-")
 
     def power(self, base, exponent):
         return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"

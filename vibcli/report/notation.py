@@ -2,10 +2,10 @@
 
 import re
 from fractions import Fraction
-from operator import itemgetter
 
-from vibcli.algebra.expression import reachable
+from vibcli.algebra.pulses import PULSES
 from vibcli.algebra.rationals import ONE
+from vibcli.report.ordering import factor_rank, is_rooted, positive_first, term_rank
 from vibcli.report.roots import LARGEST, is_constant, place, split
 
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
@@ -37,6 +37,8 @@ def split_name(name):
 class Notation:
     """Writes nodes; the subclasses say how symbols, products, powers and brackets look."""
 
+    minus = "−"
+
     def __call__(self, node):
         return self.write(node, 0)
 
@@ -56,23 +58,44 @@ class Notation:
         return self.symbol(node.name)
 
     def _sum(self, node, tightness):
-        terms = sorted(node.args, key=_rank)
+        text = self.added(self.terms(node))
+        return self.brackets(text) if tightness else text
+
+    def terms(self, node):
+        """[(negative, text)] of the terms of a sum; one of a sum over a denominator, and of anything else."""
+        if node.op != "sum":
+            return [self._alone(node)]
+        terms = sorted(node.args, key=term_rank)
         parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
-        rooted = sum(_is_rooted(part) for part, _ in terms)
+        rooted = sum(is_rooted(part) for part, _ in terms)
         below = _common_denominator(node, [value for value, _ in parts])
         pieces = [(value < 0, self._term(abs(value) * below, part)) for value, part in parts]
         if node.coefficient:
             place = 0 if all(is_constant(part) for part, _ in node.args) else len(pieces)
             pieces.insert(place, (node.coefficient < 0, self.number(abs(node.coefficient) * below)))
         if pieces[0][0]:
-            pieces = _positive_first(pieces, rooted)
-        turned = below > 1 and pieces[0][0]
-        text = ("−" if pieces[0][0] and not turned else "") + pieces[0][1]
-        text += "".join((" − " if negative is not turned else " + ") + piece for negative, piece in pieces[1:])
-        if below > 1:
-            text = self.minus("−" * turned) + self.over(self.minus(text), below)
-            return self.brackets(text) if tightness else text
-        return self.brackets(self.minus(text)) if tightness else self.minus(text)
+            pieces = positive_first(pieces, rooted)
+        if below == 1:
+            return pieces
+        turned = pieces[0][0]
+        return [(turned, self.over(self.added([(sign is not turned, text) for sign, text in pieces]), below))]
+
+    def _alone(self, node):
+        """(negative, text of the magnitude) of what is no sum."""
+        if node.op == "number":
+            return node.coefficient < 0, self.number(abs(node.coefficient))
+        if node.op == "product":
+            return node.coefficient < 0, self.product(abs(node.coefficient), node.args)
+        return False, self.write(node, 0)
+
+    def signed(self, negative, text, first=False):
+        """A term of a sum with the sign before it."""
+        sign = self.minus if negative else "+"
+        return (sign * negative if first else f" {sign} ") + text
+
+    def added(self, pieces):
+        """The sum of (negative, text)."""
+        return "".join(self.signed(negative, text, not i) for i, (negative, text) in enumerate(pieces))
 
     def over(self, text, below):
         return f"({text})/{below}"
@@ -83,21 +106,22 @@ class Notation:
         return self.product(value, ((part, ONE),))
 
     def _product(self, node, tightness):
-        text = self.product(abs(node.coefficient), node.args)
-        if node.coefficient < 0:
-            text = self.minus("−" + text)
+        text = self.added([self._alone(node)])
         return self.brackets(text) if tightness > 1 or (tightness and node.coefficient < 0) else text
 
     def _call(self, node, tightness):
         if node.name == "power":
             return self.power(self.write(node.args[0], 2), self.write(node.args[1], 0))
+        if node.name in PULSES or node.name in node.table.records:
+            order = node.args[1].coefficient if len(node.args) > 1 else 0
+            return self.function(node.name + "'" * order, [self.write(node.args[0], 0)])
         if len(node.args) == 1:
             return self.call(node.name, node.args[0], ONE)
         return self.function(node.name, [self.write(arg, 0) for arg in node.args])
 
     def factors(self, value, args):
         """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
-        return split(value, sorted(args, key=_factor_rank))
+        return split(value, sorted(args, key=factor_rank))
 
     def powered(self, base, exponent, alone):
         if base.op == "call" and base.name in ("abs", "sign") and exponent != 1:
@@ -107,7 +131,7 @@ class Notation:
         if exponent == 1:
             return self.write(base, 0 if alone else 1)
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
-            leading = min(base.args, key=_rank)
+            leading = min(base.args, key=term_rank)
             base = -base if leading[1] < 0 else base
         return self.power(self.write(base, 2), self.number(exponent))
 
@@ -115,11 +139,17 @@ class Notation:
 class Plain(Notation):
     """Unicode text; a no-break space holds a function and its argument together."""
 
+    def notation(self, text):
+        return text
+
+    def words(self, text):
+        return text
+
+    def beside(self, *texts):
+        return "".join(texts)
+
     def number(self, value):
         return decimal(value).replace("-", "−")
-
-    def minus(self, text):
-        return text
 
     def symbol(self, name):
         letter, rest, primes = split_name(name)
@@ -197,79 +227,11 @@ def decimal(value):
     return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
 
 
-def _positive_first(pieces, rooted):
-    """The terms of a sum, (negative, text), the positive ones first; the `rooted` last ones stay there if others can
-    begin."""
-    front = pieces[:len(pieces) - rooted]
-    if rooted and not all(negative for negative, _ in front):
-        return sorted(front, key=itemgetter(0)) + pieces[len(pieces) - rooted:]
-    return sorted(pieces, key=itemgetter(0))
-
-
-def _is_rooted(node):
-    """Does a term of parameters hold the root of a letter or of a sum?"""
-    return not node.mask and node.op == "product" and any(
-        e.denominator == 2 and not is_constant(base) for base, e in node.args)
-
-
 def _common_denominator(node, values):
     """The denominator that all terms of a sum of parameters share; 1 where they do not."""
     values = [*values, node.coefficient] if node.coefficient else values
     below = {value.denominator for value in values}
     return 1 if node.mask or len(below) > 1 or shown_as_decimal(values[0]) else below.pop()
-
-
-def _rank(pair):
-    """Accelerations first, then velocities, then coordinates, each in the order of the coordinates; constants last."""
-    node = pair[0]
-    deepest = _most_primes(node)
-    moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
-    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), *_letters(node), node.index
-
-
-def _letters(node):
-    """Of terms of parameters those without a root first, then in the order of letters, higher powers first."""
-    if node.mask:
-        return False, []
-    factors = node.args if node.op == "product" else ((node, ONE),)
-    return _is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors)
-
-
-def _first_letter(node):
-    return node.index if node.op == "symbol" else min(
-        (part.index for part in reachable([node]) if part.op == "symbol"), default=node.index)
-
-
-def _lowest(mask):
-    return (mask & -mask).bit_length()
-
-
-def primes(symbol):
-    """1 for x', 2 for x''."""
-    return len(symbol.name) - len(symbol.name.rstrip("'"))
-
-
-def _symbols(node):
-    factors = [base for base, _ in node.args] if node.op == "product" else [node]
-    return [base for base in factors if base.op == "symbol"]
-
-
-def _most_primes(node):
-    return max(map(primes, _symbols(node)), default=0)
-
-
-def _factor_rank(pair):
-    """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
-    base = pair[0]
-    if base.op == "number" or (base.op == "sum" and is_constant(base)):
-        kind = -1 if base.op == "number" else 0
-    elif base.op in ("symbol", "pi") and not base.mask:
-        kind = 1
-    elif base.op in ("sum", "call"):
-        kind = 2 if base.op == "sum" else 3
-    else:
-        kind = 4 + _most_primes(base)
-    return kind, base.index
 
 
 plain = Plain()

@@ -4,13 +4,14 @@ from cmath import polar as to_polar
 from itertools import pairwise
 from math import degrees
 
-from vibcli.report.figures import figure, table
-from vibcli.report.notation import plain
+from vibcli.report.blocks import Name, Table, maths, paragraph
+from vibcli.report.figures import figure
 from vibcli.report.results import TURN
 
 ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
               "linear terms"}
 GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
+MANY, LONGEST = 8, 12       # modes in columns; else amplitudes of a shape, and shapes
 
 
 def repeated(modes):
@@ -65,10 +66,12 @@ def polar(value):
     return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
 
 
-def shape_rows(names, shapes, write=_real):
-    """A table of shapes: a column a mode, or a row a mode where there are many coordinates."""
-    if len(shapes) > 8:
-        return [f"mode {i + 1}: " + " ".join(write(value) for value in shape[:12]) + (" …" if len(shape) > 12 else "")
-                for i, shape in enumerate(shapes[:12])] + (["…"] if len(shapes) > 12 else [])
-    rows = [(plain.symbol(name), *(write(shape[i]) for shape in shapes)) for i, name in enumerate(names)]
-    return table(rows, ("", *(f"mode {i + 1}" for i in range(len(shapes)))))
+def shapes(names, found, write=_real):
+    """Blocks of shapes: a column a mode, or a line a mode where there are many coordinates."""
+    if len(found) > MANY:
+        return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])
+                            + (" …" if len(shape) > LONGEST else ""), hang=None)
+                  for i, shape in enumerate(found[:LONGEST], 1)),
+                paragraph("…", hang=None) if len(found) > LONGEST else None]
+    rows = [(maths(Name(name)), *(write(shape[i]) for shape in found)) for i, name in enumerate(names)]
+    return [Table(("", *(f"mode {i + 1}" for i in range(len(found)))), tuple(rows))]

@@ -5,14 +5,15 @@
 
 from fractions import Fraction
 
-from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats
 from vibcli.algebra.expression import Table
 from vibcli.algebra.parse import ExpressionError
 from vibcli.elements import gravity
+from vibcli.elements.initial import let_go
 from vibcli.errors import Diagnostic, SpecError
 from vibcli.fields import load
 from vibcli.parameters import Parameters
+from vibcli.reading import Name
 from vibcli.scene.closing import Freedom, close
 from vibcli.scene.ends import Ends
 from vibcli.scene.expressions import Expressions
@@ -27,18 +28,20 @@ SAMPLES = range(20, 28)     # where other samples start
 SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
 
-def build_scene(spec, given=None, start=0, loose=False, releasing=False):
+def build_scene(spec, given=None, start=0, loose=False, releasing=False, opened=False, holding=False):
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
 
     A `loose` scene keeps all coordinates: its constraints are held by multipliers. `releasing`: the supports of bodies
-    give way by further coordinates, whose generalised forces are the reactions.
+    give way by further coordinates, whose generalised forces are the reactions. `opened`: what drives the scene stands
+    in it as further coordinates, the inputs: displacements that oscillate, and a load beside each load. `holding`: with
+    the force that lets go where the motion starts.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
     are those of the first sample in which the drawing fits together.
     """
     for attempt in range(start, start + ATTEMPTS):
         try:
-            scene = Scene(spec, attempt, given or {}, releasing)
+            scene = Scene(spec, attempt, given or {}, releasing, opened, holding)
         except SpecError:   # a parameter that this sample leaves without value
             if attempt == start + ATTEMPTS - 1:
                 raise
@@ -57,9 +60,11 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False):
 class Scene(Terms, Ends, Motion, Geometry, Expressions):
     """The scalar functions of a scene, and the services by which elements make them."""
 
-    def __init__(self, spec, attempt, given, releasing=False):
+    def __init__(self, spec, attempt, given, releasing=False, opened=False, holding=False):
         self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
+        self.opened, self.inputs, self.holding = opened, {}, holding
         self.table = table = Table()
+        table.records = {name: record["samples"] for name, record in (spec.get("records") or {}).items()}
         self.coordinates = list(spec.coordinates)
         self.parameters = Parameters(spec, table)
         given = {name: float(value) for name, value in given.items()}
@@ -68,7 +73,7 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         self.sample = self.parameters.values(Floats, {**free, **given})
         table.sample = self.sample
         named = "t" in spec.parameters or "t" in spec.coordinates
-        self.time = table.variable("the time" if named else "t")
+        self.time = table.time = table.variable("the time" if named else "t")
         self.q, self.v, self.a = ([table.variable(name + primes) for name in self.coordinates]
                                   for primes in ("", "'", "''"))
         self._symbols = {(name, primes): node for primes, nodes in enumerate((self.q, self.v, self.a))
@@ -98,6 +103,8 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         for section, element in (("springs", "spring"), ("dampers", "damper"), ("forces", "force"),
                                  ("constraints", "constraint")):
             for record in (spec.get(section) or {}).values():
+                if section == "forces" and record.name == let_go(spec) and not self.holding:
+                    continue
                 self.owner = record.name
                 try:
                     load(element).build(record, self)
@@ -106,12 +113,15 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
         for section in ("energies", "matrices"):
             if section in spec.sections:
                 load(section).build(spec.get(section), self)
+        for name, record in (spec.get("points") or {}).items():
+            if "moves" in record:
+                self.place(Name(name, record.where))
         if self.driven:
             shaken = {kind: list(getattr(self, kind)) for kind in SHAKEN}
             self.replace(self.driven)
             self.shaken = shaken
-            self.points = {name: (drawn, tuple(substitute(place, self.driven)))
-                           for name, (drawn, place) in self.points.items()}
+        if self.opened:
+            self.open_loads()
         if self.constraints and not loose and not self.diagnostics:
             self.dependent = close(self)
         self.timed = self.depends_on_time()

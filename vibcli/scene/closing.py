@@ -45,7 +45,7 @@ def close(scene):
     Where the file lists its coordinates, the first of them stay independent as far as can be; else those that no
     condition gives explicitly.
     """
-    raw = list(scene.q)
+    raw = [q for q in scene.q if q not in scene.inputs]
     nodes = dict(enumerate(textbook(constraint.node) for constraint in scene.constraints))
     if _contradictory(scene, nodes.values()):
         return {}
@@ -58,6 +58,7 @@ def close(scene):
         return {}
     tied = [nodes.pop(k) for k, _ in pivots]
     left = [q for q in raw if q not in values and q not in {z for _, z in pivots}]
+    left += scene.inputs
     scene.rename(left)
     scene.loops = _implicit(scene, tied, [z for _, z in pivots], values, left) if pivots else None
     used = 0
@@ -115,7 +116,7 @@ def _pivots(scene, nodes, columns):
 def _explicit(scene, nodes, allowed):
     """{z: expression} of coordinates that stand with a constant coefficient in a condition, which is taken out of
     `nodes` ({number: condition}); of those of the shortest condition the last."""
-    found, order, ranked = {}, {q: i for i, q in enumerate(scene.q)}, {}
+    found, order, ranked = {}, {q: i for i, q in enumerate(scene.q) if q not in scene.inputs}, {}
     while True:
         for k in nodes.keys() - ranked.keys():
             ranked[k] = _shortest(scene, nodes[k], order, allowed)

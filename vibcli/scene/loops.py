@@ -101,6 +101,6 @@ def nearby(scene, attempt):
     """A closed position near the drawn one, other at each attempt; None where the loops do not close there."""
     start = drawn_values(scene)
     target = dict(start)
-    for i, q in enumerate(scene.q):
+    for i, q in enumerate(q for q in scene.q if q not in scene.inputs):
         target[q.name] += 0.01 * (1 + (7 * i + 3 * attempt) % 5) * (-1) ** (i + attempt) * scene.unit_of(q.name)
     return scene.loops.followed(start, target) if scene.loops else target

@@ -1,8 +1,19 @@
 """The coordinates of a scene: symbols, rates, drawn values; what depends on others, is driven or released."""
 
+from typing import NamedTuple
+
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import ONE
+
+
+class Opening(NamedTuple):
+    """An input of an opened scene: whose it is, what drives it (None of a load), and of which term of the loads it
+    stands beside (None of a displacement, or along a coordinate)."""
+
+    name: str
+    node: object = None
+    load: int = None
 
 
 class Motion:
@@ -23,11 +34,13 @@ class Motion:
             self._symbols[name, primes] = self.rate(self.symbol(name, primes - 1))
         return self._symbols[name, primes]
 
-    def driven_by(self, node):
-        """A driven displacement: where it depends on the time, a symbol that is zero as drawn and stands for it until
-        the scene is assembled."""
+    def driven_by(self, node, name):
+        """A displacement of what has this name: where it depends on the time, a symbol that is zero as drawn and stands
+        for it until the scene is assembled; of an opened scene an input."""
         if not node.mask & self.time.mask:
             return node
+        if self.opened and self.waves(node):
+            return self.add_input(name, node)
         symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
         self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
         return symbol
@@ -44,9 +57,18 @@ class Motion:
         return self.new_frame(frame.drawn, (frame.place[0] + x, frame.place[1] + y), frame.angle + turn)
 
     def _released(self, name):
+        self.released.append(self._further(name))
+        return self.released[-1]
+
+    def add_input(self, name, node=None):
+        """An input as a further coordinate: a displacement that is driven by `node`, or a load beside a given one."""
+        symbol = self._further(f"input {len(self.inputs) + 1}")
+        self.inputs[symbol] = Opening(name, node)
+        return symbol
+
+    def _further(self, name):
         q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
         self.coordinates.append(name)
-        self.released.append(q)
         for nodes, node in ((self.q, q), (self.v, v), (self.a, a)):
             nodes.append(node)
         self.drawn[q] = self._drawn_at_rest[q] = self._drawn_at_rest[v] = self.table.zero
@@ -114,4 +136,4 @@ class Motion:
         """How much an expression has changed since the drawn position."""
         node = self.lower(expression)
         change = node - self.at_drawn(node)[0]
-        return self.driven_by(change) if change.mask == self.time.mask else change
+        return self.driven_by(change, self.owner) if change.mask == self.time.mask else change

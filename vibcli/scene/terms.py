@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.expression import reachable
+from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
 SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
@@ -51,7 +51,7 @@ class Terms:
 
     def add_force(self, force, s):
         """The virtual work δA = force·δs; the force depends on time, coordinates and velocities as it likes."""
-        if s.mask and not force.is_zero:
+        if (s.mask or self.opened) and not force.is_zero:
             self.forces.append(Term(force, s, owner=self.owner))
 
     def add_constraint(self, record, node, form, part=""):
@@ -72,6 +72,7 @@ class Terms:
         nodes += [constraint.node for constraint in self.constraints]
         touching = [body for body in self.bodies.values() if body.normal is not None]
         nodes += [node for body in touching for node in body.normal]
+        nodes += [node for _, place in self.points.values() for node in place]
         new = dict(zip(nodes, self.unrooted(substitute(nodes, values)), strict=True))
         for group, kind in lists:
             group[kind] = [Term(*(node if node is None else new[node] for node in term[:3]), term.owner)
@@ -82,6 +83,8 @@ class Terms:
             body.lumped = body.lumped[0], new[body.lumped[1]]
         for body in touching:
             body.normal = tuple(new[node] for node in body.normal)
+        self.points = {name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place)
+                       in self.points.items()}
         self.energies = {key: new[node] for key, node in self.energies.items()}
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
 
@@ -100,9 +103,24 @@ class Terms:
         return found
 
     def oscillates(self, symbol):
-        """Does a driven displacement depend on the time through sines and cosines alone?"""
-        waves = {part: self.table.one for part in reachable([self.driven[symbol]]) if part.name in ("sin", "cos")}
-        return not substitute([self.driven[symbol]], waves)[0].mask & self.time.mask
+        """Does a driven displacement come and go, so that it counts as a small one?"""
+        return self.waves(self.driven[symbol])
+
+    def waves(self, node):
+        """Does a function of the time stay bounded?"""
+        return stays_bounded(node, self.time, self.sample)
+
+    def open_loads(self):
+        """A load as an input beside each that is given, and one along each coordinate."""
+        for k, term in enumerate(list(self.forces)):
+            self._open(term.owner, term.s, k)
+        for name in self.spec.coordinates:
+            self._open(name, self.symbol(name), None)
+
+    def _open(self, name, s, load):
+        symbol = self.add_input(name)
+        self.inputs[symbol] = self.inputs[symbol]._replace(load=load)
+        self.forces.append(Term(symbol, s, owner=name))
 
     def depends_on_time(self):
         """Does anything in the scene depend on the time explicitly?"""

@@ -11,3 +11,14 @@ class Output(NamedTuple):
     v: dict = {}
     a: dict = {}
     channels: dict = {}
+
+
+def combined(terms):
+    """Σ factor·output of (factor, Output) pairs."""
+    constant, parts = 0.0, ({}, {}, {}, {})
+    for factor, output in terms:
+        constant += factor * output.constant
+        for part, entries in zip(parts, output[1:], strict=True):
+            for key, value in entries.items():
+                part[key] = part.get(key, 0.0) + factor * value
+    return Output(constant, *parts)

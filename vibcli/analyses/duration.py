@@ -1,0 +1,32 @@
+"""How long a motion is looked at where nobody says: until it has died out, or for some of its longest periods."""
+
+from itertools import pairwise
+from math import log, pi
+
+DYING, PERIODS, MOST = log(1000), 10, 60
+
+
+def duration(modes, damped, last, speeds):
+    """Seconds: `last` is the last instant at which the forcing changes its form, `speeds` its angular frequencies."""
+    frequencies = [mode.omega for mode in modes if mode.omega]
+    decays = []
+    if damped is not None:
+        frequencies = [mode.omega_d for mode in damped if mode.omega_d]
+        decays = [mode.decay for mode in damped if mode.decay and mode.decay > 0]
+    growths = [mode.growth_rate for mode in (damped or modes) if mode.growth_rate]
+    longest = max((2 * pi / float(omega) for omega in (*frequencies, *speeds)), default=0.0)
+    if growths:
+        return last + min(DYING / float(max(growths)), PERIODS * longest or float("inf"))
+    if decays:
+        dying = DYING / float(min(decays))
+        return last + (min(max(dying, 2 * longest), MOST * longest) if longest else dying)
+    if longest:
+        return last + max(PERIODS * longest, min(2 * _beat(frequencies), MOST * longest))
+    return 2 * last or 1.0
+
+
+def _beat(frequencies):
+    """The longest beat period of neighbouring frequencies, 0 of one alone."""
+    ordered = sorted(map(float, frequencies))
+    gaps = [b - a for a, b in pairwise(ordered) if b > a]
+    return 2 * pi / min(gaps) if gaps else 0.0

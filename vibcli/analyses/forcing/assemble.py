@@ -1,0 +1,141 @@
+"""Exact sums of functions of time as the segments of a Forcing, every coefficient rounded once."""
+
+from bisect import bisect_right
+from fractions import Fraction
+
+from vibcli.analyses.forcing.blows import blows_of, nearest
+from vibcli.analyses.forcing.gates import Place
+from vibcli.analyses.forcing.periods import common_period, shortest
+from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
+from vibcli.analyses.forcing.sums import added, convolved, shifted
+from vibcli.errors import PhysicsError
+
+NEAR = 1e-6
+BEFORE = Fraction(-1)       # the instant from which a term counts that always does
+
+
+class Group:
+    """The terms of one channel with the same wave and gates: `ps[i]`, the polynomial from `instants[i]` on."""
+
+    __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
+
+    def __init__(self, channel, gates, wave, terms, numbers):
+        self.channel, self.gates, self.wave = channel, gates, wave
+        self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
+        self.end = min((gate.end for gate in gates if gate.end is not None), default=None)
+        self.instants, self.ps, total = [], [], {}
+        for T, p in sorted((BEFORE if T is None else T, p) for T, p in terms):
+            total = added((total, 1), ({None: p}, 1))
+            self.instants.append(T)
+            self.ps.append(total.get(None, ()))
+        self.places = [numbers.number(instant) for instant in self.instants]
+
+    def at(self, middle):
+        """The polynomial at an instant, a number."""
+        i = bisect_right(self.places, middle) - 1
+        return self.ps[i] if i >= 0 else ()
+
+    def spans(self):
+        """(low, high) of each span in which it acts, high None where it does not end."""
+        for T, p, following in zip(self.instants, self.ps, [*self.instants[1:], None], strict=True):
+            low = max(T, Fraction(0))
+            ends = [x for x in (following, self.end) if x is not None]
+            high = min(ends, default=None)
+            if p and (high is None or high >= low):
+                yield low, high
+
+
+def assembled(sums, channels, numbers):
+    """The Forcing of {channel: Sum}."""
+    terms = {}
+    for channel, total in sums.items():
+        for (T, gates, wave), p in total.items():
+            terms.setdefault((channel, gates, wave), []).append((T, p))
+    groups = [Group(*key, found, numbers) for key, found in terms.items()]
+    try:
+        return _forcing(groups, channels, numbers)
+    except OverflowError:
+        raise PhysicsError("what drives this scene grows or changes beyond what can be computed",
+                           "look for growing exponentials, and for waves that are very fast") from None
+
+
+def _forcing(groups, channels, numbers):
+    cuts, since, period = _cuts(groups, numbers)
+    cuts = _apart(cuts, numbers.same)
+    if period is not None:
+        end = since + period
+        cuts = [cut for cut in cuts if end - cut > numbers.same * end]
+    last = cuts[-1] + 1 if period is None else since + period
+    places = [_place(low, high, numbers) for low, high in zip(cuts, [*cuts[1:], last], strict=True)]
+    blows, first = blows_of(groups, cuts, last, numbers), 0 if since is None else nearest(cuts, since)
+    pieces = []
+    for i, at in enumerate(places):
+        waves = _waves(groups, at, numbers)
+        if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not all(map(_is_level, waves)):
+            pieces.append(Segment(at.start, waves, tuple(blows.get(i, {}).items())))
+    if period is None:
+        return Forcing(channels, pieces)
+    since = places[first].start
+    return Forcing(channels, *shortest(pieces, numbers.number(period), since, numbers.same), since)
+
+
+def _place(low, high, numbers):
+    start, middle = numbers.number(low), (low + high) / 2
+    return Place(start, numbers.exact(start), numbers.number(middle), middle)
+
+
+def _is_level(wave):
+    return not (wave.power or wave.exponent)
+
+
+def _cuts(groups, numbers):
+    """(instants at which anything changes, since, period); the last two None where nothing repeats for ever."""
+    cuts, lasting = {Fraction(0)}, []
+    for group in groups:
+        for low, high in group.spans():
+            cuts.add(low)
+            if high is None:
+                lasting.append((group, low))
+                continue
+            cuts.add(high)
+            for gate in group.gates:
+                cuts.update(gate.breaks(low, high))
+    if not any(group.gates for group, _ in lasting):
+        return cuts, None, None
+    period, settled = common_period([group for group, _ in lasting], numbers), max(cuts)
+    breaks = {instant for group, low in lasting for gate in group.gates
+              for instant in gate.breaks(low, settled + 2 * period)}
+    since = min(instant for instant in breaks if instant >= settled)
+    cuts.update(instant for instant in breaks if instant < since + period)
+    return cuts, since, period
+
+
+def _apart(cuts, same):
+    """Sorted instants, those that differ by rounding alone taken as one."""
+    found, size = [], -1.0
+    for close, cut in sorted((float(cut), cut) for cut in cuts):
+        if close - size > NEAR * close or not found or cut - found[-1] > same * cut:
+            found.append(cut)
+            size = close
+    return found
+
+
+def _waves(groups, at, numbers):
+    """The waves of a segment: each polynomial counted from its start, times its lines and its wave there."""
+    found = {}
+    for group in groups:
+        p = group.at(at.middle)
+        if not p:
+            continue
+        p = tuple(map(numbers.number, shifted(p, at.exact_start)))
+        for gate in group.gates:
+            p = convolved(p, tuple(map(numbers.number, gate.line(at))))
+        r, w, r0, w0, q = group.wave
+        factor = numbers.turned(r * at.exact_start + r0, w * at.exact_start + w0, q) if any(group.wave) else 1
+        factor = factor if w or factor == 1 else factor.real
+        for k, c in enumerate(p):
+            if c:
+                size = numbers.complex(c * factor)
+                key = group.channel, k, group.exponent
+                found[key] = found[key] + size if key in found else size
+    return tuple([Wave(channel, c, k, s) for (channel, k, s), c in found.items() if c])

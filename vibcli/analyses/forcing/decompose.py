@@ -1,0 +1,95 @@
+"""Expressions of the time as exact sums of functions of time."""
+
+from fractions import Fraction
+
+from vibcli.algebra.evaluate import evaluate
+from vibcli.algebra.expression import reachable
+from vibcli.analyses.forcing.assemble import assembled
+from vibcli.analyses.forcing.functions import NotSaid, called
+from vibcli.analyses.forcing.numbers import Floating, multiprecise
+from vibcli.analyses.forcing.sums import TooMany, added, constant, linear, multiplied, raised
+from vibcli.errors import PhysicsError
+
+FULL = "`motion: full` integrates the equations as they are"
+LARGEST = 60        # whole powers that are multiplied out
+
+
+def forcing_of(nodes, time, values, channels=None, precise=False, write=repr):
+    """The Forcing of {channel: expression of the time}; `values`: {name: number} of all other symbols.
+
+    `precise`: in mpmath numbers at the working precision, else in floats. `write` says an expression in a message.
+    PhysicsError where an expression is no piecewise sum of polynomials times exponentials and sines.
+    """
+    numbers = multiprecise() if precise else Floating
+    sums = dict(zip(nodes, sums_of(list(nodes.values()), time, values, numbers, write), strict=True))
+    return assembled(sums, max(nodes, default=-1) + 1 if channels is None else channels, numbers)
+
+
+def sums_of(nodes, time, values, numbers, write=repr):
+    """Expressions of the time as Sums."""
+    below = reachable(nodes)
+    known = _constants(below, nodes, time, values, numbers)
+    found = {}
+    for node in below:
+        if node is time:
+            found[node] = linear(Fraction(0), Fraction(1))
+        elif node in known:
+            found[node] = constant(known[node])
+        elif node.mask & time.mask:
+            try:
+                found[node] = _sum_of(node, found, numbers)
+            except NotSaid as error:
+                raise PhysicsError(f"the response to {write(node)} is not known in closed form: {error}",
+                                   FULL) from None
+            except TooMany:
+                raise PhysicsError(f"{write(node)} has too many terms, or too high powers of t, for a response in "
+                                   "closed form", FULL) from None
+    return [found[node] for node in nodes]
+
+
+def _constants(below, nodes, time, values, numbers):
+    """{node: its exact value} of what stands beside the time and does not depend on it."""
+    fixed = [node for node in below if not node.mask & time.mask]
+    beside = {arg for node in below if node.mask & time.mask for arg in _parts(node)} | set(nodes)
+    wanted = [node for node in fixed if node in beside]
+    found = {}
+    for node, value in zip(wanted, evaluate(wanted, numbers.arithmetic, values), strict=True):
+        exact = node.coefficient if node.op == "number" else numbers.pi if node.op == "pi" else numbers.exact(value)
+        if exact is None:
+            raise PhysicsError("what drives this scene is not a finite number",
+                               "look for a division by zero, or a root or logarithm of a negative number")
+        found[node] = Fraction(exact)
+    return found
+
+
+def _parts(node):
+    return [arg for arg, _ in node.args] if node.op in ("sum", "product") else node.args
+
+
+def _sum_of(node, found, numbers):
+    if node.op == "sum":
+        return added((constant(Fraction(node.coefficient)), 1), *((found[part], c) for part, c in node.args))
+    if node.op == "product":
+        total = constant(Fraction(node.coefficient))
+        for base, exponent in node.args:
+            total = multiplied(total, _power(found[base], exponent, numbers))
+        return total
+    if node.name == "power":
+        raise NotSaid("a power is a whole number")
+    *args, order = [*map(found.get, node.args), None]
+    if node.name in ("impulse", "square", "sawtooth") or node.name in node.table.records:
+        args, order = args[:1], node.args[1].coefficient if len(args) > 1 else 0
+    return called(node.name, args, order, numbers, node.table.records.get(node.name))
+
+
+def _power(base, exponent, numbers):
+    """A whole power; any power of one exponential, c·e^{r t + r₀}."""
+    if exponent.denominator == 1 and 0 < exponent <= LARGEST:
+        return raised(base, exponent)
+    if len(base) == 1:
+        ((T, gates, (r, w, r0, w0, _)), p), = base.items()
+        if T is None and not gates and len(p) == 1 and not (w or w0):
+            size = numbers.exact(numbers.arithmetic.power(numbers.number(p[0]), exponent))
+            if size is not None:
+                return {(None, (), (r * exponent, 0, r0 * exponent, 0, 0)): (size,)}
+    raise NotSaid("the time stands in a denominator, under a root or in too high a power")

@@ -1,0 +1,64 @@
+"""A record as a function of time that is a straight line between its samples; its rates as steps and impulses."""
+
+from bisect import bisect_right
+from fractions import Fraction
+
+
+class Sampled:
+    """The record at a·t + b, or its rate by that argument of the order 1 or 2. `instants` are exact, all else are
+    numbers of the arithmetic: a record holds many samples."""
+
+    __slots__ = ("a", "b", "end", "instants", "number", "order", "places", "samples", "slopes", "values")
+
+    period = None
+
+    def __init__(self, samples, a, b, order, numbers):
+        self.samples, self.a, self.b, self.order, self.number = samples, a, b, order, numbers.number
+        times, values = samples.times, samples.values
+        steep = numbers.number(a)
+        slopes = [(numbers.real(values[i + 1]) - values[i]) / (numbers.real(times[i + 1]) - times[i]) * steep
+                  for i in range(len(times) - 1)]
+        self.instants = [(Fraction(time) - b) / a if b or a != 1 else Fraction(time) for time in times]
+        self.values, self.slopes = list(values), slopes
+        if a < 0:
+            for row in (self.instants, self.values, self.slopes):
+                row.reverse()
+        self.places = [numbers.number(instant) for instant in self.instants]
+        self.end = self.instants[-1]
+
+    def __eq__(self, other):
+        return isinstance(other, Sampled) and self._key() == other._key()
+
+    def __hash__(self):
+        return hash(self._key())
+
+    def _key(self):
+        return id(self.samples), self.a, self.b, self.order
+
+    def breaks(self, low, high):
+        return [instant for instant in self.instants if low <= instant <= high]
+
+    def line(self, at):
+        i = bisect_right(self.places, at.middle) - 1
+        if self.order > 1 or not 0 <= i < len(self.slopes):
+            return 0, 0
+        slope = self.slopes[i]
+        if self.order:
+            return slope / self.number(self.a), 0
+        late = at.exact_start - self.instants[i]
+        return self.values[i] + slope * self.number(late) if late else self.values[i], slope
+
+    def impulses(self, low, high):
+        """Of the first rate at the ends of a record that jumps there, of the second one wherever the slope changes."""
+        if self.order == 0:
+            return []
+        if self.order == 2:
+            square = self.number(self.a**2)
+            sizes = [(after - before) / square for before, after in zip([0, *self.slopes], [*self.slopes, 0],
+                                                                        strict=True)]
+        else:
+            sizes = [0] * len(self.values)
+            sizes[0] += self.values[0] / self.number(self.a)
+            sizes[-1] -= self.values[-1] / self.number(self.a)
+        return [(instant, size) for instant, size in zip(self.instants, sizes, strict=True)
+                if size and low <= instant <= high]

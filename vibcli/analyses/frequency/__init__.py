@@ -1,0 +1,1 @@
+"""Frequency response: what harmonic inputs do in the steady state."""

@@ -1,0 +1,56 @@
+"""A part of a linear system that moves by itself: one eigenvalue, or several that lie close together."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Block(NamedTuple):
+    """ċ = B c + W f with c(0) = P q₀ + R v₀, and its share Re(X c) of the coordinates.
+
+    B: p × p, upper triangular, its diagonal the eigenvalues. X: n × p. P, R, W: p × n. half: of a pair of conjugate
+    blocks this one stands for both (X is twice the modes).
+    """
+
+    X: np.ndarray
+    B: np.ndarray
+    P: np.ndarray
+    R: np.ndarray
+    W: np.ndarray
+    half: bool = False
+
+    @property
+    def nodes(self):
+        """The eigenvalues."""
+        return tuple(map(complex, self.B.diagonal()))
+
+    def rows(self, output, order):
+        """The order-th derivative of q·δ + v·δ̇ + a·δ̈ is Re(rows · c) and terms of f (markov.py)."""
+        total = np.zeros(len(self.B), complex)
+        for coefficients in (output.a, output.v, output.q):
+            total = total @ self.B
+            for i, x in coefficients.items():
+                total = total + x * self.X[i]
+        return total @ np.linalg.matrix_power(self.B, order)
+
+
+def paths(B):
+    """(i, j, product, nodes) of every way up the triangle: (e^{Bt})ᵢⱼ = Σ product · E[nodes](t)."""
+    found, nodes = [], tuple(map(complex, np.diagonal(B)))
+    for i in range(len(B)):
+        ways = [((i,), 1.0)]
+        while ways:
+            stops, product = ways.pop()
+            j = stops[-1]
+            found.append((i, j, complex(product), tuple(nodes[k] for k in stops)))
+            ways += [((*stops, k), product * B[j, k]) for k in range(j + 1, len(B)) if B[j, k]]
+    return found
+
+
+def apart(block, places, n):
+    """The block of some coordinates as one of n coordinates."""
+    X, P, R, W = np.zeros((n, len(block.B)), complex), *(np.zeros((len(block.B), n), complex) for _ in range(3))
+    X[places] = block.X
+    for whole, part in ((P, block.P), (R, block.R), (W, block.W)):
+        whole[:, places] = part
+    return block._replace(X=X, P=P, R=R, W=W)

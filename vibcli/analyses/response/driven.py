@@ -1,0 +1,102 @@
+"""One block driven by the waves of a timeline: what its c(τ) is made of on each segment."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.response.block import paths
+from vibcli.analyses.response.exponentials import differences
+
+APART = 0.1
+
+
+class Drive(NamedTuple):
+    """The part k! input · E[…, s…s](τ) of c on the segments `at`; inputs: one row a segment."""
+
+    power: int
+    exponent: complex
+    at: np.ndarray
+    inputs: np.ndarray
+    apart: bool
+
+    @property
+    def nodes(self):
+        return (self.exponent,) * (self.power + 1)
+
+
+def drives(blocks, timeline, strict=False):
+    """The drives of each block. Of a half block both e^{sτ} and its conjugate; of others the real part is taken later.
+
+    apart: the exponent is so far from the one eigenvalue that the response splits into e^{λτ} and waves; never where
+    `strict`.
+    """
+    W = np.concatenate([block.W for block in blocks])
+    stops = np.cumsum([0] + [len(block.B) for block in blocks]).tolist()
+    found = [[] for _ in blocks]
+    for waves in timeline.waves:
+        force = waves.coefficients[:, :W.shape[1]]
+        if not force.any():
+            continue
+        s, shortest = waves.exponent, timeline.lengths[waves.at].min()
+        inputs = _times(force, W)
+        turned = _times(force.conj(), W) if s.imag and any(block.half for block in blocks) else None
+        for block, mine, *ends in zip(blocks, found, stops, stops[1:], strict=False):
+            at, node = slice(*ends), block.nodes[0]
+            both = block.half and s.imag
+            pairs = ((s, inputs / 2), (s.conjugate(), turned / 2)) if both else ((s, inputs),)
+            for exponent, given in pairs:
+                gap = abs(exponent - node)
+                far = len(block.B) == 1 and gap >= APART * max(abs(exponent), abs(node)) and gap * shortest >= 1
+                mine.append(Drive(waves.power, exponent, waves.at, given[:, at], bool(far and not strict)))
+    return found
+
+
+def _times(force, W):
+    """W f of every row f, without turning real numbers into complex ones."""
+    if np.iscomplexobj(force):
+        return force @ W.T
+    return force @ W.real.T + 1j * (force @ W.imag.T)
+
+
+def split(drive, node):
+    """c of an `apart` drive, Σ gᵢ τⁱ e^{sτ} − g₀ e^{λτ}, as [(i, inputs · gᵢ)]."""
+    gap, found, factor = drive.exponent - node, [], 1.0 + 0j
+    for power in reversed(range(drive.power + 1)):
+        factor = factor / gap if power == drive.power else -factor * (power + 1) / gap
+        found.append((power, drive.inputs * factor))
+    return found
+
+
+def ends(block, found, timeline):
+    """c at the start of every segment, given its drives; the first row is left to be added to."""
+    count, p = len(timeline.starts), len(block.B)
+    if count == 1:
+        return np.zeros((0, p, p), complex), np.zeros((1, p), complex)
+    lengths = timeline.lengths[:-1]
+    unique, which = np.unique(lengths, return_inverse=True)
+    step, added = np.zeros((count - 1, p, p), complex), np.zeros((count, p), complex)
+    for i, j, product, nodes in paths(block.B):
+        step[:, i, j] += product * differences(nodes, unique)[which]
+        for drive in found:
+            inside = drive.at < count - 1
+            at = drive.at[inside]
+            response = math.factorial(drive.power) * product * differences(nodes + drive.nodes, unique)
+            added[at + 1, i] += drive.inputs[inside, j] * response[which[at]]
+    return step, added
+
+
+def marched(step, added, initial):
+    """c at the start of every segment, c ← step c + added."""
+    out = added.copy()
+    out[0] += initial
+    if step.shape[1] == 1:
+        c, single = out[0, 0], step[:, 0, 0].tolist()
+        column = out[:, 0].tolist()
+        for at, factor in enumerate(single, 1):
+            c = column[at] = factor * c + column[at]
+        out[:, 0] = column
+        return out
+    for at in range(1, len(out)):
+        out[at] += step[at - 1] @ out[at - 1]
+    return out

@@ -1,0 +1,124 @@
+"""One output of a motion as a sum over exponentials, its values and bounds of them."""
+
+import math
+
+import numpy as np
+
+from vibcli.analyses.response.block import paths
+from vibcli.analyses.response.driven import split
+from vibcli.analyses.response.exponentials import bounds, differences, real_wave
+from vibcli.analyses.response.markov import direct, markov
+from vibcli.errors import PhysicsError
+
+
+class Terms:
+    """The order-th derivative of an output, real parts of sums with coefficients by segment.
+
+    free: (λ, coefficients) of e^{λτ}; linked: (nodes, coefficients) of E[nodes](τ); near: (nodes, segments,
+    coefficients) of driven parts; waves: {(power, s): coefficients} of τᵏe^{sτ}.
+    """
+
+    __slots__ = ("count", "free", "linked", "near", "waves")
+
+    def __init__(self, pieces, output, order):
+        self.free, self.linked, self.near, self.waves = [], [], [], {}
+        self.count = len(pieces.timeline.starts)
+        for block, found, states in zip(pieces.motion.blocks, pieces.drives, pieces.states, strict=True):
+            row = block.rows(output, order)
+            for i, j, product, nodes in paths(block.B) if row.any() else ():
+                if row[i]:
+                    self._add_path(nodes, row[i] * product, states[:, j], found, j)
+        if output.constant and pieces.motion.constants and not order:
+            self._add_wave(0, 0j, slice(None), output.constant)
+        if output.a or output.channels or (order and output.v) or order > 1:
+            self._add_direct(pieces, output, order)
+
+    def _add_path(self, nodes, factor, states, drives, j):
+        given = factor * states
+        for drive in drives:
+            if drive.apart:
+                for power, inputs in split(drive, nodes[0]):
+                    part = factor * inputs[:, 0]
+                    self._add_wave(power, drive.exponent, drive.at, part)
+                given[drive.at] -= part
+            else:
+                inputs = factor * math.factorial(drive.power) * drive.inputs[:, j]
+                self.near.append((nodes + drive.nodes, drive.at, inputs))
+        (self.free if len(nodes) == 1 else self.linked).append((nodes, given))
+
+    def _add_wave(self, power, s, at, coefficients):
+        if s.imag < 0:
+            s, coefficients = s.conjugate(), np.conj(coefficients)
+        kind = complex if s.imag else float
+        row = self.waves.setdefault((power, s), np.zeros(self.count, kind))
+        row[at] += coefficients if s.imag else np.real(coefficients)
+
+    def _add_direct(self, pieces, output, order):
+        motion = pieces.motion
+        H = markov(motion.M, motion.C, motion.K, order + 2)
+        for i, row in direct(output, order, H, motion.forcing.channels).items():
+            for waves in pieces.timeline.waves:
+                given = waves.coefficients @ row
+                for power, factor in waves.derivative(i).items() if given.any() else ():
+                    self._add_wave(power, waves.exponent, waves.at, factor * given)
+
+    def nodes(self):
+        """The nodes of each exponential in the sum."""
+        return ([nodes for nodes, _ in self.free + self.linked] + [nodes for nodes, _, _ in self.near]
+                + [(s,) for _, s in self.waves])
+
+    def on(self, segment):
+        """(nodes, factor) of all on one segment: the output is Re Σ factor · E[nodes](τ)."""
+        found = [(nodes, row[segment]) for nodes, row in self.free + self.linked]
+        found += [(nodes, row[np.flatnonzero(at == segment)[0]]) for nodes, at, row in self.near if segment in at]
+        return found + [((s,) * (power + 1), math.factorial(power) * row[segment])
+                        for (power, s), row in self.waves.items()]
+
+    def at(self, segment, tau):
+        """The values at the times `tau` after the starts of the segments."""
+        with np.errstate(all="ignore"):
+            y = self._at(segment, tau)
+        if not np.isfinite(y).all():
+            raise PhysicsError("the motion grows beyond the range of floating-point numbers",
+                               hint="ask for an earlier time: the system is unstable")
+        return y
+
+    def _at(self, segment, tau):
+        y = np.zeros(len(tau))
+        for (node,), row in self.free:
+            y += real_wave(self._of(row, segment), node, tau)
+        for nodes, row in self.linked:
+            y += np.real(self._of(row, segment) * differences(nodes, tau))
+        for nodes, at, row in self.near:
+            inside, place = self._within(at, segment)
+            y[inside] += np.real(row[place] * differences(nodes, tau[inside]))
+        for (power, s), row in self.waves.items():
+            wave = real_wave(self._of(row, segment), s, tau)
+            y += tau**power * wave if power else wave
+        return y
+
+    def bound(self, segment, early, late):
+        """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments."""
+        total = np.zeros(len(early))
+        with np.errstate(all="ignore"):
+            for nodes, row in self.free + self.linked:
+                total += np.abs(self._of(row, segment)) * bounds(nodes, early, late)
+            for nodes, at, row in self.near:
+                inside, place = self._within(at, segment)
+                total[inside] += np.abs(row[place]) * bounds(nodes, early[inside], late[inside])
+            for (power, s), row in self.waves.items():
+                total += np.abs(self._of(row, segment)) * late**power * bounds((s,), early, late)
+        return total
+
+    def _of(self, row, segment):
+        return row[0] if self.count == 1 else row[segment]
+
+    def _within(self, at, segment):
+        """Which of the times lie in the segments `at`, and in which of them."""
+        if len(at) == self.count:
+            return slice(None), segment
+        row = np.full(self.count, -1)
+        row[at] = np.arange(len(at))
+        place = row[segment]
+        inside = place >= 0
+        return inside, place[inside]

@@ -1,0 +1,68 @@
+"""What the commands that write a picture share: options, the name of the file, what is said of it."""
+
+import re
+from functools import reduce
+from pathlib import Path
+
+import click
+
+from vibcli.cli.common import chosen, color_option
+from vibcli.errors import PhysicsError
+
+LONGEST = 80
+
+
+def picture_options(suffixes):
+    """Options of a command that writes a picture of one scene."""
+    options = [
+        click.argument("file", type=click.Path(), shell_complete=None),
+        click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+                     help="Give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'."),
+        click.option("--case", "case", metavar="NAME", help="This case of the file."),
+        click.option("-o", "--output", metavar="FILE", type=click.Path(),
+                     help=f"The file to write: {', '.join(suffixes)}; {suffixes[0]} unless named."),
+        click.option("--force", is_flag=True, help="Replace the file if it exists."),
+        color_option,
+    ]
+    return lambda function: reduce(lambda f, option: option(f), reversed(options), function)
+
+
+def one(problem, case):
+    """The scene, or its case if one is named."""
+    return chosen(problem, case)[0][1]
+
+
+def moving(problem):
+    """The problem with what it chooses, where its modes are asked for."""
+    if not problem.spec.choices:
+        return problem
+    from vibcli.inverse import settled
+
+    return settled(problem)
+
+
+def target(file, output, suffixes, force, *parts):
+    """The Path to write to, before anything is computed; a usage error where that cannot be."""
+    from vibcli.report.written import refuse_unwritable
+
+    path = Path(output) if output else Path(slug(Path(file).stem, *parts) + suffixes[0])
+    try:
+        refuse_unwritable(path, suffixes)
+    except PhysicsError as error:
+        raise click.UsageError(f"{error.message}; {error.hint}") from None
+    if path.exists() and not force:
+        raise click.UsageError(f"'{path}' exists already; nothing was written: name another file with -o, or --force")
+    return path
+
+
+def slug(*parts):
+    """A plain name for a file: letters, digits, - and _."""
+    text = "-".join(re.sub(r"[^A-Za-z0-9_]+", "-", part).strip("-") for part in parts if part)
+    return text[:LONGEST].strip("-") or "scene"
+
+
+def write(path, data):
+    from vibcli.report.written import write_whole
+
+    write_whole(path, data)
+    click.echo(f"wrote {path}", err=True)

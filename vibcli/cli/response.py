@@ -1,0 +1,70 @@
+"""`vibcli response FILE`: the motion in time."""
+
+import click
+
+from vibcli.cli.common import chosen, load, scene_options
+from vibcli.cli.output import print_scenes
+from vibcli.cli.reports import output_of, report_options
+from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets, save_to
+
+
+@click.command("response")
+@scene_options
+@report_options
+@click.option("--of", "signals", multiple=True, metavar="SIGNAL", help="What of the motion: x, x', s.force, k*x; the "
+              "coordinates unless given, here or by `find` of the file.")
+@click.option("--until", metavar="TIME", help="Its end, as 2 or '500 ms'.")
+@click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, metavar="N",
+              help="How many instants are plotted or saved.")
+@click.option("--phase", type=click.Choice(["sine", "cosine", "lead"]), default="sine", show_default=True,
+              help="Steady states as X sin(Ωt − θ), X cos(Ωt − θ) or X sin(Ωt + α).")
+@click.option("--steady", is_flag=True, help="Show the steady part as well.")
+@click.option("--transient", is_flag=True, help="Show the transient part as well.")
+@curve_options
+def command(file, settings, case, as_json, timings, signals, until, points, phase, steady, transient, plot, saves,
+            **report):
+    """The motion in time: free, forced, steady and transient; as numbers, in the terminal, or in files."""
+    from vibcli.report.wanted import Wanted
+
+    refuse_targets(saves, report["force"])
+    output = output_of(file, as_json, **report)
+    problems = chosen(load(file, settings), case)
+    parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
+    wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
+    if until is not None:
+        _until(problems, until)
+    code = print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
+                        wanted=wanted)
+    if code == 0 and (plot or saves):
+        for _, problem in problems if case is None and not saves else problems[:1]:
+            _shown(problem, wanted, plot, saves)
+    return code
+
+
+def _until(problems, text):
+    """The end of the motion as given; a usage error where it is no time."""
+    from vibcli.algebra.meaning import literal_unit, whole_literal
+    from vibcli.algebra.parse import ExpressionError, parse
+    from vibcli.units import TIME
+
+    try:
+        literal = whole_literal(parse(text))
+    except ExpressionError as error:
+        raise click.UsageError(f"--until {text}: {error.message}") from None
+    unit = literal_unit(literal[4]) if literal and literal[4] else None
+    if not literal or not literal[3] > 0 or text.lstrip().startswith("-") or (unit and unit.dimension != TIME):
+        raise click.UsageError(f"--until {text}: expected a time, as in --until 2 or --until '500 ms'")
+    for _, problem in problems:
+        problem.end = float(literal[3] * (unit.value if unit else 1))
+
+
+def _shown(problem, wanted, plot, saves):
+    from vibcli.report.series import columns, response_figure, sampled
+
+    series = sampled(problem, wanted)
+    if plot:
+        from vibcli.report.plots.braille import braille
+
+        click.echo("\n" + braille(response_figure(problem, series), width=plot_width()))
+    for path in saves:
+        save_to(path, problem, lambda: response_figure(problem, series), lambda: columns(series))

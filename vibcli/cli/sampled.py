@@ -1,0 +1,66 @@
+"""What the commands that plot and save curves share: options, signals given as text, the files that they write."""
+
+import shutil
+from functools import reduce
+from pathlib import Path
+
+import click
+
+from vibcli.errors import PhysicsError
+
+NARROWEST, WIDEST = 40, 120
+
+
+def curve_options(function):
+    """Options of a command that shows curves."""
+    options = [
+        click.option("--plot", is_flag=True, help="Plot in the terminal."),
+        click.option("--save", "saves", multiple=True, metavar="FILE", help="Write a picture (.png, .svg, .pdf) or the "
+                     "sampled numbers (.csv, .npz, .json)."),
+    ]
+    return reduce(lambda f, option: option(f), reversed(options), function)
+
+
+def asked(text, option):
+    """A signal given on the command line as an Expression."""
+    from vibcli.algebra.parse import ExpressionError, parse
+    from vibcli.document import Scalar
+    from vibcli.errors import Where
+    from vibcli.reading import Expression
+
+    try:
+        return Expression(Scalar(text, Where(option, 1, 1, len(text)), False, 0), parse(text), None, None)
+    except ExpressionError as error:
+        hint = f" ({error.hint})" if error.hint else ""
+        raise click.UsageError(f"{option} {text}: {error.message}{hint}") from None
+
+
+def plot_width():
+    """Columns of a plot in this terminal."""
+    return min(max(shutil.get_terminal_size((80, 24)).columns, NARROWEST), WIDEST)
+
+
+def refuse_targets(paths, force):
+    """A usage error, before anything is computed, where one of the files cannot be written."""
+    from vibcli.report.written import refuse_unwritable
+
+    for path in map(Path, paths):
+        try:
+            refuse_unwritable(path, (".png", ".svg", ".pdf", ".csv", ".npz", ".json"))
+        except PhysicsError as error:
+            raise click.UsageError(f"{error.message}; {error.hint}") from None
+        if path.exists() and not force:
+            raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
+
+
+def save_to(path, problem, figure, columns):
+    """Write the figure or the columns, as the suffix says."""
+    from vibcli.report.saved import DATA, save_data
+
+    if Path(path).suffix.lower() in DATA:
+        save_data(path, problem.spec.get("title") or "", columns())
+    else:
+        from vibcli.report.plots.save import save
+
+        save(figure(), path)
+    click.echo(f"wrote {path}", err=True)

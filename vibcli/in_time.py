@@ -1,0 +1,39 @@
+"""Stages of a Problem in time: where its motion starts, and the motion, of small oscillations or in full."""
+
+from functools import cached_property
+
+from vibcli.stage import Stage
+
+
+class InTime:
+    """The part of a Problem that moves."""
+
+    @cached_property
+    def before(self):
+        """The Problem under the force that lets go at t = 0; None where none does."""
+        from vibcli.elements.initial import let_go
+
+        if let_go(self.spec) is None or self.holding is not None:
+            return None
+        return self.held_back()
+
+    @cached_property
+    def given_start(self):
+        """{coordinate, or velocity x': value} of what `initial` gives, or of the equilibrium from which it lets go."""
+        from vibcli.mechanics.start import given_start
+
+        return given_start(self)
+
+    @Stage
+    def start(self):
+        """({coordinate: value}, {coordinate: velocity}) at t = 0."""
+        from vibcli.mechanics.start import start
+
+        return start(self)
+
+    @Stage
+    def motion(self):
+        """The motion in time, as `motion:` of the file says."""
+        from vibcli import motions
+
+        return motions.FullMotion(self) if self.spec.get("motion") == "full" else motions.SmallMotion(self)

@@ -1,0 +1,226 @@
+"""Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
+
+from math import isfinite, pi
+
+from vibcli import read_off
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.meaning import counts_cycles, lower, quantities_in
+from vibcli.errors import PhysicsError
+from vibcli.fit import cyclic
+from vibcli.moving_signals import LinearSignal
+
+TURN, ERROR = 2 * pi, 1e-12
+ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
+
+
+def measure_response(problem, tree):
+    """(value, relative error bound) of a quantity with arguments; the value of an frf is complex."""
+    head = tree[4]
+    in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
+    if not in_time:
+        return _OF_FREQUENCY[head](problem, tree)
+    return _IN_TIME[head](problem, tree), ERROR
+
+
+def number_of(problem, tree):
+    """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
+    from vibcli.measured import measure
+
+    values = dict(problem.floats)
+    for quantity in quantities_in(tree):
+        values[quantity[3]] = measure(problem, quantity)[0]
+    table = problem.scene.table
+
+    def symbol(name, primes, part):
+        return table.parameter(name, positive=False) if part[0] == "quantity" else problem.scene.parameters.nodes[name]
+
+    value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
+    return value * TURN if counts_cycles(tree, cyclic(problem.spec, tree)) else value
+
+
+def _signal(problem, tree):
+    return problem.motion.signal(tree[7][0])
+
+
+def _value(problem, tree):
+    import numpy as np
+
+    time = number_of(problem, tree[7][1])
+    if not time >= 0 or not isfinite(time):
+        raise PhysicsError(f"there is no motion at t = {time:.6g} s", "motions start at t = 0")
+    return float(_signal(problem, tree).values(np.array([time]))[0])
+
+
+def _extreme(sense, which):
+    def value(problem, tree):
+        return _signal(problem, tree).extreme(0.0, problem.motion.until, sense)[which]
+    return value
+
+
+def _linear(problem, tree):
+    """The signal as a linear output of a small motion."""
+    signal = _signal(problem, tree)
+    if not isinstance(signal, LinearSignal):
+        kind = "full equations" if problem.spec.get("motion") == "full" else "products of signals"
+        raise PhysicsError(f"'{tree[4]}' is not found of {kind}", "ask for max(x), min(x) or values in time")
+    return signal
+
+
+def _amplitude(problem, tree):
+    """Of the steady state; without excitation of the free vibration."""
+    signal = _linear(problem, tree)
+    if not problem.motion.drive:
+        return read_off.amplitude(signal)
+    if problem.signed and signal.motion.steady.period is None:
+        return sum(_signed(X) for _, X in read_off.harmonics(signal))
+    return read_off.steady_amplitude(signal)
+
+
+def _signed(X):
+    """Re X e^{−iψ}: of a phasor that passes through zero along a line it changes its sign there."""
+    from math import cos, sin
+
+    return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
+
+
+def _phase(problem, tree):
+    import cmath
+
+    signal = _linear(problem, tree)
+    if not problem.motion.drive:
+        return wrapped(read_off.vibration(signal).phase)
+    found = read_off.harmonics(signal)
+    if len(found) != 1:
+        raise PhysicsError("this steady state has no one phase: it is not one harmonic", "ask for frf[…]")
+    return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
+
+
+def wrapped(angle):
+    """The angle in (−π, π]."""
+    angle = -((-angle + pi) % TURN - pi)
+    return pi if angle == -pi else angle
+
+
+def _harmonic(problem, tree):
+    return abs(read_off.harmonic(_linear(problem, tree), int(tree[5][0])))
+
+
+def _over_a_period(which):
+    def value(problem, tree):
+        signal = _linear(problem, tree)
+        return getattr(signal.motion.steady, which)(signal.output)
+    return value
+
+
+def _final(problem, tree):
+    return _signal(problem, tree).final()
+
+
+def _overshoot(problem, tree):
+    import numpy as np
+
+    signal = _signal(problem, tree)
+    start, final = signal.values(np.array([0.0]))[0], signal.final()
+    if final == start:
+        raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
+    sense = 1 if final > start else -1
+    top = signal.extreme(0.0, problem.motion.until, sense)[1]
+    return max(0.0, float((top - final) / (final - start)))
+
+
+def _zero(problem, tree):
+    number, signal = int(tree[5][0]), _signal(problem, tree)
+    found = signal.zeros(0.0, problem.motion.until)
+    if len(found) < number:
+        raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {problem.motion.until:.6g} s",
+                           "give a later end: find: {response: {until: 20 s}}")
+    return found[number - 1]
+
+
+def _free(find, fraction=False):
+    def value(problem, tree):
+        signal = _linear(problem, tree)
+        return find(signal, float(tree[5][0])) if fraction else find(signal)
+    return value
+
+
+def _period(problem, tree):
+    """Of the motion: of its steady state where it is driven, else of its free vibration."""
+    if problem.spec.get("motion") == "full":
+        return problem.motion.period(tree[7][0])
+    signal = _linear(problem, tree)
+    return TURN / read_off.fundamental(signal) if problem.motion.drive else read_off.free_period(signal)
+
+
+def _frf(problem, tree):
+    if not tree[7]:
+        raise PhysicsError(f"'{tree[3]}' is a function of frequency", f"write {tree[3]}(5 Hz)")
+    return problem.frequency_response(*tree[5]).at(number_of(problem, tree[7][0]))
+
+
+def _complex_part(part):
+    def value(problem, tree):
+        found, error = _frf(problem, tree[7][0])
+        return part(found), error
+    return value
+
+
+def _transmissibility(problem, tree):
+    value, error = _frf(problem, tree)
+    return abs(value), error
+
+
+def _of_curve(find):
+    def value(problem, tree):
+        curve = problem.frequency_response(*tree[7][0][5])
+        return find(curve, int(tree[5][0]), tree[6]), ERROR
+    return value
+
+
+def _peak(curve, number, attribute):
+    Omega, value = _numbered(curve.peaks, number, "peak")
+    return Omega if attribute == "Omega" else value
+
+
+def _numbered(items, number, noun):
+    if number > len(items):
+        raise PhysicsError(f"this frequency response has {len(items) or 'no'} {noun}{'s' * (len(items) != 1)}",
+                           "ask for one that it has")
+    return items[number - 1]
+
+
+def _angle(value):
+    import cmath
+
+    return cmath.phase(value)
+
+
+def size_of(problem, tree):
+    """The largest value that a quantity of this kind has: what its rounding is measured by."""
+    head = tree[4]
+    if head in ("phase", "arg", "overshoot", "decrement", "cycles_to"):
+        return 1.0
+    if head in _OF_FREQUENCY:
+        inner = tree if head in ("frf", "transmissibility") else tree[7][0]
+        return abs(_frf(problem, inner)[0]) if inner[7] else 0.0
+    if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
+        return problem.motion.until
+    signal = _signal(problem, tree)
+    return max(abs(signal.extreme(0.0, problem.motion.until, sense)[1]) for sense in (1, -1))
+
+
+_OF_FREQUENCY = {
+    "frf": _frf, "transmissibility": _transmissibility, "arg": _complex_part(_angle),
+    "re": _complex_part(lambda value: value.real), "im": _complex_part(lambda value: value.imag),
+    "phase": _complex_part(lambda value: wrapped(-_angle(value))), "peak": _of_curve(_peak),
+    "antiresonance": _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance")),
+    "half_power": _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2]),
+    "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
+}
+_IN_TIME = {
+    "value": _value, "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
+    "argmax": _extreme(1, 0), "argmin": _extreme(-1, 0), "mean": _over_a_period("mean"), "rms": _over_a_period("rms"),
+    "final": _final, "overshoot": _overshoot, "harmonic": _harmonic, "zero": _zero, "period": _period,
+    "decrement": _free(read_off.decrement), "beat_period": _free(read_off.beat_period),
+    "time_to": _free(read_off.time_to, True), "cycles_to": _free(read_off.cycles_to, True),
+}

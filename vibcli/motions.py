@@ -1,0 +1,206 @@
+"""The motion of a scene in time, of its small oscillations exactly or of its full equations, and the signals of it.
+
+A signal is an expression of coordinates, places, forces (vibcli/signals.py) and parameters. A sum of them with constant
+factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
+"""
+
+from fractions import Fraction
+from functools import cached_property
+
+from vibcli.algebra.calculus import gradient
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.meaning import lower
+from vibcli.analyses.forcing.output import Output, combined
+from vibcli.elements.find import RESPONSE
+from vibcli.errors import PhysicsError
+from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
+
+PERIODIC = 1e-7     # how equal the periods of a periodic motion are
+
+
+class Motion:
+    """What both kinds of motion share: until when they are looked at, and what drives them."""
+
+    def __init__(self, problem):
+        self.problem = problem
+
+    @cached_property
+    def until(self):
+        """The end of the motion [s]: what the file says, else some periods or until it has died out."""
+        if self.problem.end is not None:
+            return self.problem.end
+        find = self.problem.spec.get("find")
+        record = find.about(RESPONSE) if find is not None else None
+        if record is not None and "until" in record:
+            return evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)[0]
+        return self.lasting()
+
+    @cached_property
+    def drive(self):
+        """{i: Q(t)} of the small oscillations, in letters."""
+        return self.problem.excitation if self.problem.scene.timed else {}
+
+
+class SmallMotion(Motion):
+    """Small oscillations about the equilibrium, exact in time."""
+
+    WORDS = "small oscillations about the equilibrium"
+
+    @cached_property
+    def deviations(self):
+        """(q, v) at t = 0, counted from the equilibrium, as arrays."""
+        import numpy as np
+
+        places, speeds = self.problem.start
+        rest = self.problem.equilibrium.values
+        names = self.problem.scene.coordinates
+        return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
+
+    @cached_property
+    def matrices(self):
+        """M, C + G, K as arrays."""
+        from vibcli.analyses.frequency.transfer import system
+
+        return system(self.problem)
+
+    def forcing(self, direct=()):
+        """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
+        from vibcli.analyses.forcing.decompose import forcing_of
+        from vibcli.report.notation import plain
+
+        n = len(self.matrices[0])
+        nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
+        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain)
+
+    def moved(self, direct=()):
+        """The LinearMotion under the excitation."""
+        from vibcli.analyses.response.motion import linear_motion
+
+        return linear_motion(*self.matrices, self.forcing(direct), *self.deviations)
+
+    @cached_property
+    def alone(self):
+        return self.moved()
+
+    def lasting(self):
+        from vibcli.analyses.duration import duration
+
+        problem, forcing = self.problem, self.alone.forcing
+        last = max((piece.start for piece in forcing.pieces), default=0.0) if forcing.period is None else 0.0
+        speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
+        if forcing.period is not None:
+            speeds = [6.283185307179586 / forcing.period]
+        return duration(problem.modes, problem.damped, last, [speed for speed in speeds if speed])
+
+    def signal(self, tree):
+        """The signal of a tree."""
+        parts = {}
+        node = lower(tree, self.problem.scene.table, lambda name, primes, part: self._part(parts, name, primes, part))
+        if node in parts:
+            return self._one(parts[node])
+        slopes = gradient(node)
+        if any(slope.mask for slope in slopes.values()) or not all(isinstance(part[0], Output)
+                                                                  for part in parts.values()):
+            signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
+            return ComposedSignal(node, signals, self.problem.floats)
+        used = [symbol for symbol in parts if symbol in slopes]
+        values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
+        constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
+        return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)))
+
+    def _part(self, parts, name, primes, part):
+        """The node of a name within a signal; a symbol for what is read off the motion."""
+        from vibcli.analyses.forcing.outputs import linear_output, quadratic_output
+        from vibcli.mechanics.outputs import is_quadratic
+
+        problem, table = self.problem, self.problem.scene.table
+        if name in problem.scene.parameters.nodes and not primes:
+            return problem.scene.parameters.nodes[name]
+        symbol = table.variable("signal " + (part[3] if part[0] == "quantity" else name + "'" * primes))
+        if part[0] == "quantity":
+            parts[symbol] = (part,)
+        elif is_quadratic(name):
+            total = table.zero
+            for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
+                square = table.variable(f"signal {name} {number}")
+                parts[square] = self._apart(*found)
+                total = total + square * square * table.number(Fraction(weight))
+            return total
+        else:
+            parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
+        return symbol
+
+    def _apart(self, output, direct):
+        """(Output without its channel, the node on it or None)."""
+        from vibcli.algebra.copied import copied
+
+        nodes = copied(list(direct.values()), self.problem.scene.table)
+        return output._replace(channels={}), next(iter(nodes), None)
+
+    def _one(self, part):
+        if isinstance(part[0], Output):
+            return self._linear(0.0, [(1.0, part)])
+        return getattr(self.signal(part[0][7][0]), part[0][4])
+
+    def _linear(self, constant, terms):
+        direct = [node for _, (_, node) in terms if node is not None]
+        motion = self.moved(direct) if direct else self.alone
+        channel, outputs = len(self.matrices[0]), [(1.0, Output(constant))]
+        for factor, (output, node) in terms:
+            if node is not None:
+                output = output._replace(channels={channel: 1.0})
+                channel += 1
+            outputs.append((factor, output))
+        return LinearSignal(motion, combined(outputs))
+
+
+class FullMotion(Motion):
+    """The motion of the full equations, integrated."""
+
+    WORDS = "full equations, integrated"
+
+    def __init__(self, problem):
+        super().__init__(problem)
+        self._trajectory = None
+
+    def trajectory(self, until=None, progress=None):
+        """The Trajectory up to an instant at least, to the end asked for if none is given."""
+        until = self.until if until is None else until
+        if self._trajectory is None or self._trajectory.until < until:
+            from vibcli.analyses.trajectory.simulate import simulate
+
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start, progress=progress)
+        return self._trajectory
+
+    def lasting(self):
+        from vibcli.analyses.duration import duration
+
+        try:
+            return duration(self.problem.modes, self.problem.damped, 0.0, [])
+        except PhysicsError:
+            raise PhysicsError("it is not known how long this motion is to be looked at",
+                               "say until when: find: [{response: {until: 10 s}}]") from None
+
+    def period(self, tree):
+        """The time from one upward passage of a signal through the middle of its range to the next."""
+        signal = self.signal(tree)
+        high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
+        found = signal.zeros(0.0, self.until, 0.5 * (high + low))
+        gaps = [later - early for early, later in zip(found, found[2:], strict=False)]
+        if not gaps or max(gaps) - min(gaps) > PERIODIC * gaps[0]:
+            raise PhysicsError("this motion has no one period" if gaps else "this motion has not yet gone through a "
+                               "period", "give a later end: find: [{response: {until: 20 s}}]" if not gaps else None)
+        return sum(gaps) / len(gaps)
+
+    def signal(self, tree):
+        """The signal of a tree: a function of the coordinates, velocities and accelerations."""
+        from vibcli.mechanics.signals import moving
+
+        scene = self.problem.scene
+
+        def symbol(name, primes, part):
+            if name in scene.parameters.nodes and not primes:
+                return scene.parameters.nodes[name]
+            return moving(self.problem, name, primes)
+
+        return FullSignal(self, lower(tree, scene.table, symbol))

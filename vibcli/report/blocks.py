@@ -1,0 +1,175 @@
+"""What a report consists of: plain data that every format renders.
+
+A section is a generator `name(problem, report)` in one of the files that `document.SECTIONS` lists; it yields
+
+    Section("Potential energy", (Equations((line("V = ", node),)),))
+
+and leaves out what is empty (`section` does). A PhysicsError that it raises is kept by the report, with what was
+yielded before. Texts are Unicode words, whatever a file says; Maths and Lines are typeset, and consist of
+
+    a Node                an expression of the scene
+    Name("phi1'")         a symbol of the scene by its name
+    a text                in notation: "δA = ", " + 1.44·", "ω_d = ω·√(1 − ζ²)" (report/reading.py reads it)
+    Words("for ζ < 1")    words within mathematics
+    Terms, Factor, Either what stands in no single node
+
+A renderer never looks into a problem, and a section never at a format: `hang` is all that is said of the layout as
+plain text, the columns by which the lines after the first are indented (None: the line is never broken), and `inset`
+those of the first.
+"""
+
+from typing import NamedTuple
+
+
+class Name(NamedTuple):
+    """A symbol by its name in the scene, primes for time derivatives."""
+
+    text: str
+
+
+class Words(NamedTuple):
+    """Words within mathematics."""
+
+    text: str
+
+
+class Terms(NamedTuple):
+    """A sum of nodes whose own sums lose their brackets."""
+
+    nodes: tuple
+
+
+class Factor(NamedTuple):
+    """A node within a product: a sum has brackets."""
+
+    node: object
+
+
+class Either(NamedTuple):
+    """A node of which + `mark` is a term: it is read as ∓ `root`."""
+
+    node: object
+    mark: object
+    root: object
+
+
+class Maths(NamedTuple):
+    """A formula in running text or in a cell."""
+
+    parts: tuple
+
+
+class Line(NamedTuple):
+    """A formula in a line of its own, with what stands before it: `φ:` or `mode 1:`."""
+
+    parts: tuple
+    label: tuple = ()
+    hang: int | None = 4
+    inset: int = 0
+
+
+class Equations(NamedTuple):
+    """Lines of mathematics, set apart from the text."""
+
+    lines: tuple
+
+
+class Paragraph(NamedTuple):
+    """Words and Maths in running text; `aside`: it explains symbols of what stands above."""
+
+    parts: tuple
+    hang: int | None = 2
+    aside: bool = False
+
+
+class Heading(NamedTuple):
+    """A heading within a section."""
+
+    text: str
+
+
+class Table(NamedTuple):
+    """A head and rows; a cell is a text or Maths."""
+
+    head: tuple
+    rows: tuple
+
+
+class Definition(NamedTuple):
+    """What something is called, or what it is, and what is said of it."""
+
+    term: tuple
+    about: str = ""
+
+
+class Definitions(NamedTuple):
+    """Definitions, one a line, or `flowing` one after the other; `gap` stands between term and words."""
+
+    items: tuple
+    gap: str = "  "
+    flowing: bool = False
+
+
+class Picture(NamedTuple):
+    """A picture: a short name for its file, the words that describe it, and draw("svg") or draw("pdf"), which gives
+    its bytes. A section adds pictures only where `report.pictures` is set; plain text leaves them out."""
+
+    name: str
+    caption: str
+    draw: object
+
+
+class Refusal(NamedTuple):
+    """Why something that was asked for is missing; beside plain text it is a diagnostic."""
+
+    message: str
+    hint: str | None
+
+
+class Section(NamedTuple):
+    """A title and its blocks."""
+
+    title: str
+    blocks: tuple
+
+
+class Document(NamedTuple):
+    """The report about one scene or one case of it."""
+
+    title: str
+    source: str | None
+    question: tuple
+    sections: tuple
+    refusal: Refusal | None = None
+
+
+def maths(*parts):
+    return Maths(parts)
+
+
+def line(*parts, label=None, hang=4, inset=0):
+    return Line(parts, () if label is None else (label,), hang, inset)
+
+
+def equations(lines):
+    """The lines as a block, or None where there are none."""
+    lines = tuple(lines)
+    return Equations(lines) if lines else None
+
+
+def section(title, *blocks):
+    """A section of the blocks that are there, or nothing: for `yield from`."""
+    blocks = tuple(block for block in blocks if block)
+    return (Section(title, blocks),) if blocks else ()
+
+
+def paragraph(*parts, hang=2, aside=False):
+    return Paragraph(parts, hang, aside)
+
+
+def separated(parts, by=", "):
+    """[part, by, part …]"""
+    found = []
+    for part in parts:
+        found += [by, part]
+    return found[1:]

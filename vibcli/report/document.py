@@ -1,0 +1,69 @@
+"""The report about one problem: sections of blocks, each computed when it is added, and only if it was asked for.
+
+A section is a generator of the same name in the module that SECTIONS gives; blocks.py tells how one is written.
+"""
+
+import re
+from importlib import import_module
+
+from vibcli.algebra.parse import plain_name
+from vibcli.errors import PhysicsError
+from vibcli.report.blocks import Document, Name, maths
+from vibcli.report.wanted import Wanted
+from vibcli.spec import QUOTE
+
+SECTIONS = {"given": "given", "chosen": "chosen", "coordinates": "given", "equilibrium": "rest",
+            "virtual_work": "statics", "energies": "motion", "equations": "motion", "frequencies": "spectrum",
+            "damping": "spectrum", "modes": "spectrum", "equilibria": "equilibria", "reactions": "statics",
+            "response": "response", "frequency_response": "frequency_response", "shares": "insight",
+            "sensitivities": "insight", "estimates": "insight", "schematic": "illustrations",
+            "mode_pictures": "illustrations"}
+EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
+              "damping", "modes")
+
+
+class Report:
+    """Sections about one problem, `pictures` with pictures. `roots`: {sum: symbol} of the lengths that have a symbol
+    so far."""
+
+    def __init__(self, problem, normalise="first", pictures=False, wanted=None):
+        self.problem, self.normalise, self.pictures = problem, normalise, pictures
+        self.sections, self.roots, self.refusal = [], {}, None
+        self.wanted = wanted or Wanted()
+
+    def add(self, name):
+        """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""
+        if name == "chosen" and self.problem.chosen is None:
+            return
+        write = getattr(import_module(f"vibcli.report.{SECTIONS[name]}"), name)
+        try:
+            for found in write(self.problem, self):
+                self.sections.append(found)
+        except PhysicsError as error:
+            self.refusal = self.refusal or error
+
+    def document(self, case=None, question=True):
+        """All of it under the title of the scene; with its question and source where that is asked for."""
+        spec, told = self.problem.spec, question and not case
+        return Document(title_of(spec, case), (told and spec.get("source")) or None,
+                        tuple(_quoting(spec, spec.get("question") or "")) if told else (), tuple(self.sections))
+
+
+def title_of(spec, case):
+    title = spec.get("title") or spec.file
+    return f"{title} — case {case}" if case else title
+
+
+def _quoting(spec, text):
+    """The words of a question, its quoted parameters as their values or symbols."""
+    words = QUOTE.split(text)
+    for i, part in enumerate(words):
+        if i % 2 == 0:
+            part = re.sub(r"\s+", " ", part)
+            part = part.lstrip() if i == 0 else part
+            part = part.rstrip() if i == len(words) - 1 else part
+            yield from [part] if part else []
+            continue
+        record = spec.parameters[plain_name(part)]
+        known = "value" in record and plain_name(part) not in spec.choices
+        yield " ".join(record["value"].text.split()) if known else maths(Name(plain_name(part)))

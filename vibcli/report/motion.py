@@ -1,0 +1,82 @@
+"""Energies and equations of motion, full and for small oscillations."""
+
+from vibcli.report import blocks
+from vibcli.report.abbreviate import abbreviated
+from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section
+from vibcli.report.brevity import brief
+from vibcli.report.results import numeric_drive, numeric_row
+from vibcli.report.sides import sides
+
+ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
+WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in numbers
+
+
+def energies(problem, report):
+    for key, symbol, title in ENERGIES:
+        (shown,), lengths = abbreviated(problem.scene.table, [problem.energies[key]], report.roots)
+        if not shown.is_zero:
+            yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), hang=2)]),
+                               *with_lengths(lengths))
+
+
+def with_lengths(lengths):
+    """Paragraphs that tell what new symbols of lengths stand for."""
+    return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
+
+
+def equations(problem, report):
+    """The equations of motion; then those of small oscillations, in letters and in numbers."""
+    if not problem.loose.q:
+        return
+    yield from _full(problem, report)
+    found, coordinates = problem.equations, problem.scene.coordinates
+    if found.refusal:
+        raise found.refusal
+    linear = None
+    if found.linear:
+        linear = blocks.equations(
+            line(node, " = ", found.drive.get(i, problem.scene.table.zero), label=Name(name))
+            for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
+    numbers = not problem.symbolic and len(coordinates) <= WRITTEN_OUT
+    drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+    yield from section(
+        "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
+        Heading("in numbers (SI units):") if linear and numbers else None,
+        blocks.equations(_in_numbers(problem, found)) if numbers else None)
+
+
+def _full(problem, report):
+    found, loose, title = problem.equations, problem.loose, "Equations of motion"
+    if not found.full:
+        yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
+        return
+    shown, lengths = abbreviated(loose.table, found.full + found.conditions, report.roots)
+    labels = [*map(Name, found.names), *[None] * len(found.conditions)]
+    lines = []
+    for label, node in zip(labels, shown, strict=True):
+        left, right = sides(loose, node)
+        lines.append(line(brief(left), " = ", brief(right), label=label))
+    told = []
+    for symbol, name in found.multipliers.items():
+        told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]
+    yield from section(title, blocks.equations(lines), *with_lengths(lengths),
+                       paragraph(*told, hang=4, aside=True) if told else None)
+
+
+def _in_numbers(problem, found):
+    from vibcli.mechanics.lagrange import Equations
+
+    matrices = Equations()
+    matrices.M, matrices.C, matrices.G, matrices.K = problem.elements.matrices()
+    for i, name in enumerate(problem.scene.coordinates):
+        row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
+        yield line(*_sum(row), " = ", *_sum(drive), label=Name(name))
+
+
+def _sum(row):
+    """Parts of Σ coefficient·node."""
+    parts = []
+    for value, node in row:
+        sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
+        parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
+    return parts or ["0"]

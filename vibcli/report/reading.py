@@ -1,0 +1,52 @@
+"""Texts in notation, as blocks hold them beside expressions: ω_d = ω·√(1 − ζ²), read for a typeset notation."""
+
+import re
+
+_TOKEN = re.compile(
+    r"(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)|(?P<letter>[α-ωΑ-ΡΤ-Ω∂ℓ]|[A-Za-z]+)"
+    r"(?:_(?P<word>[A-Za-z0-9_α-ωΑ-Ω]+[₀-₉]*)|(?P<digits>[₀-₉]+(?:,[₀-₉]+)*))?|(?P<root>√)"
+    r"|(?P<gap>\s+)|(?P<operator>.)", re.DOTALL)
+_RAISED = re.compile("[⁰¹²³⁴-⁹⁻]+")
+_DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789-")
+_RELATION = re.compile(r"\s*([+−=<>≤≥∓±])\s*")
+
+
+def read(text, write):
+    """The text in a notation, which has the hooks of Stacked."""
+    return write.beside(*_read(_RELATION.sub(r"\1", text), write))
+
+
+def _read(text, write):
+    at = 0
+    while at < len(text):
+        found, at = _one(text, at, write)
+        if raised := _RAISED.match(text, at):
+            found, at = write.power(found, write.numeral(raised.group().translate(_DIGITS))), raised.end()
+        yield found
+
+
+def _one(text, at, write):
+    """(what stands at a place, the place after it)"""
+    token = _TOKEN.match(text, at)
+    kind, at = token.lastgroup, token.end()
+    if token["number"]:
+        return write.numeral(token["number"]), at
+    if token["letter"]:
+        return write.lettered(token["letter"], token["word"] or (token["digits"] or "").translate(_DIGITS), ""), at
+    if kind == "root":
+        end = _closing(text, at)
+        if end is not None:
+            return write.sqrt(read(text[at + 1:end], write)), end + 1
+        found, at = _one(text, at, write)
+        return write.sqrt(found), at
+    return (write.gap(len(token["gap"])) if kind == "gap" else write.operator(token["operator"])), at
+
+
+def _closing(text, at):
+    """The place of the bracket that closes the one at a place; None where there is none."""
+    depth = 0
+    for i in range(at, len(text)):
+        depth += (text[i] == "(") - (text[i] == ")")
+        if depth == 0:
+            return i if text[at] == "(" else None
+    return None

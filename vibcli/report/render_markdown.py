@@ -1,0 +1,94 @@
+"""A report as Markdown as GitHub reads it: mathematics between dollars, tables with bars."""
+
+import re
+
+from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
+from vibcli.report.clean import on_one_line
+from vibcli.report.formula import formula
+from vibcli.report.latex import latex
+from vibcli.report.render_latex import aligned, is_signed
+
+_SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
+_OTHERS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "$": r"<span>\$</span>", "://": r":\//", "www.": r"www\."}
+_OTHER = re.compile("|".join(map(re.escape, _OTHERS)), re.IGNORECASE)
+
+
+def escaped(text):
+    """Words that Markdown shows as they are: no link, markup, formula or HTML."""
+    text = _SPECIAL.sub(r"\\\g<0>", on_one_line(text))
+    return _OTHER.sub(lambda found: _OTHERS[found[0].lower()], text)
+
+
+def beginning(text):
+    """What begins a line, so that it begins neither a list nor a rule."""
+    text = text.strip()
+    if re.match(r"[-+=]", text):
+        return "\\" + text
+    return re.sub(r"^(\d+)([.)])", r"\1\\\2", text)
+
+
+def render(documents, place):
+    """The Markdown of all documents; `place(picture)` is the name of the file that a picture is written to."""
+    return "\n\n".join(part for document in documents for part in _document(document, place))
+
+
+def _document(document, place):
+    yield f"# {escaped(document.title)}"
+    if document.source:
+        yield f"Source: {escaped(document.source)}"
+    if document.question:
+        yield beginning(_running(document.question))
+    for section in document.sections:
+        yield f"## {escaped(section.title)}"
+        for block in section.blocks:
+            yield _picture(block, place) if isinstance(block, Picture) else _RENDER[type(block)](block)
+    if document.refusal:
+        yield _refusal(document.refusal)
+
+
+def _running(parts):
+    return "".join(f"${formula(part.parts, latex)}$" if isinstance(part, Maths) else escaped(part) for part in parts)
+
+
+def _equations(block):
+    """A display each, in an alignment where a formula has a label or is broken."""
+    text = aligned(block)
+    if "\\\\\n" not in text and not block.lines[0].label:
+        return f"$$\n{text.removeprefix('& {} ')}\n$$"
+    return f"$$\n\\begin{{aligned}}\n{text}\n\\end{{aligned}}\n$$"
+
+
+def _paragraph(block):
+    return beginning(_running(block.parts))
+
+
+def _heading(block):
+    return f"### {escaped(block.text)}"
+
+
+def _table(block):
+    head, *body = ("| " + " | ".join(map(_cell, row)) + " |" for row in (block.head, *block.rows))
+    return "\n".join([head, "|" + " --- |" * len(block.head), *body])
+
+
+def _cell(cell):
+    text = f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,))
+    return text.replace("|", r"\vert ") if isinstance(cell, Maths) else text
+
+
+def _definitions(block):
+    items = [_running(item.term) + (f" — {escaped(item.about)}" if item.about else "") for item in block.items]
+    return ",\n".join(items) if block.flowing else "\n".join(f"- {item}" for item in items)
+
+
+def _refusal(refusal):
+    hint = f" ({escaped(refusal.hint)})" if refusal.hint else ""
+    return f"**Not found:** {escaped(refusal.message)}{hint}"
+
+
+def _picture(block, place):
+    return f"![{escaped(block.caption)}]({place(block)})"
+
+
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, Table: _table, Definitions: _definitions,
+           Refusal: _refusal}

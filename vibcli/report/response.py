@@ -1,0 +1,115 @@
+"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
+
+from math import degrees
+
+from vibcli.report import blocks
+from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
+from vibcli.report.figures import figure, with_unit
+from vibcli.report.responses import extremes, signals_asked
+
+TURN = 6.283185307179586
+MOST_EVENTS, MOST_LINES = 40, 16
+FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
+PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
+          "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
+
+
+def response(problem, report):
+    """The sections of a motion in time."""
+    if problem.symbolic:
+        from vibcli.errors import NotInLetters
+
+        raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
+    motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
+    yield from _start(problem, motion)
+    if problem.spec.get("motion") == "full":
+        yield from _integration(motion.trajectory())
+    else:
+        from vibcli.report.formulas import formulas, free_vibration, steady_state
+
+        yield from free_vibration(problem, asked)
+        yield from formulas(asked)
+        if motion.drive:
+            yield from steady_state(asked, report.wanted.phase)
+    yield from _extremes(asked, motion)
+
+
+def _start(problem, motion):
+    places, speeds = problem.start
+    parts = []
+    for name, value in places.items():
+        dimension = problem.dimension(name)
+        parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
+        if speeds[name]:
+            parts += [", ", maths(Name(name + "'"), f"(0) = {figure(speeds[name])}")]
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
+                       _drive(problem, motion))
+
+
+def _drive(problem, motion):
+    """What stands on the right of M q̈ + C q̇ + K q = Q(t)."""
+    if len(motion.drive) > MOST_LINES:
+        return paragraph(f"driven at {len(motion.drive)} coordinates")
+    return blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
+                            for i, node in motion.drive.items())
+
+
+def _integration(trajectory):
+    """What happened on the way, and how well the energies balance."""
+    balance = trajectory.balance
+    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
+    for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
+                          ("work of what drives the motion", balance.driving)):
+        if values[-1]:
+            rows.append((words, figure(float(values[-1]))))
+    told = f"the balance of these energies holds to {figure(float(balance.error), digits=2)} of the largest of them"
+    if trajectory.drift is not None:
+        told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
+    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(told))
+    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
+    more = len(trajectory.events) - len(events)
+    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
+                       paragraph(f"and {more} more") if more else None)
+
+
+def _extremes(asked, motion):
+    rows = []
+    for one, (late, most), (early, least) in extremes(asked, motion.until):
+        rows.append((f"{one.text} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
+                     figure(early)))
+    yield from section(f"Extremes for 0 ≤ t ≤ {figure(motion.until)} s",
+                       Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+
+
+def phase_in(convention, X):
+    """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
+    import cmath
+
+    from vibcli.measured_signals import wrapped
+
+    _, sign, turn = PHASES[convention]
+    return wrapped(sign * (-cmath.phase(X) + turn * TURN))
+
+
+def harmonics_of(signal):
+    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+    from vibcli.read_off import fundamental, harmonic
+
+    if not hasattr(signal, "output"):
+        return []
+    if signal.motion.steady.period is None:
+        return signal.phasors
+    Omega = fundamental(signal)
+    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X in found)
+    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+
+
+def steady_rows(asked, convention):
+    """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
+    for one in asked:
+        for Omega, X in harmonics_of(one.signal):
+            if Omega:
+                theta = phase_in(convention, X)
+                yield (f"{one.text} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                       figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))

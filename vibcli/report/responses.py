@@ -1,0 +1,99 @@
+"""Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
+
+from typing import NamedTuple
+
+from vibcli import units
+from vibcli.asking_signals import (
+    check_questions,
+    input_dimension,
+    inputs,
+    output_dimension,
+    signal_tree_dimension,
+)
+from vibcli.elements.find import FREQUENCY_RESPONSE, RESPONSE
+from vibcli.errors import PhysicsError, SpecError
+from vibcli.reading import Reader
+
+POINTS = 1001
+
+
+class Asked(NamedTuple):
+    """A signal that is asked for: its text, its tree, its dimension, and the Signal."""
+
+    text: str
+    tree: tuple
+    dimension: dict
+    signal: object
+
+    @property
+    def unit(self):
+        return "rad" if self.dimension == {} else units.text(self.dimension)
+
+
+def require_known(spec, signals, inputs=()):
+    """SpecError where signals or inputs (Expressions) are not of this scene."""
+    reader = Reader()
+    check_questions(spec, reader, signals, inputs)
+    if reader.diagnostics:
+        raise SpecError(reader.diagnostics)
+
+
+def trees_asked(problem, word, given=()):
+    """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
+    if given:
+        require_known(problem.spec, given)
+        return [(signal.text, signal.tree) for signal in given]
+    find = problem.spec.get("find")
+    record = find.about(word) if find is not None else None
+    if record is not None and "of" in record:
+        return [(signal.text, signal.tree) for signal in record["of"]]
+    return [(name, ("name", 0, len(name), name, 0)) for name in problem.spec.coordinates]
+
+
+def signals_asked(problem, given=()):
+    """The Asked signals of a motion in time."""
+    return [Asked(text, tree, _dimension(problem, tree), problem.motion.signal(tree))
+            for text, tree in trees_asked(problem, RESPONSE, given)]
+
+
+def _dimension(problem, tree):
+    return problem.spec.dimensions.resolve(signal_tree_dimension(problem.spec, tree) or {})
+
+
+def extremes(asked, until):
+    """[(signal, (t, value) of the largest, of the smallest)]."""
+    return [(one, one.signal.extreme(0.0, until, 1), one.signal.extreme(0.0, until, -1)) for one in asked]
+
+
+def curves_asked(problem, wanted):
+    """[(signal, input, unit of the response)] of the frequency responses that are asked for."""
+    driver = _input_asked(problem, wanted.driver)
+    for text, tree in trees_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
+        if tree[0] != "name":
+            raise PhysicsError(f"'{text}' is a sum or product: frequency responses are those of one signal",
+                               "ask for its parts")
+        yield text, driver, _ratio(*(_unit(problem, find(problem.spec, name)) for find, name in (
+            (output_dimension, text), (input_dimension, driver))))
+
+
+def _unit(problem, dimension):
+    found = problem.spec.dimensions.resolve(dimension)
+    return "rad" if found == {} else units.text(found)
+
+
+def _ratio(above, below):
+    """The unit of a quotient, as the field writes it: m/N, (m/s)/N."""
+    if above == below:
+        return "1"
+    above, below = (f"({text})" if set("/·") & set(text) else text for text in (above, below))
+    return f"{above}/{below}"
+
+
+def _input_asked(problem, given):
+    """The name of the input: that given, that of `find`, else the first load, driven point or coordinate."""
+    if given is not None:
+        require_known(problem.spec, (), [given])
+        return given.text
+    find = problem.spec.get("find")
+    record = find.about(FREQUENCY_RESPONSE) if find is not None else None
+    return record["to"].text if record is not None and "to" in record else inputs(problem.spec)[0]
