@@ -12,7 +12,7 @@ from scenes import problem, value
 def test_a_carrier_that_starts_and_stops_acts_by_its_acceleration(travel, push):
     """A mass on a spring within a carrier feels −m a, as it does by a force."""
     carried = problem(f"""
-        parameters: {{m: 2 kg, k: 50 N/m, a: 3 m/s^2, T: 0.4 s}}
+        parameters: {{m: 2 kg, k: 50 N/m, a: 3 m/s^2, T: {{value: 0.4 s, unused: allowed}}}}
         bodies:
           cart: {{at: [0, 0], slide: "{travel}"}}
           block: {{mass: m, at: [0, 0], slide: {{along: [1, 0], by: x, carrier: cart}}}}
