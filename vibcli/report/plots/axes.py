@@ -55,7 +55,7 @@ def _frame(axes, sheet):
         spine.set_linewidth(0.8)
     if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
         axes.axhline(0.0, color=style.MIDDLE, linewidth=0.7, zorder=1)
-    if sheet.panel.equal and sheet.x.low < 0 < sheet.x.high:
+    if not sheet.x.log and sheet.x.low < 0 < sheet.x.high:
         axes.axvline(0.0, color=style.MIDDLE, linewidth=0.7, zorder=1)
 
 

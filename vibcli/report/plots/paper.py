@@ -3,8 +3,11 @@
 import math
 from typing import NamedTuple
 
+from vibcli.errors import PhysicsError
+
 LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
 MOST_DECADES = 12
+MOST_PANELS = 40
 
 
 class Axis(NamedTuple):
@@ -35,6 +38,9 @@ class Sheet(NamedTuple):
 
 def sheets(figure):
     """The sheets of a figure; neighbours with the same x share its range."""
+    if len(figure.panels) > MOST_PANELS:
+        raise PhysicsError(f"a figure of {len(figure.panels)} panels is too large, {MOST_PANELS} are the most",
+                           "show fewer signals or modes at once")
     drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in figure.panels]
     ranges = [_limits([x for runs in strokes for run in runs for x, _ in run], panel.x_log, panel.x_range)
               for panel, strokes in zip(figure.panels, drawn, strict=True)]

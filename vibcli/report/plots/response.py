@@ -8,6 +8,7 @@ from vibcli.report.plots.prefixes import labelled, largest, readable, unit_text
 
 _LONGEST = 30      # columns of a label that names every curve
 _MOST_TURNS = 24   # of signals that share a panel
+_MOST_APART = 6    # signals of a unit that get panels of their own
 
 
 def of_response(times, series, steady=None, envelope=None, marks=(), title="", note=""):
@@ -34,7 +35,7 @@ def _panels(t, t_label, unit, group):
     """One panel for the signals of a unit, or one for each, in the same scale, where they turn too often."""
     factor, unit = readable(max(largest(values) for _, values, _, _ in group), unit)
     together = _panel(t, t_label, unit, factor, group)
-    if len(group) == 1 or max(_turns(values) for _, values, _, _ in group) <= _MOST_TURNS:
+    if not 1 < len(group) <= _MOST_APART or max(_turns(values) for _, values, _, _ in group) <= _MOST_TURNS:
         return [together]
     values = [y for curve in together.curves for y in curve.y if math.isfinite(y)]
     scale = (min(values), max(values)) if values and min(values) < max(values) else None
