@@ -32,7 +32,7 @@ def command(file, settings, case, as_json, timings, signals, until, points, phas
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
     if until is not None:
-        _until(problems, until)
+        set_end(problems, until)
     code = print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted)
     if code == 0 and (plot or saves):
@@ -41,8 +41,8 @@ def command(file, settings, case, as_json, timings, signals, until, points, phas
     return code
 
 
-def _until(problems, text):
-    """The end of the motion as given; a usage error where it is no time."""
+def set_end(problems, text):
+    """Let the motion end when it is said; a usage error where that is no time."""
     from vibcli.algebra.meaning import literal_unit, whole_literal
     from vibcli.algebra.parse import ExpressionError, parse
     from vibcli.units import TIME
