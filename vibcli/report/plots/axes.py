@@ -102,7 +102,7 @@ def _fits_across(found, axis, inches):
 
 def _fits_up(found, axis, inches):
     places = [axis.part(place) * inches for place, _ in found]
-    return all(b - a > 0.3 for a, b in pairwise(places))
+    return all(b - a > 0.25 for a, b in pairwise(places))
 
 
 def _curves(axes, sheet):
