@@ -84,6 +84,8 @@ def _ticks(axes, panel, x, y, last):
 
 def _minor_ticks(axes, axis, places):
     """All of them in one line of markers: Matplotlib's own take a millisecond each."""
+    if not places:      # a line without points would be taken to lie in the corner of the page
+        return
     across = axis is axes.xaxis
     zeros = [0.0] * len(places)
     x, y, transform, marker = ((places, zeros, axes.get_xaxis_transform(), 3) if across
