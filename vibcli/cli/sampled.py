@@ -72,7 +72,8 @@ def progress(problem):
         now, until = monotonic(), problem.motion.until
         if now - started > 1.0 and (now - told[0] > 0.2 or t >= until):
             told[0] = now
-            click.echo(f"\r\x1b[Kintegrated to {t:.4g} of {until:.4g} s" if t < until else "\r\x1b[K", nl=False, err=True)
+            told_so_far = f"integrated to {t:.4g} of {until:.4g} s" if t < until else ""
+            click.echo("\r\x1b[K" + told_so_far, nl=False, err=True)
     return tell
 
 
