@@ -30,7 +30,7 @@ ROOMS = (
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
     ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals",
-                 "measured_signals", "curves", "read_off", "on_request", "problem", "measured", "inverse", "draws",
+                 "measured_signals", "curves", "read_off", "precise_motion", "on_request", "problem", "measured", "inverse", "draws",
                  "check")),
     ("manual", ("manual",)),
     ("cli", ("cli", "__main__")),
