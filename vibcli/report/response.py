@@ -55,7 +55,8 @@ def value_at(problem, one, t, digits=None):
     from vibcli.precise_motion import precise_value
 
     if one.tree[0] != "name" or problem.spec.get("motion") == "full":
-        raise PhysicsError("--digits is for coordinates of small motions", "ask for --of " + problem.scene.coordinates[0])
+        raise PhysicsError("--digits is for coordinates of small motions",
+                           "ask for --of " + problem.scene.coordinates[0])
     return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
 
 
