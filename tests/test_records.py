@@ -238,7 +238,8 @@ def test_what_is_too_large_or_no_file(beside, tmp_path, capsys):
 def test_noise_is_never_an_error_of_our_own(beside, capsys):
     generator = random.Random(8)
     for _ in range(60):
-        text = "".join(generator.choice("0123456789.,;\n\t #-eE\"'\u00e9\0nai") for _ in range(generator.randint(0, 80)))
+        letters = "0123456789.,;\n\t #-eE\"'\u00e9\0nai"
+        text = "".join(generator.choice(letters) for _ in range(generator.randint(0, 80)))
         code, said = complaints(beside(text=text), capsys)
         assert code in (0, 3, 4) and "error of its own" not in said
 

@@ -5,7 +5,7 @@ import click
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets, save_to
+from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets, save_to, size
 
 
 @click.command("frf")
@@ -26,7 +26,8 @@ def command(file, settings, case, as_json, timings, signals, driver, low, high, 
     refuse_targets(saves, report["force"])
     output = output_of(file, as_json, **report)
     problems = chosen(load(file, settings), case)
-    ends = [None if text is None else _frequency(text, option) for text, option in ((low, "--from"), (high, "--up-to"))]
+    ends = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
+            for text, option in ((low, "--from"), (high, "--up-to"))]
     if None not in ends and not ends[0] < ends[1]:
         raise click.UsageError(f"--from {low} is not below --up-to {high}")
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), driver and asked(driver, "--to"), "sine", *ends)
@@ -36,26 +37,6 @@ def command(file, settings, case, as_json, timings, signals, driver, low, high, 
         for _, problem in problems if case is None and not saves else problems[:1]:
             _shown(problem, wanted, nyquist, plot, saves)
     return code
-
-
-def _frequency(text, option):
-    """An angular frequency given as rad/s or Hz."""
-    from math import pi
-
-    from vibcli.algebra.meaning import literal_unit, whole_literal
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.units import parse_unit
-
-    try:
-        literal = whole_literal(parse(text))
-    except ExpressionError as error:
-        raise click.UsageError(f"{option} {text}: {error.message}") from None
-    unit = literal_unit(literal[4]) if literal and literal[4] else None
-    good = literal and literal[3] > 0 and not text.lstrip().startswith("-")
-    if not good or (unit and unit.dimension != parse_unit("rad/s").dimension):
-        raise click.UsageError(f"{option} {text}: expected a frequency, as in {option} 10 or {option} '2 Hz'")
-    return float(literal[3] * (unit.value if unit else 1)) * (2 * pi if unit and unit.cycles else 1) * (
-        pi ** unit.pi if unit else 1)
 
 
 def _shown(problem, wanted, nyquist, plot, saves):

@@ -42,6 +42,12 @@ def extreme(pieces, output, start, end, sense):
     values = np.concatenate([*values, sign * y.at(peaks.segment, tau)])
     near = np.flatnonzero(values >= values.max() - 4 * EPSILON * scale)
     at = near[np.argmin(times[near])]
+    turning = near[near >= len(times) - len(tau)]
+    if len(turning):    # the top itself, where `at` lies on it but for rounding
+        top = turning[np.argmin(np.abs(times[turning] - times[at]))]
+        segment, middle = timeline.place(np.array([0.5 * (times[at] + times[top])]))
+        if sign * y.at(segment, middle)[0] >= values.max() - 4 * EPSILON * scale:
+            at = top
     return float(times[at]), float(sign * values[at])
 
 

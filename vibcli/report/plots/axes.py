@@ -55,7 +55,7 @@ def _frame(axes, sheet):
         spine.set_linewidth(0.8)
     if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
         axes.axhline(0.0, color=style.MIDDLE, linewidth=0.7, zorder=1)
-    if sheet.panel.equal and sheet.x.low < 0 < sheet.x.high:
+    if not sheet.x.log and sheet.x.low < 0 < sheet.x.high:
         axes.axvline(0.0, color=style.MIDDLE, linewidth=0.7, zorder=1)
 
 
@@ -84,6 +84,8 @@ def _ticks(axes, panel, x, y, last):
 
 def _minor_ticks(axes, axis, places):
     """All of them in one line of markers: Matplotlib's own take a millisecond each."""
+    if not places:      # a line without points would be taken to lie in the corner of the page
+        return
     across = axis is axes.xaxis
     zeros = [0.0] * len(places)
     x, y, transform, marker = ((places, zeros, axes.get_xaxis_transform(), 3) if across
@@ -102,7 +104,7 @@ def _fits_across(found, axis, inches):
 
 def _fits_up(found, axis, inches):
     places = [axis.part(place) * inches for place, _ in found]
-    return all(b - a > 0.3 for a, b in pairwise(places))
+    return all(b - a > 0.25 for a, b in pairwise(places))
 
 
 def _curves(axes, sheet):

@@ -16,8 +16,9 @@ def svg_text(figure, name=""):
     drawn = picture(figure, "svg").decode()
     width, height = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', drawn).groups()
     body = drawn[drawn.index(">", drawn.index("<svg")) + 1:drawn.rindex("</svg>")]
-    for left_out in (r"<metadata>.*?</metadata>", r"<style.*?</style>", r"<!--.*?-->", r"\n\s*"):
-        body = re.sub(left_out, "\n" if left_out.startswith(r"\n") else "", body, flags=re.DOTALL)
+    for left_out in (r"<metadata>.*?</metadata>", r"<defs>\s*<style.*?</style>\s*</defs>", r"<!--.*?-->"):
+        body = re.sub(left_out, "", body, flags=re.DOTALL)
+    body = re.sub(r"\s*\n\s*", "\n", body)
     body = re.sub(r'(?<= d=")[^"]*', _shorter, body)
     name = re.sub(r"[^A-Za-z0-9_-]", "-", name) or "p" + hashlib.sha256(body.encode()).hexdigest()[:10]
     return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}pt" role="img" '
