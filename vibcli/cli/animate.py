@@ -10,7 +10,8 @@ SUFFIXES = (".gif", ".html")
 
 @click.command("animate")
 @picture_options(SUFFIXES)
-@click.option("--mode", "index", type=click.IntRange(1), metavar="I", default=1, help="Which mode (default: 1).")
+@click.option("--mode", "index", type=click.IntRange(1), metavar="I", default=1,
+              help="Which mode (default: 1), by ascending frequency.")
 def command(file, settings, case, output, force, index):
     """A mode shape in motion: an animated gif, or an html page with play, pause and a slider, complete in itself."""
     problem = one(load(file, settings), case)
