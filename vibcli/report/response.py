@@ -2,10 +2,12 @@
 
 from math import degrees
 
+from vibcli.elements.initial import let_go
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, with_unit
 from vibcli.report.responses import extremes, signals_asked
+from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
@@ -67,7 +69,9 @@ def _start(problem, motion):
         dimension = problem.dimension(name)
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
-            parts += [", ", maths(Name(name + "'"), f"(0) = {figure(speeds[name])}")]
+            parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    force = let_go(problem.spec)
+    parts += [f", where {force} lets go"] if force else []
     yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
                        _drive(problem, motion))
 
