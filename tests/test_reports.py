@@ -116,6 +116,9 @@ def assert_markdown(text):
     assert set(re.findall(r"<[^\s>][^>]*>", text)) <= {"<span>", "</span>"}
     bare = text.replace(r"<span>\$</span>", "").replace(r"\$", "")
     assert bare.count("$$") % 2 == 0 and bare.replace("$$", "").count("$") % 2 == 0
+    formulas = re.findall(r"\$\$\n(.*?)\n\$\$|\$([^$\n]+)\$", bare, re.DOTALL)
+    assert not [found for pair in formulas for found in pair
+                if re.search(r"\\[^a-zA-Z]|\S_|_\S|^[-+=*#] |`", found, re.MULTILINE)]
     for block in re.findall(r"(?:^\|.*\n)+", text + "\n", re.MULTILINE):
         assert len({len(re.findall(r"(?<!\\)\|", line)) for line in block.splitlines()}) == 1
 

@@ -48,7 +48,8 @@ def _running(parts):
 
 
 def _equations(block):
-    return f"\\begin{{align*}}\n{aligned(block, latex)}\n\\end{{align*}}"
+    lines = " \\\\\n".join(aligned(block, latex))
+    return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
 def aligned(block, write):
@@ -59,7 +60,7 @@ def aligned(block, write):
         label = formula(line.label, write) + r":\quad" if line.label else ""
         head = f"{label} & {{}}" if labelled else "& {}"
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
-    return " \\\\\n".join(found)
+    return found
 
 
 def _paragraph(block):
