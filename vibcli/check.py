@@ -84,7 +84,7 @@ def _compare(problem, answer):
     found, error = value_of(problem, answer.asked)
     expected, _ = value_of(problem, answer.expected)
     tolerance = _tolerance(problem, answer, expected, error)
-    agrees = abs(found - expected) <= tolerance
+    agrees = bool(abs(found - expected) <= tolerance)
     remark = None if agrees else likely_mistake(head, expected, found)
     return Verdict(answer, agrees, expected, found, remark)
 

@@ -6,6 +6,7 @@ from vibcli import units
 from vibcli.algebra.meaning import (
     ANY,
     DimensionCheck,
+    calls_in,
     counts_cycles,
     literal_unit,
     literals_in,
@@ -16,17 +17,22 @@ from vibcli.algebra.meaning import (
 from vibcli.algebra.parse import FUNCTIONS, VALUE, ExpressionError
 from vibcli.reading import nearest
 
+TIMED = ("impulse", "square", "sawtooth")
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
 def check(spec, reader, expression, names, expected, local=None):
-    """Names and dimension of one expression; True where both fit. `local`: the name of a length in it alone."""
+    """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
+    alone."""
     before = len(reader.diagnostics)
     named = names_in(expression.tree)
     if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
         return True
     for name, primes, start, end in named:
-        if name == local and not primes:
+        if local and name == local[0]:
+            if primes:
+                reader.report(expression.scalar.place(start, end - start), f"'{name}' has no derivative here",
+                              f"it is a number on which this depends: write '{name}' alone")
             continue
         if name in names:
             spec.used.add(name)
@@ -34,13 +40,17 @@ def check(spec, reader, expression, names, expected, local=None):
         elif name != "pi":
             reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
     _ambiguous(spec, reader, expression)
+    _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
         _no_quantities(reader, expression)
     if len(reader.diagnostics) > before:
         return False
     try:
-        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.LENGTH if name == local else units.times(
-            spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
+        def of(name, primes):
+            known = local[1] if local and name == local[0] else spec.dimensions.of(name)
+            return units.times(known, units.TIME, -primes)
+
+        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
         in_cycles = expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree))
@@ -49,6 +59,16 @@ def check(spec, reader, expression, names, expected, local=None):
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
+
+
+def _of_time_alone(spec, reader, expression):
+    """Impulses, waves and records are functions of the time, not of where things are."""
+    for call in calls_in(expression.tree):
+        if call[3] in TIMED or call[3] in spec.named.get("records", ()):
+            for name, _, start, end in (place for arg in call[4] for place in names_in(arg)):
+                if name in spec.coordinates:
+                    reader.report(expression.scalar.place(start, end - start), f"{call[3]} is a function of the time: "
+                                  f"the coordinate '{name}' cannot stand in it", f"as in {call[3]}(t)")
 
 
 def _sides(checker, expression):
@@ -142,6 +162,8 @@ def _primes(spec, reader, expression, name, primes, start, end):
 def _unknown(spec, name, names):
     if name == "t":
         return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
+    if name in spec.named.get("records", ()):
+        return f"'{name}' is a record, a function of the time", f"write {name}(t)"
     if name in spec.coordinates:
         return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
     if name.lower() in NO_NUMBERS:

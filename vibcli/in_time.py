@@ -13,9 +13,16 @@ class InTime:
         """The Problem under the force that lets go at t = 0; None where none does."""
         from vibcli.elements.initial import let_go
 
-        if let_go(self.spec) is None or self.holding:
+        if let_go(self.spec) is None or self.holding is not None:
             return None
         return self.held_back()
+
+    @cached_property
+    def given_start(self):
+        """{coordinate, or velocity x': value} of what `initial` gives, or of the equilibrium from which it lets go."""
+        from vibcli.mechanics.start import given_start
+
+        return given_start(self)
 
     @Stage
     def start(self):

@@ -12,7 +12,10 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower
 from vibcli.analyses.forcing.output import Output, combined
 from vibcli.elements.find import RESPONSE
-from vibcli.moving_signals import ComposedSignal, LinearSignal
+from vibcli.errors import PhysicsError
+from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
+
+PERIODIC = 1e-7     # how equal the periods of a periodic motion are
 
 
 class Motion:
@@ -24,6 +27,8 @@ class Motion:
     @cached_property
     def until(self):
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
+        if self.problem.end is not None:
+            return self.problem.end
         find = self.problem.spec.get("find")
         record = find.about(RESPONSE) if find is not None else None
         if record is not None and "until" in record:
@@ -61,10 +66,11 @@ class SmallMotion(Motion):
     def forcing(self, direct=()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         from vibcli.analyses.forcing.decompose import forcing_of
+        from vibcli.report.notation import plain
 
         n = len(self.matrices[0])
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct))
+        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain)
 
     def moved(self, direct=()):
         """The LinearMotion under the excitation."""
@@ -75,11 +81,6 @@ class SmallMotion(Motion):
     @cached_property
     def alone(self):
         return self.moved()
-
-    @property
-    def period(self):
-        """The period of the steady state, None where it has none."""
-        return self.alone.steady.period if self.drive else None
 
     def lasting(self):
         from vibcli.analyses.duration import duration
@@ -151,3 +152,65 @@ class SmallMotion(Motion):
                 channel += 1
             outputs.append((factor, output))
         return LinearSignal(motion, combined(outputs))
+
+
+class FullMotion(Motion):
+    """The motion of the full equations, integrated."""
+
+    WORDS = "full equations, integrated"
+
+    def __init__(self, problem):
+        super().__init__(problem)
+        self._trajectory = None
+
+    def trajectory(self, until=None):
+        """The Trajectory up to an instant at least, to the end asked for if none is given."""
+        until = self.until if until is None else until
+        if self._trajectory is None or self._trajectory.until < until:
+            from vibcli.analyses.trajectory.simulate import simulate
+
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start,
+                                        progress=self.problem.progress)
+        return self._trajectory
+
+    def lasting(self):
+        from vibcli.analyses.duration import duration
+
+        try:
+            return duration(self.problem.modes, self.problem.damped, 0.0, [])
+        except PhysicsError:
+            raise PhysicsError("it is not known how long this motion is to be looked at",
+                               "say until when: find: [{response: {until: 10 s}}]") from None
+
+    def period(self, tree):
+        """Of one conservative degree of freedom by quadrature; else the time from one upward passage of a signal
+        through the middle of its range to the next."""
+        from vibcli.analyses.trajectory.period import exact_period
+
+        problem = self.problem
+        if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
+            name = tree[3]
+            found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
+            if found is not None:
+                return found
+        signal = self.signal(tree)
+        high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
+        found = signal.zeros(0.0, self.until, 0.5 * (high + low))
+        gaps = [later - early for early, later in zip(found, found[2:], strict=False)]
+        if not gaps or max(gaps) - min(gaps) > PERIODIC * gaps[0]:
+            raise PhysicsError("this motion has no one period" if gaps else "this motion has not yet gone through a "
+                               "period", "give a later end: find: [{response: {until: 20 s}}]" if not gaps else None)
+        return sum(gaps) / len(gaps)
+
+    def signal(self, tree):
+        """The signal of a tree: a function of the coordinates, velocities and accelerations."""
+        from vibcli.mechanics.signals import moving
+
+        scene = self.problem.scene
+
+        def symbol(name, primes, part):
+            if name in scene.parameters.nodes and not primes:
+                return scene.parameters.nodes[name]
+            return moving(self.problem, name, primes)
+
+        return FullSignal(self, lower(tree, scene.table, symbol))

@@ -14,6 +14,7 @@ from vibcli.elements.initial import RELEASED
 from vibcli.fit import check
 from vibcli.questions import dimension
 from vibcli.reading import Record, nearest
+from vibcli.recorded import call_records, record_dimensions
 
 MOST_COORDINATES = 2000
 
@@ -24,13 +25,15 @@ def resolve(spec, reader):
     spec.dimensions = units.Dimensions()
     spec.used = set()
     spec.coordinates = _coordinates(spec, reader)
+    call_records(spec, reader)
     _references(spec, reader)
     _units_of_symbols(spec, reader)
     expected = [answer.expected for answer in spec.answers] + [answer.asked for answer in spec.answers]
     apart = set(map(id, expected)) | {id(a.rtol) for a in spec.answers}
     apart |= {id(side) for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
     spec.free_numbers = not any(part[4] for e in reader.expressions for part in literals_in(e.tree)) and not any(
-        "unit" in p for p in spec.parameters.values())
+        "unit" in p for p in (*spec.parameters.values(), *(spec.get("records") or {}).values()))
+    record_dimensions(spec)
     _parameters(spec, reader)
     _matrices(spec, reader)
     _start(spec, reader)
@@ -46,7 +49,7 @@ def resolve(spec, reader):
         if id(expression) not in apart and id(expression) not in parameters:
             names = known if id(expression) in moving else spec.parameters
             local = reader.local_names.get(id(expression))
-            check(spec, reader, expression, names if local is None else {**names, local: None}, expression.dimension,
+            check(spec, reader, expression, names if local is None else {**names, local[0]: None}, expression.dimension,
                   local)
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.choosing import check_choices

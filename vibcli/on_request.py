@@ -77,3 +77,12 @@ class OnRequest:
         from vibcli.analyses.estimates import estimates
 
         return estimates(self)
+
+    def frequency_response(self, signal, driver):
+        """The FrequencyResponse of a signal to an input."""
+        from vibcli.curves import FrequencyResponse
+
+        known = self.__dict__.setdefault("_curves", {})
+        if (signal, driver) not in known:
+            known[signal, driver] = FrequencyResponse(self, signal, driver)
+        return known[signal, driver]

@@ -65,7 +65,8 @@ ASKED = {
 IN_TIME = {
     "amplitude": _of_signal(SIGNAL, "amplitude of a signal: of its one harmonic in the steady state, half its range "
                             "where it has several; of a free motion without damping; A of A e^(−δt) cos(ω_d t − φ)"),
-    "phase": _of_signal("rad", "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of phase(frf[…](…)): −arg"),
+    "phase": _of_signal("rad", "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of a free vibration φ of "
+                        "A e^(−δt) cos(ω_d t − φ); of phase(frf[…](…)): −arg"),
     "max": _of_signal(SIGNAL, "largest value from t = 0 on, up to `until` of the response"),
     "min": _of_signal(SIGNAL, "smallest value"),
     "argmax": _of_signal("s", "instant of the largest value"),

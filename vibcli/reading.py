@@ -38,10 +38,11 @@ class TooMany(Exception):
 class Reader:
     """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
     move something (a bare name there is a coordinate), those that load or tie it, names that are good in one expression
-    alone as {id: name}, and every reference as (Name, namespaces, what is wanted).
-    `sound` tells whether the scene was read whole, apart from what is asked of it."""
+    alone as {id: (name, dimension)}, and every reference as (Name, namespaces, what is wanted).
+    `sound` tells whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it."""
 
-    def __init__(self):
+    def __init__(self, files=None):
+        self.files = {} if files is None else files
         self.diagnostics, self.expressions, self.motions, self.loads, self.references = [], [], [], [], []
         self.local_names = {}
         self.sound = True
@@ -51,6 +52,12 @@ class Reader:
         if len(self.diagnostics) == MOST_PROBLEMS:
             self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
             raise TooMany
+
+    def columns_of(self, scene, name, read):
+        """What `read(scene, name)` gives, once for a file however many cases use it."""
+        if (scene, name) not in self.files:
+            self.files[scene, name] = read(scene, name)
+        return self.files[scene, name]
 
     def expected(self, node, what, hint=None):
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)

@@ -13,6 +13,7 @@ from vibcli.elements import answer, coordinates, equilibrium, find, gravity, ini
 from vibcli.errors import Diagnostic, SpecError
 from vibcli.fields import Choice, Kind, Lazy, Named, Text
 from vibcli.reading import MOST_PROBLEMS, Reader, TooMany, nearest
+from vibcli.recorded import RESERVED, own
 
 MOST_CASES = 100
 
@@ -45,6 +46,7 @@ SECTIONS = {
     "source": (Text(), "where the problem is from"),
     "question": (Text(), "the question as a textbook would pose it; may quote parameters: {m}"),
     "parameters": (Named(Lazy("parameter"), "a mapping from names to values", ("pi",)), "what is given"),
+    "records": (Named(Lazy("record"), "a mapping from names to records", RESERVED), "measured functions of the time"),
     "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
     "gravity": (gravity.KIND, gravity.ABOUT),
     "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
@@ -96,14 +98,15 @@ def read_spec(root, file, diagnostics=(), settings=None):
     found = list(diagnostics)
     if root is None:
         raise SpecError(found)
-    base = _read_one(root, file, found, settings or {})
+    files = {}      # beside the scene, each read once
+    base = _read_one(root, file, found, settings or {}, files)
     cases = root.entries.get("cases")
     specs = {}
     if cases is not None and isinstance(cases[1], Mapping):
         for name, (_, part) in list(cases[1].entries.items())[:MOST_CASES]:
             if isinstance(part, Mapping) and "cases" not in part.entries:
                 remark = f" (in the case {quoted(name)})"
-                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, remark)
+                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, files, remark)
     everything = [spec for spec in (base, *specs.values()) if spec is not None]
     used = set().union(*(spec.used for spec in everything))
     for spec in everything:
@@ -158,8 +161,8 @@ def _over(below, above):
     return merged
 
 
-def _read_one(root, file, found, settings, remark=""):
-    reader = Reader()
+def _read_one(root, file, found, settings, files, remark=""):
+    reader = Reader(files)
     try:
         spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
         if "choose" in spec.named:
@@ -231,10 +234,14 @@ def _question(spec, root, reader):
 
 
 def _report_unused(spec, used, diagnostics):
-    """An unused parameter is an error, unless it says `unused: allowed`."""
+    """An unused record is an error, and an unused parameter, unless it says `unused: allowed`."""
     for name, record in spec.parameters.items():
         if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":
             hint = f"take it out, or write {name}: {{value: …, unused: allowed}}"
             if name in spec.choices:
                 hint = "it can be chosen only where something in the scene depends on it"
             diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used", hint))
+    for name, record in (spec.get("records") or {}).items():
+        if len(diagnostics) <= MOST_PROBLEMS and own(name) not in used:
+            hint = f"write {name}(t) in a load or motion, or take it out"
+            diagnostics.append(Diagnostic(record.where, f"the record '{name}' is not used", hint))

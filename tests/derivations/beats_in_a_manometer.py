@@ -13,7 +13,7 @@ def answers(p):
 
     def motion(u, function=sin):
         """At the time u/w."""
-        return static * quad(lambda s: sin(0.9 * s) * function(u - s), 0, u, epsabs=1e-13, epsrel=1e-13, limit=200)[0]
+        return static * quad(lambda s: sin(0.9 * s) * function(u - s), 0, u, epsabs=1e-12, epsrel=1e-11, limit=200)[0]
 
     def clean(value):
         return 0.0 if abs(value) < 1e-11 * static else value

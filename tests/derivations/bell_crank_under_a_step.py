@@ -1,5 +1,6 @@
-"""Moments about the pin; the step response by Duhamel's integral of the impulse response, in quadrature. A turn > 0 lowers
-the end of the level arm at the left and presses the spring."""
+"""Moments about the pin; the step response by Duhamel's integral of the impulse response, in quadrature. A turn > 0
+lowers the end of the level arm at the left and presses the spring.
+"""
 from math import exp, pi, sin, sqrt
 
 from scipy.integrate import quad

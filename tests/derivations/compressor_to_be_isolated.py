@@ -1,5 +1,6 @@
-"""Amplitude and force ratio written in squares give quadratics for the whole stiffness S; their positive roots, the lower
-one of the two for the amplitude (below resonance frequency of the drive)."""
+"""Amplitude and force ratio written in squares give quadratics for the whole stiffness S; their positive roots, the
+lower one of the two for the amplitude (below resonance frequency of the drive).
+"""
 from math import hypot, sqrt
 
 

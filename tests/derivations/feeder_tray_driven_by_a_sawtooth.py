@@ -1,8 +1,9 @@
-"""Energy of the weights by second differences (the spring's preload is linear in the turn); the sawtooth's series, sines of
-2 F0/(n pi), as phasors; the effective value by Parseval's sum, and by the steady motion over one ramp in closed form."""
+"""Energy of the weights by second differences (the spring's preload is linear in the turn); the sawtooth's series,
+sines of 2 F0/(n pi), as phasors; the effective value by Parseval's sum, and by the steady motion over one ramp in
+closed form.
+"""
 import numpy as np
 from scipy.integrate import quad
-from scipy.linalg import expm
 
 
 def answers(p):
@@ -23,16 +24,23 @@ def answers(p):
 
     period = 2 * np.pi / Omega
     A = np.array([[0, 1], [-K / J, -C / J]])
+    roots, shapes = np.linalg.eig(A)
+    back = np.linalg.inv(shapes)
+
+    def propagated(t, state):
+        return (shapes * np.exp(roots * t) @ back @ state).real
+
     slope = 2 * moment / period
 
     def particular(t):
         """Under the moment -moment + slope t."""
         return np.array([(-moment + slope * t - C * slope / K) / K, slope / K])
 
-    start = np.linalg.solve(np.eye(2) - expm(A * period), particular(period) - expm(A * period) @ particular(0))
+    step = np.column_stack([propagated(period, unit) for unit in np.eye(2)])
+    start = np.linalg.solve(np.eye(2) - step, particular(period) - step @ particular(0))
 
     def state(t):
-        return particular(t) + expm(A * t) @ (start - particular(0))
+        return particular(t) + propagated(t, start - particular(0))
 
     square = quad(lambda t: state(t)[0] ** 2, 0, period, epsabs=1e-14, limit=200)[0] / period
     series = sum(harmonic(n) ** 2 / 2 for n in range(1, 4000))

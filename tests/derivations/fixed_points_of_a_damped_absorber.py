@@ -1,5 +1,6 @@
-"""Complex amplitudes of the two equations by Cramer's rule at the frequencies where the amplitudes for no damper and for
-a rigid one are equal and opposite, which are roots of a quadratic in the squared frequency."""
+"""Complex amplitudes of the two equations by Cramer's rule at the frequencies where the amplitudes for no damper and
+for a rigid one are equal and opposite, which are roots of a quadratic in the squared frequency.
+"""
 from math import sqrt
 
 

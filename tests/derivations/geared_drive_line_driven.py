@@ -1,5 +1,7 @@
-"""Holzer's method: the twist passed from disc to disc, with the wheel and the propeller referred to the pinion's speed (the
-turn of the propeller reversed). Residual torque zero gives the frequencies; ratios to it the forced amplitudes."""
+"""Holzer's method: the twist passed from disc to disc, with the wheel and the propeller referred to the pinion's
+speed (the turn of the propeller reversed). Residual torque zero gives the frequencies; ratios to it the forced
+amplitudes.
+"""
 from math import pi
 
 from scipy.optimize import brentq
@@ -20,8 +22,9 @@ def answers(p):
 
     def roots(function, top=400.0, steps=4000):
         grid = [top * (i + 0.5) / steps for i in range(steps)]
-        return [brentq(function, x, y, xtol=1e-13) for x, y in zip(grid, grid[1:], strict=False)
-                if function(x) * function(y) < 0]
+        values = [function(W) for W in grid]
+        return [brentq(function, grid[i], grid[i + 1], xtol=1e-13) for i in range(steps - 1)
+                if values[i] * values[i + 1] < 0]
 
     second, third = roots(lambda W: holzer(W)[5])
     t3, t2, t1, shaft2, shaft1, needed = (value for value in holzer(Omega))

@@ -1,5 +1,7 @@
-"""Stiffness of the sprung crate by second differences of the springs' energy, the sag by least energy in high precision;
-the motion about the place of rest from the two initial values, its extremes by roots of its derivatives."""
+"""Stiffness of the sprung crate by second differences of the springs' energy, the sag by least energy in high
+precision; the motion about the place of rest from the two initial values, its extremes by roots of its
+derivatives.
+"""
 import mpmath as mp
 
 

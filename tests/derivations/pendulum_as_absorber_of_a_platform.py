@@ -1,5 +1,6 @@
-"""Statics of the resting platform: the pendulum's level pull m g theta balances the force, at its own natural frequency;
-checked by the amplitudes of the two equations of motion for this and other lengths."""
+"""Statics of the resting platform: the pendulum's level pull m g theta balances the force, at its own natural
+frequency; checked by the amplitudes of the two equations of motion for this and other lengths.
+"""
 
 
 def answers(p):

@@ -1,5 +1,6 @@
-"""First turning point by the linear first-order equation that the squared velocity obeys as a function of the angle (closed
-by an integrating factor and quadrature); all in time by an eighth-order Runge-Kutta method with events."""
+"""First turning point by the linear first-order equation that the squared velocity obeys as a function of the angle
+(closed by an integrating factor and quadrature); all in time by an eighth-order Runge-Kutta method with events.
+"""
 import numpy as np
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq

@@ -1,5 +1,6 @@
-"""Virtual work of inertia forces of every part at its own level acceleration, weights and dampers: complex amplitudes of
-the two angles by Cramer's rule. Frequencies and damping from the roots of the characteristic polynomial."""
+"""Virtual work of inertia forces of every part at its own level acceleration, weights and dampers: complex amplitudes
+of the two angles by Cramer's rule. Frequencies and damping from the roots of the characteristic polynomial.
+"""
 from cmath import phase
 
 import numpy as np

@@ -1,5 +1,6 @@
-"""Newton and Euler with the hinge forces eliminated, integrated by an eighth-order Runge-Kutta and an Adams-BDF method at
-tight tolerances, which must agree and keep the energy; extremes by events."""
+"""Newton and Euler with the hinge forces eliminated, integrated by an eighth-order Runge-Kutta and an Adams-BDF
+method at tight tolerances, which must agree and keep the energy; extremes by events.
+"""
 import numpy as np
 from scipy.integrate import odeint, solve_ivp
 
@@ -27,7 +28,8 @@ def answers(p):
     assert abs(energy(run.y[:, -1]) - energy(run.y[:, 0])) < 1e-10
 
     def motion_x(q, v, a):
-        return (M + m) * a["x"] + m * L / 2 * (a["phi"] * np.cos(q["phi"]) - v["phi"] ** 2 * np.sin(q["phi"])) + k * q["x"]
+        swing = a["phi"] * np.cos(q["phi"]) - v["phi"] ** 2 * np.sin(q["phi"])
+        return (M + m) * a["x"] + m * L / 2 * swing + k * q["x"]
 
     def motion_phi(q, v, a):
         return m * L**2 / 3 * a["phi"] + m * L / 2 * (np.cos(q["phi"]) * a["x"] + g * np.sin(q["phi"]))

@@ -1,4 +1,6 @@
-"""Moments about the hinge in the frame that moves along, the boom as particles m1/6, 2 m1/3, m1/6; complex amplitudes."""
+"""Moments about the hinge in the frame that moves along, the boom as particles m1/6, 2 m1/3, m1/6; complex
+amplitudes.
+"""
 from cmath import phase
 from math import sin
 

@@ -1,5 +1,7 @@
-"""Energy of weights and brace by second differences in 30 digits. The response to the triangle from the closed solution
-x = F/K (1 - cos wt - t/td + sin wt/(w td)) while it lasts, checked by Duhamel's integral in quadrature, and free after."""
+"""Energy of weights and brace by second differences in 30 digits. The response to the triangle from the closed
+solution x = F/K (1 - cos wt - t/td + sin wt/(w td)) while it lasts, checked by Duhamel's integral in quadrature,
+and free after.
+"""
 import mpmath as mp
 
 

@@ -24,7 +24,7 @@ def answers(p):
         return (bump if t < end else after).sol(t)[i]
 
     def extremes(signal, h=1e-6):
-        grid = np.linspace(1e-4, 1.5, 6001)
+        grid = np.linspace(1e-4, 0.9, 600)
         slopes = [signal(t + h) - signal(t - h) if abs(t - end) > 2 * h else np.nan for t in grid]
         return [brentq(lambda t: signal(t + h) - signal(t - h), grid[i], grid[i + 1], xtol=1e-13)
                 for i in range(len(grid) - 1) if slopes[i] * slopes[i + 1] < 0]
@@ -36,7 +36,7 @@ def answers(p):
         return a * theta(t) - (h * np.sin(np.pi * t / end) if t < end else 0.0)
 
     static = -(m * L / 2 + m2 * L) * g / a
-    least = min(stretch(t) for t in extremes(stretch) + [end])
+    least = min(stretch(t) for t in [*extremes(stretch), end])
     wn, decay = (K / J) ** 0.5, C / J / 2
     wd = (wn**2 - decay**2) ** 0.5
     duhamel = quad(lambda s: moment(s) * np.exp(-decay * (end - s)) * np.sin(wd * (end - s)) / (J * wd), 0, end)[0]

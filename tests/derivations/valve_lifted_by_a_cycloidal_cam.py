@@ -1,5 +1,6 @@
-"""Moments about the rocker's pin; the response by Runge-Kutta integration over the lift and after it, the turn at the end
-of the lift again by Duhamel's integral; extremes of turn and push-rod force by roots of their rates."""
+"""Moments about the rocker's pin; the response by Runge-Kutta integration over the lift and after it, the turn at the
+end of the lift again by Duhamel's integral; extremes of turn and push-rod force by roots of their rates.
+"""
 from math import cos, exp, pi, sin, sqrt
 
 import numpy as np
@@ -28,9 +29,10 @@ def answers(p):
         return (rise if t < t1 else rest).sol(t)
 
     def roots(function):
-        grid = np.linspace(1e-3 * t1, 7.9 * t1, 4001)
+        grid = np.linspace(1e-3 * t1, 4 * t1, 801)
         values = [function(t) for t in grid]
-        return [brentq(function, grid[i], grid[i + 1], xtol=1e-16) for i in range(4000) if values[i] * values[i + 1] < 0]
+        return [brentq(function, grid[i], grid[i + 1], xtol=1e-16) for i in range(800)
+                if values[i] * values[i + 1] < 0]
 
     def force(t):
         return kp * (a * state(t)[0] - lift(t))

@@ -1,5 +1,6 @@
-"""Stiffness between tub and housing by second differences of the inclined springs' energy (force law with preload) in 30
-digits; forced amplitudes by an impedance chain: the tub is driven through the loop of housing and bench."""
+"""Stiffness between tub and housing by second differences of the inclined springs' energy (force law with preload) in
+30 digits; forced amplitudes by an impedance chain: the tub is driven through the loop of housing and bench.
+"""
 from cmath import phase
 
 import mpmath as mp

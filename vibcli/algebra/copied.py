@@ -11,8 +11,9 @@ class _Nodes:
         self.table, self.number, self.pi, self.power = table, table.number, table.pi, table.power
         self.functions = self
 
-    def __contains__(self, name):
-        return True
+    def record(self, name, samples):
+        self.table.records[name] = samples
+        return lambda u, order: self.table.call(name, u, *([self.number(order)] if order else []))
 
     def __getitem__(self, name):
         return self.table.power if name == "power" else lambda *args: self.table.call(name, *args)

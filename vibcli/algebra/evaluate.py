@@ -37,17 +37,17 @@ def evaluate(nodes, arithmetic, values):
             done[node] = number(node.coefficient)
         elif node.op == "pi":
             done[node] = arithmetic.pi
-        elif node.name in functions:
-            done[node] = functions[node.name](*[done[arg] for arg in node.args])
+        elif node.name in node.table.records:
+            done[node] = _recorded(node, arithmetic, done[node.args[0]])
         else:
-            done[node] = _recorded(node, arithmetic, [done[arg] for arg in node.args])
+            done[node] = functions[node.name](*[done[arg] for arg in node.args])
     return [done[node] for node in nodes]
 
 
-def _recorded(node, arithmetic, args):
+def _recorded(node, arithmetic, u):
     """The value of a record, or of a rate of it."""
     order = node.args[1].coefficient if len(node.args) > 1 else 0
-    return arithmetic.record(node.name, node.table.records[node.name])(args[0], order)
+    return arithmetic.record(node.name, node.table.records[node.name])(u, order)
 
 
 def _sign(x):

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from vibcli import units
-from vibcli.algebra.parse import ExpressionError
+from vibcli.algebra.parse import FUNCTIONS, ExpressionError
 from vibcli.algebra.rationals import HALF, ONE
 from vibcli.diagnostics import quoted
 
@@ -29,6 +29,11 @@ def names_in(tree):
 def quantities_in(tree):
     """The quantity trees (`omega[1]`) within a tree."""
     return _within(tree, "quantity")
+
+
+def calls_in(tree):
+    """The calls of functions and records within a tree."""
+    return _within(tree, "call")
 
 
 def literals_in(tree):
@@ -153,6 +158,8 @@ class DimensionCheck:
 
     def _call(self, tree):
         name, args = tree[3], tree[4]
+        if name not in FUNCTIONS:
+            return self._record(tree, name, args)
         if name == "sqrt":
             dimension = self.dimension(args[0])
             return dimension if dimension is ANY else units.raised(dimension, HALF)
@@ -169,6 +176,18 @@ class DimensionCheck:
             return units.NONE if name == "atan2" else found
         self._pure(args[0], f"the argument of {name}")
         return units.NONE
+
+
+    def _record(self, tree, name, args):
+        """The dimension of a record, at a time."""
+        if len(args) != 1:
+            raise ExpressionError(tree[1], tree[2] - tree[1], f"{name} takes one argument, found {len(args)}",
+                                  f"write {name}(t)")
+        dimension = self.dimension(args[0])
+        if dimension is not ANY and not self.dimensions.equate(dimension, units.TIME):
+            raise ExpressionError(args[0][1], args[0][2] - args[0][1], f"the argument of {name} is a time (s), found "
+                                  + self._words(dimension))
+        return self.dimensions.of(name + "()")
 
 
 def constant(tree):

@@ -19,6 +19,8 @@ COMMANDS = {
     "frequencies": "Equilibrium, natural frequencies, damping and mode shapes.",
     "draw": "The scene as a textbook figure, or a mode shape on it.",
     "animate": "A mode in motion, as an animated gif or a page for the browser.",
+    "response": "The motion in time: free, forced, steady, transient.",
+    "frf": "Frequency responses: amplitude and phase, peaks, antiresonances.",
     "check": "Compare the answers in problem files with the results.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",

@@ -132,10 +132,19 @@ def show_diagnostics(diagnostics):
 
     color = _color(sys.stderr)
     for diagnostic in diagnostics:
-        lines = _sources.get(diagnostic.where.file, ()) if diagnostic.where else ()
+        lines = _lines(diagnostic.where) if diagnostic.where else ()
         click.echo(render(diagnostic, lines, color), err=True, color=color)
     if len(diagnostics) > 1:
         click.echo(f"{len(diagnostics)} errors", err=True)
+
+
+def _lines(where):
+    """The lines of the file of a place: of a scene, or of a record beside it."""
+    if where.file not in _sources and where.width:
+        from vibcli.columns import shown_lines
+
+        return shown_lines(where.file)
+    return _sources.get(where.file, ())
 
 
 def show_refusal(error, file=None):

@@ -3,7 +3,7 @@
 import click
 
 from vibcli.cli.common import load
-from vibcli.cli.pictures import one, picture_options, target, write
+from vibcli.cli.pictures import moving, one, picture_options, target, write
 
 SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -31,4 +31,4 @@ def _primitives(problem, index, both):
         return draw(problem)
     from vibcli.report.drawing.mode_shape import draw
 
-    return draw(problem, index, both)
+    return draw(moving(problem), index, both)

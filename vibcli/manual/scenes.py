@@ -31,6 +31,13 @@ def text(name):
         return file.read()
 
 
+def beside(name):
+    """Paths of the files that a template or example reads."""
+    found = document(name).entries.get("records")
+    files = [value.entries["file"][1].text for _, value in found[1].entries.values()] if found else []
+    return [os.path.join(os.path.dirname(path(name)), file) for file in files]
+
+
 def title(name):
     """The title of a template or example."""
     return document(name).entries["title"][1].text

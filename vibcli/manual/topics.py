@@ -186,11 +186,22 @@ TIME = [
         ("energies", "`V: -F0*sin(Omega*t)*x`"),
         ("answers", "in energies and equations: `equation[x]: m*x'' + k*x = F0*sin(Omega*t)`"),
     ],
+    "Pulses, waves and blows are made of",
+    [
+        ("step", "`F0*(step(t) - step(t - t1))`, a rectangular pulse; `H*sin(pi*t/T)*(step(t) - step(t - T))`, half a "
+         "sine. What begins at t = 0 has not begun in the drawn position."),
+        ("ramp", "`F0*(ramp(t) - ramp(t - t1))/t1` rises in t1 and stays"),
+        ("impulse", "`P*impulse(t - t1)`, a blow of the momentum P"),
+        ("square", "`F0*square(Omega*t)`; `F0*(1 + sawtooth(Omega*t))/2` rises from 0 to F0 in each period; "
+         "`abs(sin(Omega*t))` and `max(0, sin(Omega*t))` are rectified waves"),
+        ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
+    ],
+    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
+    "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
     "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
     "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so, `vibcli equations` works.",
-    "Responses in time do not work yet.",
 ]
 
 SIGNALS = [
@@ -237,6 +248,13 @@ REMARKS = {
         "on.",
         "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
         "coordinates, shift it. A load of velocities damps: `value: -c*x'`.",
+    ],
+    "record": [
+        "The file is plain text of at most 5 MB and 200000 rows, in UTF-8, with decimal points. Names lead down from "
+        "the folder of the scene, never out of it. Its numbers are read as double precision. What is measured in units "
+        "of g has no unit: write `g*ag(t)`.",
+        "Responses of small motions are exact for the straight lines between the samples. The rate of a record is a "
+        "staircase, and its second rate, where something is carried by what moves so, holds an impulse at each sample.",
     ],
     "point": ["A driven point is one that bodies can be pinned at, and springs, ropes and links can end at."],
 }

@@ -36,13 +36,17 @@ def named_input(problem, text):
 
 def input_columns(problem, chosen):
     """b as [{i: number}] of the powers s⁰, s¹, s² of an Input."""
-    columns = problem.opened.columns
+    return in_powers(problem.opened.columns, chosen.weights, chosen.turns)
+
+
+def in_powers(columns, weights, turns):
+    """Σ weight·column of the columns [{i: number or node}] of input coordinates, times (−s²)^turns."""
     parts = [{} for _ in range(3)]
-    for j, weight in chosen.weights.items():
+    for j, weight in weights.items():
         for power, column in enumerate(columns[j]):
             for i, x in column.items():
-                parts[power][i] = parts[power].get(i, 0.0) + weight * x
-    return _turned(parts, chosen.turns, {})
+                parts[power][i] = parts[power][i] + weight * x if i in parts[power] else weight * x
+    return _turned(parts, turns, {})
 
 
 def direct_part(row, chosen):
@@ -76,11 +80,11 @@ def _line(problem, name, loads):
     """The direction of a load as it is written, its function of the time being positive."""
     opened = problem.opened
     nodes = [opened.scene.forces[k].weight for k in loads]
-    moving = [evaluate(nodes, Floats, {**opened.values, opened.scene.time.name: t}) for t in INSTANTS]
+    moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
     if len(nodes) == 2 and any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving
                                for u, v in moving):
         raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
-    return _unit(evaluate(_amplitudes(opened.scene, nodes), Floats, opened.values), name)
+    return _unit(evaluate(_amplitudes(opened.scene, nodes), Floats, opened.sample), name)
 
 
 def _amplitudes(scene, nodes):
@@ -109,7 +113,7 @@ def _driven(problem, text, found):
     if len(parts) == 1:
         return Input({parts[0]: 1.0})
     nodes = [moved[i].node for i in parts]
-    values = problem.opened.values
+    values = problem.opened.sample
     moving = [evaluate(nodes, Floats, {**values, scene.time.name: t}) for t in INSTANTS]
     if exact or any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")

@@ -30,10 +30,10 @@ def equation_of(scene, i, T=None, V=None, Phi=None):
     q, v, zero = scene.q[i], scene.v[i], scene.table.zero
     momentum = rate(scene, gradient(T).get(v, zero))
     left = momentum - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
-    return left + _gyroscopic(scene, i) - generalised_force(scene, i)
+    return left + gyroscopic(scene, i) - generalised_force(scene, i)
 
 
-def _gyroscopic(scene, i):
+def gyroscopic(scene, i):
     """Σ Gᵢⱼ q̇ⱼ of the skew part of a C that is given outright, which no dissipation function has."""
     if "C" not in scene.matrices:
         return scene.table.zero

@@ -39,13 +39,13 @@ def _row(problem, text):
     if node is not None:
         return opened.rows([node])[0]
     if name in (problem.spec.get("springs") or {}):
-        return opened.rows([_tension(scene, name)])[0]
+        return opened.rows([tension(scene, name)])[0]
     if name in (problem.spec.get("dampers") or {}):
         return combined((c, row) for c, row in _rates(opened, name))
     return problem.moving_reactions.row(text)
 
 
-def _tension(scene, name):
+def tension(scene, name):
     """The tension of a spring as an expression; of one without free length its magnitude."""
     forces = [term.force + term.weight * term.s for term in scene.springs if term.owner == name]
     if len(forces) == 1:

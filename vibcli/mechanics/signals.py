@@ -1,6 +1,7 @@
 """Signals as functions of the coordinates, and the forces in equilibrium (vibcli/signals.py lists them)."""
 
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.rationals import HALF, ONE
 from vibcli.errors import PhysicsError
 from vibcli.reading import Name
 
@@ -32,11 +33,56 @@ def _along_the_axis(body):
 
 
 def _stretch(scene, name):
-    terms = [term for term in (*scene.springs, *scene.dampers) if term.owner == name]
+    terms = [term for term in (*scene.springs, *scene.dampers, *scene.laws) if term.owner == name]
     if len(terms) == 1:
         return terms[0].s
     square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length
     return scene.table.sqrt(square)
+
+
+def moving(problem, text, primes=0):
+    """The node of a coordinate or signal along a motion, `primes` times differentiated."""
+    scene = problem.scene
+    if text in problem.spec.coordinates:
+        return scene.symbol(text, primes)
+    name, _, part = text.partition(".")
+    node = displacement(scene, text)
+    if node is None:
+        node = _along(scene, name, part)
+    if node is None:
+        raise PhysicsError(f"'{text}' is not found along a motion of the full equations",
+                           "ask for it with motion: small, or see `find: [reactions]`")
+    for _ in range(primes):
+        node = scene.rate(node)
+    return node
+
+
+def _along(scene, name, part):
+    """The tension or energy of a spring, the force or power of a damper; None of another force."""
+    for law in scene.laws:
+        if law.owner == name:
+            return _of_law(scene, law, part)
+    springs = [term for term in scene.springs if term.owner == name]
+    rates = [(term.weight, scene.rate(term.s)) for term in scene.dampers if term.owner == name]
+    table = scene.table
+    if springs and part == "energy":
+        return table.sum(*(((term.force + term.weight * term.s) ** 2 / term.weight, HALF) for term in springs))
+    if rates and part == "power":
+        return table.sum(*((c * rate * rate, ONE) for c, rate in rates))
+    forces = [term.force + term.weight * term.s for term in springs] or [c * rate for c, rate in rates]
+    if part != "force" or not forces:
+        return None
+    return forces[0] if len(forces) == 1 else table.sqrt(table.sum(*((force * force, ONE) for force in forces)))
+
+
+def _of_law(scene, law, part):
+    """The force of a nonlinear element, the energy of a spring, the power of a damper; None of what it has not."""
+    force = scene.law_at(law, law.force)
+    if part == "force":
+        return force
+    if part == "energy" and not law.damper:
+        return scene.law_at(law, law.energy)
+    return force * scene.rate(law.s) if part == "power" and law.damper else None
 
 
 def force(problem, text):
@@ -74,7 +120,7 @@ def _of_outputs(problem, text):
 
 def _tension(problem, name):
     terms = [term for term in problem.scene.springs if term.owner == name]
-    nodes = [term.force + term.weight * term.s for term in terms]
+    nodes = [term.force + term.weight * term.s for term in terms] or problem.scene.law_forces(name)
     values = evaluate(nodes, Floats, problem.at_rest)
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 

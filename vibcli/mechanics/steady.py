@@ -7,10 +7,11 @@ coefficients (a shaken pivot) are refused by name.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.evaluate import Floats
 from vibcli.algebra.expression import reachable
+from vibcli.algebra.jumps import at_impulses
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
+from vibcli.algebra.stand_ins import SmoothFloats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
@@ -106,7 +107,7 @@ def require_autonomous(problem, values):
 
 
 def matrices_at(form, values):
-    numbers = in_numbers(form, Floats, values)
+    numbers = in_numbers(form, SmoothFloats, values)
     found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
     return {**found, "size": numbers.elements.K_size}
 
@@ -130,6 +131,8 @@ def excitation(scene, form, position):
     found = {}
     for i, terms in enumerate(rows):
         total = scene.table.sum(*((term, -ONE) for term in terms))
+        if "impulse" in scene.table.called:
+            total = at_impulses(total, scene.time)
         if total.mask & scene.time.mask:
             parts = {monomial: value for monomial, value in _terms(scene, total).items()
                      if any(atom.mask & scene.time.mask for atom, _ in monomial)}

@@ -9,12 +9,14 @@ from importlib import import_module
 from vibcli.algebra.parse import plain_name
 from vibcli.errors import PhysicsError
 from vibcli.report.blocks import Document, Name, maths
+from vibcli.report.wanted import Wanted
 from vibcli.spec import QUOTE
 
 SECTIONS = {"given": "given", "chosen": "chosen", "coordinates": "given", "equilibrium": "rest",
             "virtual_work": "statics", "energies": "motion", "equations": "motion", "frequencies": "spectrum",
             "damping": "spectrum", "modes": "spectrum", "equilibria": "equilibria", "reactions": "statics",
-            "shares": "insight", "sensitivities": "insight", "estimates": "insight", "schematic": "illustrations",
+            "response": "response", "frequency_response": "frequency_response", "shares": "insight",
+            "sensitivities": "insight", "estimates": "insight", "schematic": "illustrations",
             "mode_pictures": "illustrations"}
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
@@ -24,9 +26,10 @@ class Report:
     """Sections about one problem, `pictures` with pictures. `roots`: {sum: symbol} of the lengths that have a symbol
     so far."""
 
-    def __init__(self, problem, normalise="first", pictures=False):
+    def __init__(self, problem, normalise="first", pictures=False, wanted=None):
         self.problem, self.normalise, self.pictures = problem, normalise, pictures
         self.sections, self.roots, self.refusal = [], {}, None
+        self.wanted = wanted or Wanted()
 
     def add(self, name):
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""

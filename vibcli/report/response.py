@@ -8,6 +8,8 @@ from vibcli.report.figures import figure, with_unit
 from vibcli.report.responses import extremes, signals_asked
 
 TURN = 6.283185307179586
+MOST_EVENTS, MOST_LINES = 40, 16
+FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
@@ -18,10 +20,44 @@ def response(problem, report):
         from vibcli.errors import NotInLetters
 
         raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
-    motion, asked = problem.motion, signals_asked(problem, report.signals)
+    motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
     yield from _start(problem, motion)
-    yield from motion.sections(asked, report)
+    if problem.spec.get("motion") == "full":
+        yield from _integration(motion.trajectory())
+    else:
+        from vibcli.report.formulas import formulas, free_vibration, steady_state
+
+        yield from free_vibration(problem, asked)
+        yield from formulas(asked)
+        if motion.drive:
+            yield from steady_state(asked, report.wanted.phase)
+    yield from _at_instants(problem, asked, report.wanted)
     yield from _extremes(asked, motion)
+
+
+def _at_instants(problem, asked, wanted):
+    """The values at the instants asked for."""
+    if wanted.at:
+        rows = tuple((f"{one.text} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
+                     for one in asked)
+        yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
+
+
+def value_at(problem, one, t, digits=None):
+    """A signal at an instant, as text."""
+    if digits is None:
+        import numpy as np
+
+        return figure(float(one.signal.values(np.array([float(t)]))[0]), digits=12)
+    import mpmath
+
+    from vibcli.errors import PhysicsError
+    from vibcli.precise_motion import precise_value
+
+    if one.tree[0] != "name" or problem.spec.get("motion") == "full":
+        raise PhysicsError("--digits is for coordinates of small motions",
+                           "ask for --of " + problem.scene.coordinates[0])
+    return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
 
 
 def _start(problem, motion):
@@ -33,8 +69,33 @@ def _start(problem, motion):
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), f"(0) = {figure(speeds[name])}")]
     yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
-                       blocks.equations(line(maths("Q"), " = ", node, label=Name(problem.scene.coordinates[i]))
-                                        for i, node in motion.drive.items()))
+                       _drive(problem, motion))
+
+
+def _drive(problem, motion):
+    """What stands on the right of M q̈ + C q̇ + K q = Q(t)."""
+    if len(motion.drive) > MOST_LINES:
+        return paragraph(f"driven at {len(motion.drive)} coordinates")
+    return blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
+                            for i, node in motion.drive.items())
+
+
+def _integration(trajectory):
+    """What happened on the way, and how well the energies balance."""
+    balance = trajectory.balance
+    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
+    for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
+                          ("work of what drives the motion", balance.driving)):
+        if values[-1]:
+            rows.append((words, figure(float(values[-1]))))
+    told = f"the balance of these energies holds to {figure(float(balance.error), digits=2)} of the largest of them"
+    if trajectory.drift is not None:
+        told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
+    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(told))
+    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
+    more = len(trajectory.events) - len(events)
+    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
+                       paragraph(f"and {more} more") if more else None)
 
 
 def _extremes(asked, motion):
@@ -56,10 +117,24 @@ def phase_in(convention, X):
     return wrapped(sign * (-cmath.phase(X) + turn * TURN))
 
 
+def harmonics_of(signal):
+    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+    from vibcli.read_off import fundamental, harmonic
+
+    if not hasattr(signal, "output"):
+        return []
+    if signal.motion.steady.period is None:
+        return signal.phasors
+    Omega = fundamental(signal)
+    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X in found)
+    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+
+
 def steady_rows(asked, convention):
     """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
     for one in asked:
-        for Omega, X in one.signal.phasors:
+        for Omega, X in harmonics_of(one.signal):
             if Omega:
                 theta = phase_in(convention, X)
                 yield (f"{one.text} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),

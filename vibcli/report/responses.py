@@ -3,9 +3,15 @@
 from typing import NamedTuple
 
 from vibcli import units
-from vibcli.asking_signals import check_questions, signal_tree_dimension
+from vibcli.asking_signals import (
+    check_questions,
+    input_dimension,
+    inputs,
+    output_dimension,
+    signal_tree_dimension,
+)
 from vibcli.elements.find import FREQUENCY_RESPONSE, RESPONSE
-from vibcli.errors import SpecError
+from vibcli.errors import PhysicsError, SpecError
 from vibcli.reading import Reader
 
 POINTS = 1001
@@ -59,15 +65,35 @@ def extremes(asked, until):
     return [(one, one.signal.extreme(0.0, until, 1), one.signal.extreme(0.0, until, -1)) for one in asked]
 
 
-def input_asked(problem, given=None):
-    """The name of the input of a frequency response: that given, that of `find`, else the only one or the first."""
+def curves_asked(problem, wanted):
+    """[(signal, input, unit of the response)] of the frequency responses that are asked for."""
+    driver = _input_asked(problem, wanted.driver)
+    for text, tree in trees_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
+        if tree[0] != "name":
+            raise PhysicsError(f"'{text}' is a sum or product: frequency responses are those of one signal",
+                               "ask for its parts")
+        yield text, driver, _ratio(*(_unit(problem, find(problem.spec, name)) for find, name in (
+            (output_dimension, text), (input_dimension, driver))))
+
+
+def _unit(problem, dimension):
+    found = problem.spec.dimensions.resolve(dimension)
+    return "rad" if found == {} else units.text(found)
+
+
+def _ratio(above, below):
+    """The unit of a quotient, as the field writes it: m/N, (m/s)/N."""
+    if above == below:
+        return "1"
+    above, below = (f"({text})" if set("/·") & set(text) else text for text in (above, below))
+    return f"{above}/{below}"
+
+
+def _input_asked(problem, given):
+    """The name of the input: that given, that of `find`, else the first load, driven point or coordinate."""
     if given is not None:
         require_known(problem.spec, (), [given])
         return given.text
     find = problem.spec.get("find")
     record = find.about(FREQUENCY_RESPONSE) if find is not None else None
-    if record is not None and "to" in record:
-        return record["to"].text
-    from vibcli.asking_signals import inputs
-
-    return inputs(problem.spec)[0]
+    return record["to"].text if record is not None and "to" in record else inputs(problem.spec)[0]

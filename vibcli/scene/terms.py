@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.expression import reachable
+from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
 SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
@@ -26,7 +26,7 @@ class Terms:
         self.inertias, self.springs, self.dampers, self.weights, self.forces = [], [], [], [], []
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
-        self.static_preloads = []
+        self.static_preloads, self.laws = [], []
         self.owner, self.shaken = None, {}
 
     def add_inertia(self, weight, s):
@@ -69,7 +69,7 @@ class Terms:
         nodes = [node for term in terms for node in term[:3] if node is not None]
         nodes += [node for frame in frames for node in (*frame.place, frame.angle)]
         nodes += [body.lumped[1] for body in lumps] + list(self.energies.values())
-        nodes += [constraint.node for constraint in self.constraints]
+        nodes += [constraint.node for constraint in self.constraints] + [law.s for law in self.laws]
         touching = [body for body in self.bodies.values() if body.normal is not None]
         nodes += [node for body in touching for node in body.normal]
         nodes += [node for _, place in self.points.values() for node in place]
@@ -86,6 +86,7 @@ class Terms:
         self.points = {name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place)
                        in self.points.items()}
         self.energies = {key: new[node] for key, node in self.energies.items()}
+        self.laws = [law._replace(s=new[law.s]) for law in self.laws]
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
 
     def at_still(self, kind):
@@ -103,13 +104,12 @@ class Terms:
         return found
 
     def oscillates(self, symbol):
-        """Does a driven displacement depend on the time through sines and cosines alone?"""
+        """Does a driven displacement come and go, so that it counts as a small one?"""
         return self.waves(self.driven[symbol])
 
     def waves(self, node):
-        """Does a function of the time depend on it through sines and cosines alone?"""
-        waves = {part: self.table.one for part in reachable([node]) if part.name in ("sin", "cos")}
-        return not substitute([node], waves)[0].mask & self.time.mask
+        """Does a function of the time stay bounded?"""
+        return stays_bounded(node, self.time, self.sample)
 
     def open_loads(self):
         """A load as an input beside each that is given, and one along each coordinate."""

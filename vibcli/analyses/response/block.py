@@ -1,6 +1,5 @@
 """A part of a linear system that moves by itself: one eigenvalue, or several that lie close together."""
 
-from itertools import combinations, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -39,12 +38,19 @@ def paths(B):
     """(i, j, product, nodes) of every way up the triangle: (e^{Bt})ᵢⱼ = Σ product · E[nodes](t)."""
     found, nodes = [], tuple(map(complex, np.diagonal(B)))
     for i in range(len(B)):
-        found.append((i, i, 1.0, (nodes[i],)))
-        for j in range(i + 1, len(B)):
-            for count in range(j - i):
-                for between in combinations(range(i + 1, j), count):
-                    stops = (i, *between, j)
-                    product = np.prod([B[a, b] for a, b in pairwise(stops)])
-                    if product:
-                        found.append((i, j, complex(product), tuple(nodes[k] for k in stops)))
+        ways = [((i,), 1.0)]
+        while ways:
+            stops, product = ways.pop()
+            j = stops[-1]
+            found.append((i, j, complex(product), tuple(nodes[k] for k in stops)))
+            ways += [((*stops, k), product * B[j, k]) for k in range(j + 1, len(B)) if B[j, k]]
     return found
+
+
+def apart(block, places, n):
+    """The block of some coordinates as one of n coordinates."""
+    X, P, R, W = np.zeros((n, len(block.B)), complex), *(np.zeros((len(block.B), n), complex) for _ in range(3))
+    X[places] = block.X
+    for whole, part in ((P, block.P), (R, block.R), (W, block.W)):
+        whole[:, places] = part
+    return block._replace(X=X, P=P, R=R, W=W)

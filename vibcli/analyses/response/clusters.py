@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-CLOSE = 0.05
+CLOSE, EQUAL = 0.05, 1e-9
 TINY = 1e-6
 SKEW = 30.0
 
@@ -26,7 +26,7 @@ def groups(M, C, K):
     size, top = np.abs(values), np.abs(values).max(initial=0.0)
     gap = np.abs(np.subtract.outer(values, values))
     close = (gap <= CLOSE * np.maximum.outer(size, size)) | (np.maximum.outer(size, size) <= TINY * top)
-    joined = close & np.logical_and.outer(skew > SKEW, skew > SKEW)
+    joined = close & np.logical_and.outer(skew > SKEW, skew > SKEW) | (gap <= EQUAL * np.maximum.outer(size, size))
     found = []
     for members in components(joined):
         some = values[members]
@@ -34,6 +34,17 @@ def groups(M, C, K):
             continue
         found.append(Group(some, V[:, members], bool((some.imag > 0).all())))
     return found
+
+
+def joined(found, i, j):
+    """The groups with two made one; one that is joined to its own conjugates holds both."""
+    rest = [group for k, group in enumerate(found) if k not in (i, j)]
+    pair = [found[k] for k in sorted({i, j})]
+    half = i != j and all(group.half for group in pair)
+    both = [group for group in pair if group.half and not half]
+    pair += [Group(group.values.conj(), group.vectors.conj(), False) for group in both]
+    return [*rest, Group(np.concatenate([group.values for group in pair]),
+                         np.concatenate([group.vectors for group in pair], axis=1), half)]
 
 
 def first_order(M, C, K):
@@ -79,11 +90,14 @@ def starting(M, C, K, group):
         if not group.half:
             x, value = x.real, value.real
         return x / np.linalg.norm(x), value[None], group.half
+    if p == 2 * n:
+        Q, A = np.eye(p), first_order(M, C, K)
+        return Q[:n], A, False
     A = first_order(M, C, K)
     Q = group.vectors if group.half else np.concatenate([group.vectors.real, group.vectors.imag], axis=1)
     Q = np.linalg.svd(Q)[0][:, :p]
     middle = group.values.mean() if group.half else group.values.mean().real
-    shift = middle + 1e-9 * np.abs(A).max()
+    shift = middle + 2.0 ** (-52 / (p + 1)) * 1e-3 * np.abs(A).max()
     for _ in range(2):
         Q = np.linalg.qr(np.linalg.solve(A - shift * np.eye(2 * n), Q))[0]
     return Q[:n], Q.conj().T @ A @ Q, group.half

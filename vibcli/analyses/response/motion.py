@@ -1,14 +1,17 @@
 """The response itself: any linear output and its derivatives at any times, without steps in time."""
 
 import math
+from functools import cached_property
 
 import numpy as np
 
+from vibcli.analyses.precise import beyond
 from vibcli.analyses.response import searching
 from vibcli.analyses.response.driven import drives, ends, marched
 from vibcli.analyses.response.spectrum import spectrum
 from vibcli.analyses.response.terms import Terms
 from vibcli.analyses.response.timeline import Timeline
+from vibcli.errors import PhysicsError
 
 
 def linear_motion(M, C, K, forcing, q0, v0, modes=None):
@@ -18,11 +21,19 @@ def linear_motion(M, C, K, forcing, q0, v0, modes=None):
     generalised forces. modes: undamped modes (modal.Mode) where they are known better than the assembled matrices tell.
     """
     M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
-    return LinearMotion(M, C, K, spectrum(M, C, K, modes), forcing, q0, v0)
+    if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
+        raise PhysicsError("inertia, damping, stiffness or what the motion starts from is not a finite number",
+                           hint="look for a length, an angle or a law that is singular there")
+    try:
+        return LinearMotion(M, C, K, spectrum(M, C, K, modes), forcing, q0, v0)
+    except (OverflowError, ZeroDivisionError):
+        raise beyond() from None
 
 
 class LinearMotion:
-    """q(t) for t >= 0; outputs are output.Output."""
+    """q(t) for t >= 0; outputs are output.Output. constants: whether the constants of outputs count."""
+
+    constants = True
 
     def __init__(self, M, C, K, blocks, forcing, q0, v0):
         self.M, self.C, self.K, self.blocks, self.forcing = M, C, K, blocks, forcing
@@ -48,6 +59,35 @@ class LinearMotion:
         """All times from `start` to `end` where the output passes or touches a level, ascending."""
         return self.zeros(output._replace(constant=output.constant - level), start, end)
 
+    def final(self, output):
+        """The limit of the output as t → ∞; PhysicsError where there is none."""
+        from vibcli.analyses.response.limits import final
+
+        return final(self, output)
+
+    @cached_property
+    def steady(self):
+        """The SteadyMotion that is reached; PhysicsError where there is none."""
+        from vibcli.analyses.response.steady import check_stable, steady_forcing
+
+        check_stable(self.blocks)
+        return SteadyMotion(self, steady_forcing(self.forcing))
+
+    @cached_property
+    def transient(self):
+        """The motion less its steady state, a free motion in the end."""
+        from vibcli.analyses.response.steady import transient_forcing
+
+        steady = self.steady
+        forcing = transient_forcing(self.forcing, steady.forcing)
+        rest = self.like(forcing, self.q0 - steady.q0, self.v0 - steady.v0)
+        rest.constants = False
+        return rest
+
+    def like(self, forcing, q0, v0):
+        """The same system, driven and started otherwise."""
+        return LinearMotion(self.M, self.C, self.K, self.blocks, forcing, q0, v0)
+
     def pieces(self, until):
         """The Pieces of the motion up to a time."""
         if self._pieces is None or until > self._pieces.until:
@@ -57,6 +97,60 @@ class LinearMotion:
                 until = max(until, 2 * self._pieces.until)
             self._pieces = Pieces(self, until)
         return self._pieces
+
+
+class SteadyMotion(LinearMotion):
+    """The steady state of a motion, continued back to t = 0.
+
+    lasting: free vibrations or a drift that nothing damps remain beside it. period: of periodic forcing, or None.
+    """
+
+    def __init__(self, motion, forcing):
+        from vibcli.analyses.response import steady
+
+        self.lasting, self.period, self._waves = steady.undying(motion.blocks), forcing.period, None
+        if self.period is None:
+            self._waves = steady.amplitudes(motion, forcing)
+            q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self._waves), np.zeros(len(motion.M)))
+                      for order in range(2))
+        else:
+            q0, v0 = steady.repeating(motion, forcing)
+        super().__init__(motion.M, motion.C, motion.K, motion.blocks, forcing, q0, v0)
+
+    def phasors(self, output):
+        """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""
+        found = {0.0: complex(output.constant)} if output.constant else {}
+        for s, Q, F in self._waves:
+            found[s.imag] = found.get(s.imag, 0j) + read(output, s, Q, F)
+        return sorted((rate, complex(X)) for rate, X in found.items())
+
+    def harmonic(self, output, n):
+        """X of the n-th harmonic Re(X e^{inωt}) of the output under periodic forcing, ω = 2π/period; X of n = 0 is the
+        mean."""
+        from vibcli.analyses.response.steady import harmonic
+
+        return read(output, *harmonic(self, self.forcing, n)) + (output.constant if not n else 0.0)
+
+    def mean(self, output):
+        """The mean of the output."""
+        if self.period is None:
+            return dict(self.phasors(output)).get(0.0, 0j).real
+        return self.harmonic(output, 0).real
+
+    def rms(self, output):
+        """The root of the mean square of the output."""
+        if self.period is None:
+            return math.sqrt(sum(abs(X) ** 2 / (2 if rate else 1) for rate, X in self.phasors(output)))
+        from vibcli.analyses.response.quadrature import mean_square
+
+        return math.sqrt(mean_square(self, output, 0.0, self.period))
+
+
+def read(output, s, Q, F):
+    """The output of q = Re(Q e^{st}) under the forces Re(F e^{st}), without its constant."""
+    parts = ((output.q, 1.0), (output.v, s), (output.a, s * s))
+    return complex(sum(x * factor * Q[i] for coefficients, factor in parts for i, x in coefficients.items())
+                   + sum(x * F[channel] for channel, x in output.channels.items()))
 
 
 class Pieces:

@@ -26,6 +26,18 @@ def poles(m, c, k):
     return complex(-float(k / (m * fast))), complex(-float(fast))
 
 
+def poles_of_mode(omega, growth, half):
+    """The roots of λ² + 2 half λ + ω² (growth: −growth² in place of ω²), the slower first."""
+    if omega > abs(half):
+        turning = math.sqrt((omega - half) * (omega + half))
+        return complex(-half, turning), complex(-half, -turning)
+    root = math.hypot(half, growth) if growth else math.sqrt((abs(half) - omega) * (abs(half) + omega))
+    fast = half + math.copysign(root, half)
+    if not fast:
+        return 0j, 0j
+    return complex((growth * growth - omega * omega) / fast), complex(-fast)
+
+
 def square_root(x):
     """√x of a Fraction, correctly rounded but for a last unit."""
     shift = 2 * ((130 - x.numerator.bit_length() + x.denominator.bit_length()) // 2)

@@ -7,40 +7,12 @@ divided.
 
 import numpy as np
 
-EPSILON = 2.0**-52
-FIRST, PARTS, LEVELS = 256, 4, 24
-MOST = 400_000
+from vibcli.analyses.response.cells import EPSILON, Cells, root, stretches
+from vibcli.errors import PhysicsError
+
+PARTS, LEVELS = 4, 60
+MOST = 1_500_000
 FINE = 1e-6
-
-
-class Cells:
-    """Stretches early <= τ <= late of segments, with the output at both ends."""
-
-    def __init__(self, segment, early, late):
-        self.segment, self.early, self.late = segment, early, late
-
-    def __len__(self):
-        return len(self.early)
-
-    def where(self, mask):
-        """Those where the mask holds."""
-        return Cells(self.segment[mask], self.early[mask], self.late[mask])
-
-    def divided(self, parts):
-        """Each in equal parts."""
-        edges = self.early[:, None] + (self.late - self.early)[:, None] * (np.arange(parts + 1) / parts)
-        edges[:, -1] = self.late
-        return Cells(np.repeat(self.segment, parts), edges[:, :-1].ravel(), edges[:, 1:].ravel())
-
-
-def stretches(timeline, start, end):
-    """The Cells of the segments between two times, one each."""
-    first, last = timeline.place(np.array([start, end]))[0]
-    segment = np.arange(first, last + 1)
-    starts = timeline.starts[segment]
-    early = np.maximum(start - starts, 0.0)
-    late = np.minimum(timeline.lengths[segment], end - starts)
-    return Cells(segment, early, late)
 
 
 def extreme(pieces, output, start, end, sense):
@@ -48,8 +20,7 @@ def extreme(pieces, output, start, end, sense):
     sign = -1.0 if sense == "min" else 1.0
     timeline = pieces.timeline
     y, slope, curvature = (pieces.terms(output, order) for order in range(3))
-    cells = stretches(timeline, start, end)
-    cells = cells.divided(max(8, FIRST // len(cells)))
+    cells = _first(timeline, y, start, end)
     times, values, best, scale = [], [], -np.inf, 0.0
     for _ in range(LEVELS):
         ends = [sign * y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
@@ -57,54 +28,72 @@ def extreme(pieces, output, start, end, sense):
             times.append(timeline.starts[cells.segment] + tau)
             values.append(found)
             best, scale = max(best, found.max()), max(scale, np.abs(found).max())
-        width = cells.late - cells.early
-        room = curvature.bound(cells.segment, cells.early, cells.late) * width**2 / 8
-        cells, room = _kept(cells, room, np.maximum(*ends) + room >= best - 4 * EPSILON * scale)
-        if len(cells) > MOST or not (room > FINE * scale).any():
+        room = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2 / 8
+        most = np.minimum(np.maximum(*ends) + room, y.bound(cells.segment, cells.early, cells.late))
+        held = most >= best - 4 * EPSILON * scale
+        cells, room = cells.where(held), room[held]
+        if not (room > FINE * scale).any():
             break
-        cells = cells.divided(PARTS)
+        cells = _divided(cells)
     rises, falls = (sign * slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
     peaks = cells.where((rises >= 0) & (falls <= 0))
     tau = root(slope, curvature, peaks)
-    times.append(timeline.starts[peaks.segment] + tau)
-    values.append(sign * y.at(peaks.segment, tau))
-    times, values = np.concatenate(times), np.concatenate(values)
-    best = values.max()
-    near = values >= best - 4 * EPSILON * scale
-    at = np.flatnonzero(near)[np.argmin(times[near])]
+    times = np.concatenate([*times, timeline.starts[peaks.segment] + tau])
+    values = np.concatenate([*values, sign * y.at(peaks.segment, tau)])
+    near = np.flatnonzero(values >= values.max() - 4 * EPSILON * scale)
+    at = near[np.argmin(times[near])]
+    turning = near[near >= len(times) - len(tau)]
+    if len(turning):    # the top itself, where `at` lies on it but for rounding
+        top = turning[np.argmin(np.abs(times[turning] - times[at]))]
+        segment, middle = timeline.place(np.array([0.5 * (times[at] + times[top])]))
+        if sign * y.at(segment, middle)[0] >= values.max() - 4 * EPSILON * scale:
+            at = top
     return float(times[at]), float(sign * values[at])
 
 
-def _kept(cells, room, mask):
-    return cells.where(mask), room[mask]
+def _first(timeline, y, start, end):
+    """Cells that grow with time, the first a part of the fastest wave's period."""
+    fastest = max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
+    cells = stretches(timeline, start, end)
+    return cells.doubling(1 / fastest) if fastest else cells
+
+
+def _divided(cells):
+    if len(cells) * PARTS > MOST:
+        raise PhysicsError("the interval holds too many vibrations to search them all",
+                           hint="ask for a shorter interval")
+    return cells.divided(PARTS)
 
 
 def zeros(pieces, output, start, end):
     """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
     timeline = pieces.timeline
     y, slope, curvature = (pieces.terms(output, order) for order in range(3))
-    cells = stretches(timeline, start, end)
+    cells = _first(timeline, y, start, end)
     cells = cells.where(y.bound(cells.segment, cells.early, cells.late) > 0)
-    found = _jumps(timeline, y, cells)
-    cells = cells.divided(max(8, FIRST // max(1, len(cells))))
+    found, closest = _jumps(timeline, y, cells), []
     for _ in range(LEVELS):
         left, right = (y.at(cells.segment, tau) for tau in (cells.early, cells.late))
-        width = cells.late - cells.early
-        bend = curvature.bound(cells.segment, cells.early, cells.late)
         rounding = 4 * EPSILON * y.bound(cells.segment, cells.early, cells.late)
-        steep = np.maximum(*(np.abs(slope.at(cells.segment, tau)) for tau in (cells.early, cells.late))) > bend * width
+        bend = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
+        rise = cells.width * np.maximum(*(np.abs(slope.at(cells.segment, tau)) for tau in (cells.early, cells.late)))
+        steep = (rise > bend) & (rise > 4 * rounding)
         through = (left * right < 0) | (left == 0) | (right == 0)
         single = cells.where(steep & through)
         found.append(timeline.starts[single.segment] + root(y, slope, single))
-        room = bend * width**2 / 8 + rounding
-        unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= room))
-        cells, room, rounding = cells.where(unsure), room[unsure], rounding[unsure]
-        if len(cells) > MOST or (room <= 2 * rounding).all():
+        unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= bend / 8 + rounding))
+        resolved = bend / 8 <= rounding
+        closest.append(cells.where(unsure & resolved))
+        cells = cells.where(unsure & ~resolved)
+        if not len(cells):
             break
-        cells = cells.divided(PARTS)
-    if len(cells):
-        found.append(_touching(timeline, y, slope, curvature, cells))
-    return _distinct(np.concatenate(found), EPSILON * 4 * max(abs(start), abs(end)))
+        cells = _divided(cells)
+    closest = Cells.together([*closest, cells])
+    if len(closest):
+        found.append(_touching(timeline, y, slope, curvature, closest))
+    times = _distinct(np.concatenate(found), 4 * EPSILON * max(abs(start), abs(end)))
+    until = _at_start(timeline, y, slope, start)
+    return times if until is None else np.append(start, times[times > until])
 
 
 def _jumps(timeline, y, cells):
@@ -115,12 +104,20 @@ def _jumps(timeline, y, cells):
     return [timeline.starts[cells.segment[follow + 1][before * after < 0]]]
 
 
+def _at_start(timeline, y, slope, start):
+    """Until when the output is but rounding away from a zero at the start; None where it does not start from zero."""
+    segment, tau = timeline.place(np.array([start]))
+    rounding = 4 * EPSILON * y.bound(segment, tau, tau)[0]
+    value, rate = abs(y.at(segment, tau)[0]), abs(slope.at(segment, tau)[0])
+    return start + 2 * rounding / rate if rounding and rate and value <= rounding else None
+
+
 def _touching(timeline, y, slope, curvature, cells):
     """Times where the output turns but rounding away from zero, one in each run of undecided cells."""
     order = np.lexsort((cells.early, cells.segment))
-    segment, early, late = (part[order] for part in (cells.segment, cells.early, cells.late))
-    first = np.append(True, (segment[1:] > segment[:-1]) | (early[1:] > late[:-1]))
-    runs = Cells(segment[first], early[first], late[np.append(first[1:], True)])
+    cells = cells.where(order)
+    first = np.append(True, (np.diff(cells.segment) > 0) | (cells.early[1:] > cells.late[:-1]))
+    runs = Cells(cells.segment[first], cells.early[first], cells.late[np.append(first[1:], True)])
     tau = root(slope, curvature, runs)
     rounding = 16 * EPSILON * y.bound(runs.segment, runs.early, runs.late)
     return (timeline.starts[runs.segment] + tau)[np.abs(y.at(runs.segment, tau)) <= rounding]
@@ -130,31 +127,3 @@ def _distinct(times, apart):
     """Times in ascending order, those nearer than `apart` but once."""
     times = np.sort(times)
     return times[np.append(True, np.diff(times) > apart)] if len(times) else times
-
-
-def root(function, derivative, cells):
-    """The zero of the function in each cell, by Newton's method held within the bracket; where it does not change sign,
-    the end where it is least."""
-    low, high = cells.early.copy(), cells.late.copy()
-    left, right = function.at(cells.segment, low), function.at(cells.segment, high)
-    rising = right > left
-    tau = np.where(np.abs(left) <= np.abs(right), low, high)
-    moving = left * right < 0
-    with np.errstate(all="ignore"):
-        tau = np.where(moving, low - left * (high - low) / (right - left), tau)
-    for _ in range(60):
-        if not moving.any():
-            break
-        at = cells.segment[moving]
-        value, here = function.at(at, tau[moving]), tau[moving]
-        up = (value > 0) == rising[moving]
-        high[moving], low[moving] = np.where(up, here, high[moving]), np.where(up, low[moving], here)
-        with np.errstate(all="ignore"):
-            step = here - value / derivative.at(at, here)
-        middle = (low[moving] + high[moving]) / 2
-        step = np.where((step > low[moving]) & (step < high[moving]), step, middle)
-        done = (value == 0) | (np.abs(step - here) <= EPSILON * np.abs(here)) | (high[moving] - low[moving] <=
-                                                                                EPSILON * np.abs(here))
-        tau[moving] = np.where(value == 0, here, step)
-        moving[np.flatnonzero(moving)[done]] = False
-    return tau

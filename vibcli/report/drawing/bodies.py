@@ -2,19 +2,20 @@
 
 from math import pi
 
-from vibcli.report.drawing import plane, support
+from vibcli.report.drawing import joint, plane, support
 from vibcli.report.drawing.connection import snapped
 from vibcli.report.drawing.primitives import BODY, Circle, Hatch, Line
 
-RAIL = 17.0
+RAIL, WOUND = 17.0, 18.0
 
 
-def draw(sketch, looks, ties):
-    """All bodies with their pins and floors, large ones first."""
+def draw(sketch, looks, room):
+    """All bodies with their pins and floors, large ones first; `room`: {body: (how far back, how far on)} that it
+    slides, in points."""
     found = []
-    for name, look in sorted(looks.items(), key=lambda item: -item[1].size()):
+    for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
-        found += _floor(name, look, sketch, ties)
+        found += _floor(name, look, sketch, room.get(name, (0.0, 0.0)))
     return found + _pins(sketch, looks)
 
 
@@ -29,7 +30,7 @@ def marks(sketch, looks):
     """A radius on each round body, which shows how far it has turned."""
     found = []
     for name, look in looks.items():
-        if look.kind in ("disc", "ring", "wheel", "hub"):
+        if look.kind in ("disc", "ring", "wheel", "hub", "rim"):
             left, bottom, right, top = plane.bounds(look.pieces[-1].points)
             centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
             found.append(carried(Line((centre, plane.polar(centre, radius, pi / 2)), layer=BODY), sketch.frames[name]))
@@ -37,46 +38,44 @@ def marks(sketch, looks):
 
 
 def _pins(sketch, looks):
-    """A hinge at every pin; a bearing where it is on the ground."""
+    """A hinge at every pin; a bearing where it is on the ground, higher where a spiral spring winds about it."""
     found, grounded = [], {}
+    wound = {_rounded(at.drawn) for _, is_spring, _, at, _, other in joint.elements(sketch) if is_spring and not other}
     for name, body in sketch.scene.bodies.items():
         pivot = sketch.pivot(name) if name in looks else None
         if pivot is None:
             continue
         if sketch.is_fixed(pivot.carrier):
-            key = round(pivot.drawn[0], 3), round(pivot.drawn[1], 3)
-            grounded.setdefault(key, (pivot, []))[1].append(_outward(name, pivot.drawn, looks[name], sketch))
+            points = [point for part in looks[name].pieces for point in part.points]
+            grounded.setdefault(_rounded(pivot.drawn), (pivot, []))[1].extend(points)
         elif body.moves:
             found += support.hinge(sketch.now(pivot))
-    for pivot, directions in grounded.values():
-        found += support.bearing(sketch.now(pivot), down_of(directions))
+    for key, (pivot, points) in grounded.items():
+        height = WOUND if key in wound else support.HEIGHT
+        found += support.bearing(sketch.now(pivot), down_of(pivot.drawn, points), height)
     return found
 
 
-def _outward(name, pivot, look, sketch):
-    """From a pin towards the middle of its body."""
-    left, bottom, right, top = plane.bounds([p for part in look.pieces for p in part.points])
-    away = plane.minus(((left + right) / 2, (bottom + top) / 2), pivot)
-    return plane.unit(away) if plane.distance(away, (0, 0)) > 0.1 * look.size() else (0.0, 0.0)
+def _rounded(place):
+    return round(place[0], 3), round(place[1], 3)
 
 
-def down_of(directions):
-    """The direction of the ground from a bearing: away from what hangs, stands or reaches out from it."""
-    x, y = -sum(d[0] for d in directions), -sum(d[1] for d in directions)
-    if abs(x) < 1e-6 and abs(y) < 1e-6:
-        return 0.0, -1.0
-    if abs(y) >= 0.5 * abs(x):
-        return 0.0, 1.0 if y > 0 else -1.0
-    return (1.0 if x > 0 else -1.0), 0.0
+def down_of(place, points):
+    """The direction of the ground from a bearing: that in which its bodies reach least; below, if it can be."""
+    def reach(direction):
+        return max(plane.dot(plane.minus(point, place), direction) for point in points)
+
+    return min(((0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)),
+               key=lambda direction: round(reach(direction)) + 5 * abs(direction[0]) + (direction[1] > 0))
 
 
 def fixed_pivots(sketch, looks):
     """Rounded places of all bearings."""
     pivots = [sketch.pivot(name) for name in looks]
-    return {(round(p.drawn[0], 3), round(p.drawn[1], 3)) for p in pivots if p and sketch.is_fixed(p.carrier)}
+    return {_rounded(pivot.drawn) for pivot in pivots if pivot and sketch.is_fixed(pivot.carrier)}
 
 
-def _floor(name, look, sketch, ties):
+def _floor(name, look, sketch, room):
     """The ground, and rollers, under a box that slides on it; guides beside one that slides upright."""
     slide = sketch.scene.bodies[name].record.get("slide")
     if slide is None or look.kind not in ("block", "platform", "ramp") or "surface" in slide:
@@ -87,7 +86,7 @@ def _floor(name, look, sketch, ties):
     frame = sketch.frames[name]
     left, bottom, right, top = plane.bounds([p for part in look.outlines for p in part.points])
     if abs(e[1]) > 0.95:
-        return _guides(name, (left, bottom, right, top), sketch)
+        return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
     e = e if e[0] > 0 else plane.times(e, -1)
     down = plane.times(plane.left(e), -1)
     if e == (1, 0):
@@ -98,12 +97,13 @@ def _floor(name, look, sketch, ties):
     else:
         middle = sketch.centre(name)
         under, half, wheels, found = plane.plus(middle, down, look.height / 2), look.width / 2, 0.0, []
+    back, on = half + RAIL - room[0], half + RAIL + room[1]
     floor = plane.plus(under, down, wheels)
-    if _hangs(name, sketch):
+    if _hangs(name, sketch) and room == (0.0, 0.0):
         for side in (-1, 1):
             found += support.floor(plane.plus(floor, e, side * (half + 2)), e, RAIL / 2 + 2)
         return found
-    return [*found, *support.floor(floor, e, half + RAIL)]
+    return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
 
 
 def _hangs(name, sketch):

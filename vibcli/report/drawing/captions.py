@@ -1,5 +1,6 @@
 """What is written beside an element: the quantity that the file gives it, else its name."""
 
+from vibcli.algebra.meaning import lower
 from vibcli.report.drawing import lettering
 
 SHORT = 14
@@ -18,11 +19,19 @@ def expression(field, sketch, longest=SHORT):
     text = field.text.strip()
     if field.tree[0] == "name":
         return lettering.named(field.tree[3] + "'" * field.tree[4])
-    node = sketch.scene.lower(field)
+    node = raw(field, sketch.scene)
     if node.op == "number" or not any(letter.isalpha() for letter in text):
         return lettering.words(text) if len(text) <= longest else None
     runs = lettering.written(node)
     return runs if len(lettering.letters(runs)) <= longest else None
+
+
+def raw(field, scene):
+    """The node of a field in the letters that it is written in, dependent coordinates included."""
+    def symbol(name, primes, tree):
+        return scene.parameters.nodes.get(name) or scene.table.variable(name + "'" * primes)
+
+    return lower(field.tree, scene.table, symbol)
 
 
 def mass(record, sketch):

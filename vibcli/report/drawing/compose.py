@@ -1,24 +1,23 @@
 """A scene as a drawing: everything that has a place, in one position."""
 
-from math import hypot
-
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.errors import PhysicsError
 from vibcli.report.drawing import bodies, connection, joint, lumped, plane, rope, rows, support, tracks
-from vibcli.report.drawing.look import looks as looks_of
+from vibcli.report.drawing.appearance import looks
 from vibcli.report.drawing.primitives import BODY, Circle, Line, extent
-from vibcli.report.drawing.shape import outline
+from vibcli.report.drawing.scale import scale_of
 from vibcli.report.drawing.sketch import Sketch
 from vibcli.report.drawing.ties import Ties
 from vibcli.scene.loops import drawn_values
 
-WIDE, HIGH, SHORT, GROWTH, ALONE, BELOW = 300.0, 210.0, 46.0, 1.8, 90.0, 40.0
-FINE = 1e9       # points per metre at which what has a size on paper alone has none
+BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
+FINE = 1e9                  # points per metre at which what has a size on paper alone has none
 
 
 def values_at(scene, position=None, time=0.0):
     """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
     loops of the scene cannot follow."""
-    values = {**drawn_values(scene), **{v.name: 0.0 for v in scene.v}}
+    values = drawn_values(scene)
     target = {**values, **(position or {}), scene.time.name: time}
     if scene.loops is not None and (position or time):
         target = scene.loops.followed(values, target)
@@ -32,15 +31,20 @@ class Stage:
     """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
 
     def __init__(self, scene):
+        if len(scene.bodies) > MOST:
+            raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
         self.scene = scene
         plain = Sketch(scene, values_at(scene), FINE)
         self.sketch = Sketch(scene, plain.values, scale_of(plain) * FINE)
         self.sketch.numbers["size"] = plain.numbers["size"] / FINE
         self.ties = Ties(self.sketch)
-        self.looks = looks_of(self.sketch, self.ties)
+        self.looks = looks(self.sketch, self.ties)
+        self.room = {}
         self.bunches = connection.bunches(self.sketch, self.looks)
         self.ropes = {name: rope.stops(record, self.sketch, self.looks)
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
+        for number, found in enumerate(self.ties.implied):
+            self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
         box = extent(primitives(self, self.sketch)[0])
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         self.rows = lumped.layouts(rows.rows(scene), scene, left, top)
@@ -49,51 +53,6 @@ class Stage:
         """The Sketch in another position; None where its loops cannot follow."""
         values = values_at(self.scene, position, time)
         return None if values is None else self.sketch.at(values)
-
-
-def key_points(sketch):
-    """All places of a scene as drawn, in the unit of the sketch."""
-    found = []
-    for body in sketch.scene.bodies.values():
-        if body.name in sketch.frames:
-            for part in body.record.get("parts", (body.record,)):
-                if part.get("shape", "particle") == "particle":
-                    found.append(sketch.centre(body.name) if part is body.record else sketch.pair(part["at"]))
-                else:
-                    found += outline(part, sketch).points
-            if (pivot := sketch.pivot(body.name)) is not None:
-                found.append(pivot.drawn)
-    found += [sketch.pair(record["at"]) for record in (sketch.spec.get("points") or {}).values()]
-    return found
-
-
-def scale_of(sketch):
-    """How much smaller than a FINE sketch the drawing is to be."""
-    found = key_points(sketch)
-    ties = Ties(sketch)
-    for pair in ties.ends:
-        found += [end.drawn for end in pair]
-    for record in (sketch.spec.get("constraints") or {}).values():
-        found += [sketch.attachment(stop).drawn for stop in record.get("rope", ()) if not hasattr(stop, "values")]
-    for at, radius in ties.pegs:
-        found += plane.circle(at.drawn, radius) if radius else [at.drawn]
-    for name, radii in ties.radii.items():
-        if name in sketch.frames:
-            found += plane.circle(sketch.centre(name), max(radii))
-    for name, record in (sketch.spec.get("surfaces") or {}).items():
-        if "circle" in record:
-            found += tracks.visible(record, _contacts(name, sketch)[0], sketch)
-    left, bottom, right, top = plane.bounds(found) if found else (0.0, 0.0, 0.0, 0.0)
-    size = sketch.numbers["size"] = hypot(right - left, top - bottom)
-    if size < 100.0:
-        size = sketch.numbers["size"] = 0.0
-        halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
-                  if "curve" in record]
-        return ALONE / (halves[0] * sketch.scale) if halves else 1.0 / sketch.scale
-    scale = min(WIDE / max(right - left, 1e-9 * size), HIGH / max(top - bottom, 1e-9 * size))
-    short = min((d for one, two in ties.ends if (d := plane.distance(one.drawn, two.drawn)) > 1e-9 * size),
-                default=size) * scale
-    return scale * min(GROWTH, max(1.0, SHORT / short))
 
 
 def figure(stage, sketch, unit=1.0):
@@ -112,7 +71,7 @@ def primitives(stage, sketch):
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)
-    found += bodies.draw(sketch, looks, ties)
+    found += bodies.draw(sketch, looks, stage.room)
     where = {}
     for bunch in stage.bunches:
         lines, places = connection.draw(bunch, sketch)
@@ -132,25 +91,8 @@ def _surfaces(sketch, looks):
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "body" in record and not sketch.is_fixed(record["body"].text):
             continue
-        contacts, free = _contacts(name, sketch)
-        found += tracks.ground(record, contacts, free, sketch)
+        found += tracks.ground(record, tracks.contacts(name, sketch), sketch)
     return found
-
-
-def _contacts(name, sketch):
-    """(places on a surface that are used as drawn, places on its free side)."""
-    contacts, free = [], []
-    for body in sketch.scene.bodies.values():
-        for key in ("roll", "slide"):
-            if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
-                contacts.append(sketch.centre(body.name))
-                free.append(sketch.centre(body.name))
-    for constraint in (sketch.spec.get("constraints") or {}).values():
-        if "surface" in constraint and constraint["surface"].text == name:
-            at = sketch.attachment(constraint["point"])
-            contacts.append(at.drawn)
-            free.append(sketch.centre(at.carrier) if at.carrier in sketch.scene.bodies else at.drawn)
-    return contacts, free
 
 
 def _pegs(sketch, ties):

@@ -34,17 +34,31 @@ def bunches(sketch, looks):
 
 def _at_edges(ends, looks):
     """The ends where they leave the bodies as drawn."""
-    one, two = ends
+    one, two = _on_planks(ends, looks)
     return _edge(one, two.drawn, looks), _edge(two, one.drawn, looks)
+
+
+def _on_planks(ends, looks):
+    """Ends on the upper edge of a plank moved into it, the fixed other end with it."""
+    for i, end in enumerate(ends):
+        look, other = looks.get(end.carrier), ends[1 - i]
+        if look is not None and look.kind == "platform" and other.carrier is None and not look.angle and abs(
+                end.drawn[1] - other.drawn[1]) < 1e-6:
+            y = sum(corner[1] for corner in look.core[:4]) / 4
+            if abs(y - end.drawn[1]) <= look.height:
+                return [part._replace(drawn=(part.drawn[0], y)) for part in ends]
+    return ends
 
 
 def _edge(end, other, looks):
     look = looks.get(end.carrier)
     if look is None or look.core is None or not plane.inside(end.drawn, look.core):
         return end
+    if look.kind == "rectangle" and plane.distance(end.drawn, plane.middle(look.core[0], look.core[2])) > 1e-6:
+        return end
     edge = plane.leaves(end.drawn, plane.unit(plane.minus(other, end.drawn)), look.core)
     near = plane.distance(end.drawn, edge) < plane.distance(end.drawn, other) - 8
-    return Attachment(end.carrier, edge) if near else end
+    return Attachment(end.carrier, edge, True) if near else end
 
 
 def draw(bunch, sketch):
@@ -61,6 +75,9 @@ def draw(bunch, sketch):
         start, end = at(bridge, t), at(length - bridge, t)
         found += spring.zigzag(start, end, drawn - 2 * bridge) if is_spring else damper.dashpot(start, end)
         where[name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
+    for end, place in ((bunch.one, a), (bunch.two, b)):
+        if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
+            found += support.dot(place)
     if count > 1:
         half = 0.5 * (count - 1) * APART
         found += [Line((a, at(bridge))), Line((at(bridge, half), at(bridge, -half))),

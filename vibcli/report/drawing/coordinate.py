@@ -8,7 +8,7 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.report.drawing import arrow, captions, lettering, plane
 from vibcli.report.drawing.sketch import Attachment
 
-LENGTH, TICK = 26.0, 5.0
+LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 
 
@@ -80,7 +80,7 @@ def wanted(sketch):
         if bare is not None:
             found.append((lettering.named(name), "coordinate", bare))
     for motion in known:
-        node = sketch.scene.lower(motion.field)
+        node = captions.raw(motion.field, sketch.scene)
         if node.mask and node.mask == sketch.scene.time.mask:
             runs = captions.expression(motion.field, sketch, 18) or lettering.words("driven")
             found.append((runs, "driven", motion))
@@ -99,6 +99,8 @@ def _by_rates(name, sketch):
         slopes = [gradient(node).get(q, scene.table.zero) for node in nodes]
         x, y, turn = evaluate(slopes, Floats, sketch.values)
         size = hypot(x, y)
+        if abs(turn) > 1e-9 and not sketch.spec.dimensions.of(name):
+            return Motion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
         if size > (best[0] if best else 1e-9):
             best = size, Motion(body.name, None, plane.unit((x, y)))
         elif best is None and abs(turn) > 1e-9:
@@ -120,24 +122,27 @@ def _straight(motion, sketch, looks):
     n, centre = plane.left(e), sketch.frames[motion.body].point(sketch.centre(motion.body))
     points = [sketch.frames[motion.body].point(p) for part in looks[motion.body].outlines or
               looks[motion.body].pieces for p in part.points]
-    found = []
     reach = [plane.dot(plane.minus(p, centre), n) for p in points]
     front = max(plane.dot(plane.minus(p, centre), e) for p in points)
-    sides = (max(reach), 1), (-min(reach), -1)
+    sides = ((max(reach), 1), (-min(reach), -1))
     if abs(e[1]) > 0.7:
         sides = sides[::-1]
+    wide = max(reach) - min(reach) > WIDE
+    found = []
     for gap in LINES:
-        for width, side in sides:
-            start = plane.plus(centre, n, side * (width + gap))
-            found.append(_ticked(start, e, n))
-        found.append(_ticked(plane.plus(centre, e, front + gap), e, n))
+        ahead = _ticked(plane.plus(centre, e, front + gap), e, n)
+        beside = [_ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
+        close = [_ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
+        shifted = [_ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
+        found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
+        found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
     return found
 
 
 def _ticked(start, e, n):
     tip = plane.plus(start, e, LENGTH)
     ends = plane.plus(start, n, -TICK), plane.plus(start, n, TICK)
-    path = [ends[0], ends[1], start, plane.plus(tip, e, 4)]
+    path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]
 
     def make(role):
         return [arrow.Line(ends, role, 0.9, layer=arrow.ARROW), *arrow.straight(start, tip, role)]
@@ -161,6 +166,8 @@ def _round(motion, sketch, looks):
     box = plane.bounds(points)
     axis = plane.minus(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), centre)
     found = []
+    if look.kind in ("rod", "bar") and plane.distance(axis, (0, 0)) < 0.15 * far:
+        axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)
     if plane.distance(axis, (0, 0)) < 0.15 * far:
         for gap in (6.0, 11.0, 17.0, 25.0):
             for start in (0.2, 0.7, -0.3, 1.2, -0.8):
@@ -170,7 +177,7 @@ def _round(motion, sketch, looks):
         return found
     heading = plane.heading(axis)
     for share in ARCS:
-        radius = min(max(share * far, 26.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
+        radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
         span = min(0.5 * pi, max(26.0 / radius, 0.3))
         found.append(_arced(centre, radius, heading, heading + span))
     return found

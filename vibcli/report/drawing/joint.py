@@ -49,20 +49,23 @@ def _heading(body, joint, looks, sketch):
 
 def draw(sketch, looks):
     """The primitives of all of them, and where each is: {name: (middle, normal)}."""
-    found, where = [], {}
+    found, where, wound = [], {}, {}
     for name, is_spring, _, at, body, other in elements(sketch):
         centre, moved = sketch.now(at), sketch.frames[body].angle
+        key = is_spring, round(at.drawn[0], 3), round(at.drawn[1], 3)
+        rank = wound[key] = wound.get(key, -1) + 1
         heading = _heading(body, at.drawn, looks, sketch)
         if other is None:
-            start, held = heading + pi / 2, 0.0
+            start, held = heading + pi / 2 + 0.35 * pi * rank, 0.0
         else:
             start, held = _heading(other, at.drawn, looks, sketch), sketch.frames[other].angle
         if is_spring:
-            found += spring.spiral(centre, heading + moved, start + held, SPIRAL)
-            tip = plane.polar(centre, SPIRAL, start + held)
+            radius = SPIRAL + 6.0 * rank
+            found += spring.spiral(centre, heading + moved, start + held, radius)
+            tip = plane.polar(centre, radius, start + held)
             if other is None:
                 found += support.wall(tip, plane.polar((0.0, 0.0), 1.0, start), 6.0)
-            where[name] = plane.polar(centre, SPIRAL + 3, start + pi / 3), plane.polar((0, 0), 1.0, start + pi / 3)
+            where[name] = plane.polar(centre, radius + 3, start + pi / 3), plane.polar((0, 0), 1.0, start + pi / 3)
             continue
         span = SPAN if other is None else (start - heading) % (2 * pi)
         span = span if 0.3 * pi < span < 1.7 * pi else SPAN

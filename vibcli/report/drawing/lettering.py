@@ -12,7 +12,7 @@ from vibcli.report.notation import GREEK, Plain, split_name
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
 FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STIXGeneral.ttf", "DejaVuSans.ttf")}
-MISSING, LONGEST, THIN = "□", 60, "\u2009"
+MISSING, LONGEST, BLANK, GAP = "□", 90, 0.25, 0.13
 _OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
 _HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
 _PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
@@ -26,7 +26,7 @@ class _Marked(Plain):
         return f"{_OPEN}{GREEK.get(letter, letter)}{primes}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
 
     def product(self, value, args):
-        return super().product(value, args).replace("·", THIN)
+        return super().product(value, args).replace("·", " ")
 
 
 def named(name, size=SIZE):
@@ -36,7 +36,7 @@ def named(name, size=SIZE):
 
 def written(node, size=SIZE):
     """The runs of an expression."""
-    return _runs(_Marked()(node).replace("\u00a0", THIN), size)
+    return _runs(_Marked()(node).replace("\u00a0", " "), size)
 
 
 def words(text, size=SIZE):
@@ -99,13 +99,16 @@ def file_of(letters, slanted):
 
 def _printable(letters, slanted):
     files = FONTS[slanted]
-    return "".join(letter if (letter.isprintable() or letter == THIN) and any(
+    return "".join(letter if letter.isprintable() and any(
         font(file).get_char_index(ord(letter)) for file in files) else MISSING for letter in letters)
 
 
 @lru_cache(4096)
 def _advance(letters, slanted, size):
+    if not letters.strip():
+        return GAP * size * len(letters)
     found = font(file_of(letters, slanted))
     found.set_size(size, 72)
     found.set_text(letters, 0.0)
-    return found.get_width_height()[0] / 64 + 0.06 * size
+    blank = BLANK * size * (len(letters) - len(letters.rstrip()))
+    return found.get_width_height()[0] / 64 + 0.06 * size + blank

@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 from vibcli.report.drawing import arrow, captions, damper, lettering, plane, spring, support
 from vibcli.report.drawing.primitives import BODY, ELEMENT, Circle, Hatch, Line, Polygon
+from vibcli.report.drawing.rows import motion
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
 HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
-FEW = 60        # bodies that are laid out at most
 
 
 class Place(NamedTuple):
@@ -38,7 +38,7 @@ def layouts(found, scene, left, top):
         turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
         stack = max([len(edges) for edges in row.gaps.values()] or [1])
         height = max(RIM if turns else HALF, 0.5 * STACK * stack + 4)
-        above = height + 26 + LANE * len(row.lanes)
+        above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes)
         y = top - above
         walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
         x = left + (GAP if walled else 0.0)
@@ -49,7 +49,7 @@ def layouts(found, scene, left, top):
             x += 2 * half + GAP
         end = len(row.bodies)
         right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
-        made.append(Layout(row, places, left if walled else None, right, y, y + above - 26))
+        made.append(Layout(row, places, left if walled else None, right, y, y + above - 12))
         top = y - height - ROOM
     return made
 
@@ -101,7 +101,7 @@ def shaft(start, end):
 
 def _lane(layout, places, low, high, edge, lane):
     """An element that runs over the bodies between its ends."""
-    y = layout.y + max(place.height for place in places.values()) + 14 + LANE * lane
+    y = layout.y + max(place.height for place in places.values()) + 31 + LANE * lane
     bodies, ends = layout.row.bodies, []
     for column, side in ((low, 1), (high, -1)):
         if column < 0 or column == len(bodies):
@@ -154,12 +154,12 @@ def _walls(layout):
 
 def arrows(layout, scene, sketch):
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
-    found, named = [], set()
+    found = []
     for name, place in layout.places.items():
         body = scene.bodies[name]
-        field = body.record["turn"] if place.turns else body.record["slide"]["by"]
+        field = motion(body)
         x, y = place.middle[0], place.middle[1] + place.height + 9
-        driven = bool(body.lumped[1].mask) and body.lumped[1].mask == scene.time.mask
+        driven = captions.raw(field, scene).mask == scene.time.mask
         runs = captions.expression(field, sketch, 18) or lettering.words(field.text)
         role = "driven" if driven else "coordinate"
         tip = (x + 26, y)
@@ -167,7 +167,6 @@ def arrows(layout, scene, sketch):
             parts, tip = arrow.over((x, y), role), (x + 8, y + 6)
         else:
             parts = [Line(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW), *arrow.straight((x, y), tip, role)]
-        named.add(field.text.strip())
         found.append((parts, runs, [tip], role))
     for record in (scene.spec.get("forces") or {}).values():
         found += _load(record, layout, sketch)

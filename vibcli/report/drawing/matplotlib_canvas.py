@@ -6,7 +6,7 @@ from vibcli.report.drawing import lettering
 from vibcli.report.drawing.palette import COLOURS
 from vibcli.report.drawing.primitives import Circle, Polygon, Text, extent
 
-MARGIN, DPI, SALT = 10.0, 150, "vibcli"
+MARGIN, DPI, WIDEST, SALT = 10.0, 150, 6000, "vibcli"
 SETTINGS = ("savefig.", "svg.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
 SILENT = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None},
           "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None}}
@@ -17,7 +17,7 @@ def figure(primitives, box=None, dpi=DPI):
     from matplotlib.figure import Figure
     from matplotlib.transforms import Affine2D
 
-    left, bottom, right, top = box or extent(primitives) or (0.0, 0.0, 100.0, 100.0)
+    left, bottom, right, top = box or extent(primitives)
     size = right - left + 2 * MARGIN, top - bottom + 2 * MARGIN
     made = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=dpi, facecolor=COLOURS["paper"])
     place = Affine2D().translate(MARGIN - left, MARGIN - bottom).scale(1 / 72) + made.dpi_scale_trans
@@ -68,6 +68,9 @@ def _letters(part):
 def picture(primitives, kind, box=None, dpi=DPI):
     """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
     import matplotlib
+
+    left, bottom, right, top = box or extent(primitives)
+    dpi = min(dpi, 72 * WIDEST / max(right - left, top - bottom))
 
     ours = {key: value for key, value in matplotlib.rcParamsDefault.items() if key.startswith(SETTINGS)}
     with matplotlib.rc_context({**ours, "svg.hashsalt": SALT, "svg.fonttype": "path"}):

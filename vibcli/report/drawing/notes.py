@@ -1,6 +1,7 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
-from vibcli.report.drawing import lettering, rows
+from vibcli.report.drawing import captions, lettering, rows
+from vibcli.report.notation import GREEK
 
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
@@ -31,20 +32,30 @@ def of(stage):
     for name, record in (spec.get("constraints") or {}).items():
         if "equation" in record:
             found.append(_note(f"{name}: ", scene, (record["equation"], " = 0")))
+        for kind in ("gear", "belt"):
+            if kind in record and any(scene.bodies[end.text].frame is None for end in record[kind]):
+                names = " – ".join(end.text for end in record[kind])
+                found.append(lettering.words(f"{name}: {kind} {names}", SIZE))
     for key, field in getattr(spec.get("energies"), "values", {}).items():
-        found.append(_note(f"{key} = ", scene, (field, "")))
-    if "matrices" in spec.sections:
-        found.append(lettering.words("M, C, K given for " + ", ".join(scene.coordinates), SIZE))
+        found.append(_note(f"{GREEK.get(key, key)} = ", scene, (field, "")))
     return found
 
 
 def _note(head, scene, *parts):
     runs = list(lettering.words(head, SIZE))
     for field, after in parts:
-        written = lettering.written(scene.lower(field), SIZE)
-        if len(lettering.letters(written)) > lettering.LONGEST:
-            written = lettering.words(field.text, SIZE)
-        runs += written
+        runs += shortened(lettering.written(captions.raw(field, scene), SIZE))
         if after:
             runs += lettering.words(after, SIZE)
     return tuple(runs)
+
+
+def shortened(runs, longest=lettering.LONGEST):
+    """The runs as far as there is room for them."""
+    found, left = [], longest
+    for run in runs:
+        if len(run.text) > left:
+            return (*found, run._replace(text=run.text[:left] + " …"))
+        found.append(run)
+        left -= len(run.text)
+    return tuple(found)

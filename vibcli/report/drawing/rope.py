@@ -76,6 +76,19 @@ def _tangent(a, one, b, two):
     return (plane.plus(a, (ey, -ex), one.sense * one.radius), plane.plus(b, (ey, -ex), two.sense * two.radius))
 
 
+def implied(found, sketch, looks):
+    """The Stops of a rope that the motions imply."""
+    wheel, weight = (Attachment(name, sketch.centre(name)) for name in (found.wheel, found.weight))
+    offset = plane.minus(weight.drawn, wheel.drawn)
+    if not found.radius:
+        return [Stop(wheel), _edge(Stop(weight), Stop(wheel), looks)]
+    turn = 1 if abs(abs(offset[0]) - found.radius) < abs(abs(offset[1]) - found.radius) else 0
+    side = (offset[0], 0.0) if turn else (0.0, offset[1])
+    sense = 1 if plane.across(side, plane.minus(offset, side)) > 0 else -1
+    start = Stop(wheel, found.radius, sense)
+    return [start, _edge(Stop(weight), start._replace(sense=-sense), looks)]
+
+
 def draw(chain, sketch, role="rope", closed=False):
     """The primitives of a rope through Stops."""
     places = [sketch.now(stop.at) for stop in chain]

@@ -3,6 +3,8 @@
 from itertools import permutations
 from typing import NamedTuple
 
+from vibcli.report.drawing.captions import raw
+
 BRUTE = 6       # bodies of a row up to which every order is tried
 
 
@@ -44,12 +46,17 @@ def _ends(record, scene):
         if not lumped or not all(name in lumped or name == "ground" for name in names):
             return None
         return tuple(name if name in lumped else None for name in names)
-    stretch = scene.lower(record["stretch"])
-    moving = [name for name, body in scene.bodies.items() if body.lumped is not None and body.lumped[1].mask
-              and body.lumped[1].mask & stretch.mask]
+    stretch = raw(record["stretch"], scene).mask
+    moving = [name for name, body in scene.bodies.items() if body.lumped is not None
+              and raw(motion(body), scene).mask & stretch]
     if not moving or len(moving) > 2:
         return None
     return (None, moving[0]) if len(moving) == 1 else (moving[0], moving[1])
+
+
+def motion(body):
+    """The field that moves a lumped body."""
+    return body.record["turn"] if body.lumped[0] == "turn" else body.record["slide"]["by"]
 
 
 def rows(scene):
@@ -64,13 +71,14 @@ def rows(scene):
     found = []
     for leader in dict.fromkeys(group.values()):
         members = [name for name in names if group[name] == leader]
-        found.append(_row(members, [edge for edge in every if (edge.one or edge.two) in members]))
+        massless = [name for name in members if scene.bodies[name].mass is None and scene.bodies[name].inertia is None]
+        found.append(_row(members, [edge for edge in every if (edge.one or edge.two) in members], massless))
     return found
 
 
-def _row(members, edges):
+def _row(members, edges, massless):
     orders = permutations(members) if len(members) <= BRUTE else [tuple(members)]
-    best = min(orders, key=lambda order: _cost(order, members, edges))
+    best = min(orders, key=lambda order: _cost(order, members, edges, massless))
     place = {name: i for i, name in enumerate(best)}
     gaps, lanes = {}, []
     for edge in edges:
@@ -92,7 +100,7 @@ def _columns(edge, place):
     return tuple(sorted((place[edge.one], place[edge.two])))
 
 
-def _cost(order, members, edges):
+def _cost(order, members, edges, massless=()):
     place = {name: i for i, name in enumerate(order)}
     cost = 0.0
     for edge in edges:
@@ -100,4 +108,5 @@ def _cost(order, members, edges):
         cost += high - low - 1 + 0.01 * (high == len(order))
         if edge.one and edge.two:
             cost += 0.001 * (place[edge.one] > place[edge.two])
+    cost += sum(0.1 for name in order[:-1] if name in massless)
     return cost, [members.index(name) for name in order]

@@ -15,10 +15,12 @@ TORN = ("the scene cannot be drawn: its places are not finite numbers", "look at
 
 
 class Attachment(NamedTuple):
-    """A place as drawn and what carries it: the name of a body or driven point, None of the fixed plane."""
+    """A place as drawn and what carries it: the name of a body or driven point, None of the fixed plane; `loose` at the
+    edge of a box, where nothing shows that it is fastened."""
 
     carrier: str | None
     drawn: tuple
+    loose: bool = False
 
 
 class Frame(NamedTuple):

@@ -66,6 +66,11 @@ class Space:
         get = self.cells.get
         return sum(get(key, 0.0) for key in self._cells(box))
 
+    def strokes(self, box):
+        """The cost of writing in a box that lies on the body that is named."""
+        get = self.cells.get
+        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= 1.0)
+
     def path(self, points):
         """The cost of an arrow along a path."""
         get, total = self.cells.get, 0.0
@@ -83,7 +88,7 @@ class Space:
         best = None
         for x, y in inside:
             box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-            best = min(best or (1e9, None), (self.cost(box) * 2, box))
+            best = min(best or (1e9, None), (self.strokes(box), box))
         for reach in REACHES:
             if best is not None and best[0] <= FARNESS * reach:
                 break

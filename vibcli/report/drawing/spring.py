@@ -23,8 +23,9 @@ def zigzag(start, end, drawn):
 
 def spiral(centre, from_angle, to_angle, radius=13.0):
     """A torsion spring about a joint, from its core to the two that it turns."""
-    turns = 2 * pi * 2 + (to_angle - from_angle) % (2 * pi)
+    turns = 2 * pi + (to_angle - from_angle) % (2 * pi)
+    turns += 2 * pi * (turns < 3 * pi)
     count = 70
-    points = [plane.polar(centre, 3.5 + (radius - 3.5) * i / count, from_angle + turns * i / count)
+    points = [plane.polar(centre, 4.0 + (radius - 4.0) * i / count, from_angle + turns * i / count)
               for i in range(count + 1)]
     return [Line(tuple(points), "spring")]

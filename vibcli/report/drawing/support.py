@@ -11,11 +11,11 @@ def hinge(place):
     return [Circle(place, HINGE, "paper", layer=JOINT)]
 
 
-def bearing(place, down):
+def bearing(place, down, height=HEIGHT):
     """A pin on the ground, which lies in the direction `down`."""
-    foot, side = plane.plus(place, down, HEIGHT), plane.left(down)
-    a, b = plane.plus(foot, side, HALF), plane.plus(foot, side, -HALF)
-    ends = plane.plus(foot, side, HALF + 5), plane.plus(foot, side, -HALF - 5)
+    foot, side, half = plane.plus(place, down, height), plane.left(down), HALF + 0.2 * (height - HEIGHT)
+    a, b = plane.plus(foot, side, half), plane.plus(foot, side, -half)
+    ends = plane.plus(foot, side, half + 5), plane.plus(foot, side, -half - 5)
     return [Polygon((place, a, b), "paper", layer=JOINT - 1), Hatch(ends, 1, layer=JOINT - 1),
             Circle(place, HINGE, "paper", layer=JOINT)]
 
@@ -36,6 +36,11 @@ def shaken_wall(place, outward, half=WALL):
 def floor(place, along, half, role="ground"):
     """A flat piece of ground under what slides; it lies to the right of `along`."""
     return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, role, layer=SURFACE)]
+
+
+def dot(place):
+    """Where a spring, damper or rope is fastened to a body."""
+    return [Circle(place, 1.6, "ink", layer=JOINT)]
 
 
 def roller(place):

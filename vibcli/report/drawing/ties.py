@@ -1,19 +1,20 @@
 """What the records of a scene say of a body beside its own: the radii on which ropes, belts and gears run, what it
 carries, and the places at which anything is joined."""
 
-from vibcli.report.drawing import plane
+from vibcli.report.drawing import implied, plane
 
 SIDES = ("over", "under", "left_of", "right_of")
 
 
 class Ties:
-    """`radii`: {body: radii}, `toothed`: bodies in gears, `arms`: bodies that carry gears, `pegs`: [(place, radius)] of
-    pulleys without a body, `carried`: {body: places}, `surfaces`: {body: records}, `slots`: {body: [(place,
-    direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs, dampers and links."""
+    """`radii`: {body: radii}, `toothed`: bodies in gears, `rims`: those with inner teeth, `arms`: bodies that carry
+    gears, `pegs`: [(place, radius)] of pulleys without a body, `carried`: {body: places}, `surfaces`: {body: records},
+    `slots`: {body: [(place, direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs,
+    dampers and links, `implied`: ropes that are not named."""
 
     def __init__(self, sketch):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
-        self.toothed, self.arms, self.pegs, self.ends = set(), set(), [], []
+        self.toothed, self.rims, self.arms, self.pegs, self.ends = set(), set(), set(), [], []
         self._points(sketch)
         for body in sketch.scene.bodies.values():
             self._body(body, sketch)
@@ -25,6 +26,10 @@ class Ties:
                 self._joined(record.get("between"), sketch)
         for record in (sketch.spec.get("constraints") or {}).values():
             self._constraint(record, sketch)
+        self.implied = implied.ropes(sketch)
+        for rope in self.implied:
+            if rope.radius:
+                self._rim(rope.wheel, rope.radius)
 
     def _points(self, sketch):
         for record in (sketch.spec.get("points") or {}).values():
@@ -76,8 +81,15 @@ class Ties:
             self._rim(name, sketch.length(radius))
         if kind == "gear":
             self.toothed.update(names)
+            if record.get("inside"):
+                self.rims.add(max(names, key=lambda name: self._radius(name, sketch)))
             if "carrier" in record:
                 self.arms.add(record["carrier"].text)
+
+    def _radius(self, name, sketch):
+        body = sketch.scene.bodies[name]
+        own = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius is not None else 0.0
+        return max([own, *self.radii.get(name, ())])
 
     def _pulley(self, stop, sketch):
         on = stop[next(side for side in SIDES if side in stop)]

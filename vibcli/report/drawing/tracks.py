@@ -6,42 +6,66 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.report.drawing import plane
 from vibcli.report.drawing.primitives import SURFACE, Circle, Hatch
 
-SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 24.0, 150.0, 16.0  # of a circle beside what is inside it; beyond what rolls
+SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
 SAMPLES, STEEP = 48, 0.6
 
 
-def ground(record, contacts, bodies, sketch):
-    """A fixed surface; `contacts` are the places on it that are used as drawn, `bodies` places on its free side."""
+def contacts(name, sketch):
+    """[(a place of what is on the surface as drawn, how much room it needs along it)]."""
+    found = []
+    for body in sketch.scene.bodies.values():
+        for key in ("roll", "slide"):
+            if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
+                radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
+                room = MARGIN + radius * (key == "roll")
+                found.append((sketch.centre(body.name), room))
+    for constraint in (sketch.spec.get("constraints") or {}).values():
+        if "surface" in constraint and constraint["surface"].text == name:
+            at = sketch.attachment(constraint["point"])
+            found.append((at.drawn, 0.0))
+            if at.carrier in sketch.frames and at.carrier in sketch.scene.bodies:
+                found.append((sketch.centre(at.carrier), None))
+    return found
+
+
+def ground(record, used, sketch):
+    """A fixed surface under what is on it (`contacts`)."""
     if "line" in record:
-        return _line(*(sketch.pair(place) for place in record["line"]), contacts, bodies)
+        return _line(*(sketch.pair(place) for place in record["line"]), used)
+    places = [place for place, room in used if room is not None]
     if "circle" in record:
-        return _circle(record, contacts, sketch)
-    points = curve_points(record, sketch, contacts[0][0] if contacts else 0.0)
+        return _circle(record, places, sketch)
+    points = curve_points(record, sketch, places[0][0] if places else 0.0)
     return [Hatch(tuple(points), -1)]
 
 
-def _line(a, b, contacts, bodies):
+def free_side(a, b, used):
+    """1 where what is on a line through a and b is on its left, −1 on its right."""
+    e = plane.unit(plane.minus(b, a))
+    return 1 if sum(plane.across(e, plane.minus(place, a)) for place, _ in used) >= -1e-6 else -1
+
+
+def _line(a, b, used):
     e, length = plane.unit(plane.minus(b, a)), plane.distance(a, b)
-    used = [plane.dot(plane.minus(place, a), e) for place in contacts] or [0.0, length]
-    low = min(max(0.0, min(used) - FAR), min(used) - MARGIN * (min(used) > MARGIN or min(used) < -1e-6))
-    high = max(min(length, max(used) + FAR), max(used) + MARGIN * (max(used) < length - MARGIN
-                                                                    or max(used) > length + 1e-6))
-    off = sum(plane.across(e, plane.minus(place, a)) for place in bodies)
-    return [Hatch((plane.plus(a, e, low), plane.plus(a, e, high)), -1 if off >= 0 else 1)]
+    spans = [(plane.dot(plane.minus(place, a), e), room) for place, room in used if room is not None] or [(0.0, 0.0),
+                                                                                                        (length, 0.0)]
+    least, most = min(s - room for s, room in spans), max(s + room for s, room in spans)
+    low, high = min(least, max(0.0, least - FAR)), max(most, min(length, most + FAR))
+    return [Hatch((plane.plus(a, e, low), plane.plus(a, e, high)), -free_side(a, b, used))]
 
 
-def visible(record, contacts, sketch):
+def visible(record, places, sketch):
     """Points of a circle as far as it is drawn: all of one that bodies run on outside or that is carried."""
     centre, radius = sketch.pair(record["circle"]), sketch.length(record["radius"])
     if record.get("side") != "inside" or "body" in record:
         return plane.arc(centre, radius, 0.0, 2 * pi)
-    angles = [plane.heading(plane.minus(place, centre)) for place in contacts] or [-pi / 2]
+    angles = [plane.heading(plane.minus(place, centre)) for place in places] or [-pi / 2]
     turns = [(angle - angles[0] + pi) % (2 * pi) - pi for angle in angles]
     return plane.arc(centre, radius, angles[0] + min(turns) - SPREAD, angles[0] + max(turns) + SPREAD)
 
 
-def _circle(record, contacts, sketch):
-    points = visible(record, contacts, sketch)
+def _circle(record, places, sketch):
+    points = visible(record, places, sketch)
     if record.get("side") == "inside":
         return [Hatch(tuple(points), -1)]
     circle = Circle(sketch.pair(record["circle"]), sketch.length(record["radius"]), "fixed", layer=SURFACE)

@@ -1,0 +1,1 @@
+"""Nonlinear motion in time: the full equations integrated by collocation, window by window."""

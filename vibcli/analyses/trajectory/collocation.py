@@ -1,0 +1,97 @@
+"""Collocation of q̈ = f(t, q, q̇): q̈ is a polynomial of degree s − 1 that obeys f at s points of Gauss, or of Radau.
+
+Its integrals are exact, so q̇ and q are polynomials too: with the values A of q̈ at the points of a window of length H
+
+    q̇ = q̇₀ + H A V₁ᵀ        q = q₀ + H c q̇₀ + H² A V₂ᵀ
+
+(Hairer, Nørsett & Wanner 1993, II.7.) At Gauss's points the method is symplectic and symmetric, of order 2s at the ends
+of windows; at Radau's, of order 2s − 1, it damps what is stiff (Hairer & Wanner 1996, IV.5).
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+
+LONG = np.longdouble
+
+
+class Rule:
+    """Points c and weights w on [0, 1]; V1, V2: integrals at the points, transposed; b2: weights w (1 − c) of the
+    double integral to the end; to_series: values at the points to Legendre coefficients (transposed); once, twice:
+    coefficients of the integrals of Pₖ; at_points: P₀ … P_{s+1} there. Found in extended precision: their rounding
+    errors would be the same in each window, and add up."""
+
+    __slots__ = ("V1", "V2", "at_points", "b2", "c", "once", "points", "to_series", "twice", "w")
+
+    def __init__(self, points, radau=False):
+        x, w = (_radau if radau else _gauss)(points)
+        P = _legendre(x, points + 1)
+        once = _integrated(points)
+        twice = once @ _integrated(points + 1)
+        to_series = P[:points].T * w[:, None] * (np.arange(points) + LONG(0.5))
+        self.points = points
+        self.c, self.w, self.b2 = (_rounded(part) for part in ((x + 1) / 2, w / 2, w * (1 - x) / 4))
+        self.to_series, self.once, self.twice = _rounded(to_series), _rounded(once), _rounded(twice)
+        self.V1 = _rounded(to_series @ once @ P[:-1])
+        self.V2 = _rounded(to_series @ twice @ P)
+        self.at_points = _rounded(P)
+
+    def basis(self, x):
+        """P₀ … P_{s+1} at places x in [−1, 1], of shape (s + 2, places)."""
+        return _legendre(x, self.points + 1)
+
+
+def _rounded(array):
+    return np.ascontiguousarray(array, dtype=float)
+
+
+def _gauss(points):
+    """Gauss's points and weights on [−1, 1]: those of NumPy and one Newton step in extended precision."""
+    x = leggauss(points)[0].astype(LONG)
+    for _ in range(2):
+        P = _legendre(x, points)
+        slope = points * (x * P[-1] - P[-2]) / (x * x - 1)
+        x = x - P[-1] / slope
+    P = _legendre(x, points)
+    slope = points * (x * P[-1] - P[-2]) / (x * x - 1)
+    return x, 2 / ((1 - x * x) * slope * slope)
+
+
+def _radau(points):
+    """Radau's points on [−1, 1], the last at 1: zeros of Pₛ₋₁ − Pₛ, near those of the Jacobi polynomial (1, 0)."""
+    k = np.arange(points - 1)
+    off = np.sqrt(k[1:] * (k[1:] + 1.0)) / (2 * k[1:] + 1)
+    matrix = np.diag(-1.0 / ((2 * k + 1) * (2 * k + 3))) + np.diag(off, 1) + np.diag(off, -1)
+    x = np.append(np.linalg.eigvalsh(matrix), 1.0).astype(LONG)
+    for _ in range(2):
+        inner = x[:-1]
+        P = _legendre(inner, points)
+        bottom = inner * inner - 1
+        slope = ((points - 1) * (inner * P[-2] - P[-3]) - points * (inner * P[-1] - P[-2])) / bottom
+        x[:-1] = inner - (P[-2] - P[-1]) / slope
+    return x, (1 + x) / (points * _legendre(x, points)[-2]) ** 2
+
+
+def _legendre(x, degree):
+    """P₀ … P_degree at the places x, by their recurrence."""
+    P = np.empty((degree + 1, len(x)), dtype=x.dtype)
+    P[0], P[1] = 1, x
+    for k in range(1, degree):
+        P[k + 1] = ((2 * k + 1) * x * P[k] - k * P[k - 1]) / (k + 1)
+    return P
+
+
+def _integrated(count):
+    """Rows of Legendre coefficients of ∫₀^c Pₖ dc, x = 2c − 1, for k below `count`: (Pₖ₊₁ − Pₖ₋₁)/(2 (2k + 1))."""
+    rows = np.zeros((count, count + 1), dtype=LONG)
+    rows[0, :2] = LONG(0.5)
+    for k in range(1, count):
+        rows[k, k + 1] = LONG(0.5) / (2 * k + 1)
+        rows[k, k - 1] = -rows[k, k + 1]
+    return rows
+
+
+@lru_cache
+def rule(points, radau=False):
+    return Rule(points, radau)

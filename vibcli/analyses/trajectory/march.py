@@ -1,0 +1,171 @@
+"""The march through time: windows as long as their polynomials resolve the motion, none beyond a given instant."""
+
+import numpy as np
+
+from vibcli.analyses.trajectory.collocation import rule
+from vibcli.analyses.trajectory.sizes import EPSILON, Sizes
+from vibcli.analyses.trajectory.window import Window, iterated, newton
+from vibcli.errors import PhysicsError
+
+POINTS, STIFF_POINTS = 40, 24
+TAIL = 3                    # coefficients which must be small
+RADIANS = 5.0               # of the fastest oscillation in the first window
+MOST_TRIES = 100_000
+SHORTEST = 1e-13            # of the time gone
+SOON, TINY = 1e-10, 1e-300
+MOST_UNKNOWNS = 1200        # of Newton's method
+STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
+UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
+PATIENCE = 3                # such windows before the scene counts as stiff
+CALM = 6                    # windows without a failure before they grow by much again
+
+
+class March:
+    """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
+
+    def __init__(self, system, switching, q, v, rtol, progress=None):
+        self.system, self.switching, self.rtol, self.progress = system, switching, rtol, progress
+        self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
+        self.rule, self.windows, self.ends, self.struck = rule(POINTS), [], [], []
+        self.stiff, self.held, self.calm, self.tries = False, 0, CALM, 0
+        self.sizes, self.guess, self.H = Sizes(q), None, None
+
+    def begin(self, limit, zero=()):
+        """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
+        arguments vanish now."""
+        soon = self._soon(limit)
+        self.g, self.slides = self.switching.settled(soon, self.q, self.v, self.g, zero, self.slides)
+        self.sizes.measure(self.system, self._accelerations, soon, self.q, self.v, self.g)
+        self.H = min(self.H or np.inf, RADIANS * self.sizes.radian)
+        self.guess = None
+
+    def _soon(self, limit):
+        """An instant shortly after the present one, at which what begins now has begun."""
+        return self.t + min(SOON * (limit - self.t), SOON * max(self.t, limit - self.t))
+
+    def _accelerations(self, t, q, v, c=None):
+        if self.slides:
+            return self.switching.sliding(self.slides, t, q, v, self.g, c)[0]
+        return self.system.accelerations(t, q, v, self.g, c)
+
+    def advance(self, limit):
+        """The next Window, at most up to the instant `limit`."""
+        a = self._accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
+        if not np.isfinite(a).all():
+            raise self.undefined()
+        left = limit - self.t
+        H = wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
+        guess = np.repeat(a, self.rule.points, 1) if self.guess is None else self.guess
+        tails = []
+        while True:
+            self.tries += 1
+            if self.tries > MOST_TRIES:
+                raise self.endless(limit)
+            done, tail, used = self._attempt(H, guess, a[:, 0])
+            if done is not None:
+                if tail <= 1:
+                    break
+                if len(tails) >= 4 and tail > 0.25 * tails[-4]:    # it does not fall with the window: it is rounding
+                    self.sizes.noise = self.sizes.noise * max(tail, 1.0)
+                    break
+                tails.append(tail)
+            H *= 0.5 if done is None else 0.7
+            guess = np.repeat(a, self.rule.points, 1)
+            if max(SHORTEST * self.t, 1e-300) > H:
+                raise self.singular()
+        window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
+        self._steer(H, done.iterations, used, wanted > H, bool(tails))
+        return window
+
+    def _attempt(self, H, guess, a):
+        """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
+        is used)."""
+        scale = self.sizes.scale(H, self.v, a)[:, None]
+        solve, part = (newton, 1e-4) if self.stiff else (iterated, 1e-2)
+        with np.errstate(all="ignore"):
+            done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
+                         part * self.rtol * scale + 0.5 * EPSILON * np.abs(self.q)[:, None])
+        if done.A is None:
+            return None, np.inf, 1.0
+        self.sizes.meet(done.A)
+        sizes = (self._series(H, done.A) / self._allowed(H, scale)).max(axis=0)
+        used = np.flatnonzero(sizes > 1)
+        return done, float(sizes[-TAIL:].max()), (used[-1] + 1 if len(used) else 1) / self.rule.points
+
+    def _series(self, H, A):
+        """|Legendre coefficients| of q̈; of q in stiff scenes, where what is left of fast parts roughens q̈ alone."""
+        if self.stiff:
+            A = self.v[:, None] * (H * self.rule.c) + H * H * (A @ self.rule.V2)
+        return np.abs(A @ self.rule.to_series)
+
+    def _allowed(self, H, scale):
+        """Which of them need not be resolved."""
+        if self.stiff:
+            return self.rtol * scale
+        from_q = 0.1 * self.rtol * scale * (2 * self.rule.points / H) ** 2
+        allowed = np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
+        return np.maximum(allowed, TINY)
+
+    def force(self, times):
+        """q̈ at the points as a function of (q, q̇, copies of the points)."""
+        c = self.system.prepared(times)
+
+        def force(Q, V, copies=1):
+            if copies == 1:
+                return self._accelerations(times, Q, V, c)
+            many = np.tile(times, copies)
+            return self._accelerations(many, Q, V, self.system.prepared(many))
+        return force
+
+    def _steer(self, H, iterations, used, failed, unresolved):
+        """The length of the next window, and whether the scene is stiff."""
+        self.calm = 0 if failed else self.calm + 1
+        grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.03
+        if not self.stiff:
+            grown = min(grown, STRAINED / iterations)
+            strained = grown < 1.2 or (failed and not unresolved)
+            self.held = self.held + 1 if strained and used < UNUSED else 0
+        self.H = grown * H if failed else max(self.H, grown * H) if grown > 1 else min(self.H, grown * H)
+        if self.held >= PATIENCE and not self.stiff and len(self.q) * STIFF_POINTS <= MOST_UNKNOWNS:
+            self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(STIFF_POINTS, radau=True), None
+
+    def finish(self, window, end=None):
+        """Keep a window and move to its end, or keep it up to an earlier instant `end` of it alone."""
+        self.sizes.move(window.q)
+        if end is None:
+            H, A = window.length, window.values
+            self.q = self.q + (H * self.v + H * H * (A @ window.rule.b2))
+            self.v = self.v + H * (A @ window.rule.w)
+            self.guess = np.repeat(window.series.sum(axis=1)[:, None], self.rule.points, 1)
+            self.t = window.start + H
+        else:
+            self.q, self.v, _ = window.state(end)
+            self.t, self.guess, window.end = window.start + end, None, end
+        self.close()
+        self.sizes.move(self.q)
+        if window.end:
+            self.windows.append(window)
+            self.ends.append((self.q, self.v))
+        if self.progress is not None:
+            self.progress(self.t)
+
+    def close(self):
+        """Put the state on the constraints, from which it drifts by rounding."""
+        if self.system.m:
+            self.q, self.v = self.system.projected(self.t, self.q, self.v, self.g)
+
+    def undefined(self):
+        return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "
+                            "motion reaches", "look for roots of what becomes negative, or ends that meet")
+
+    def singular(self):
+        return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: it grows without bound there, "
+                            "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
+                            "stiffness and damping")
+
+    def endless(self, limit):
+        H = self.windows[-1].length if self.windows else self.H
+        return PhysicsError(f"after {MOST_TRIES} steps the motion has come to t = {self.t:.6g} s of {limit:.6g} s: "
+                            f"its fastest part takes steps of {H:.3g} s", "ask for a shorter time, or let what is "
+                            "very stiff be rigid")
+

@@ -1,0 +1,70 @@
+"""How large a motion is: what its errors are relative to.
+
+The error of q is relative to how far each coordinate has moved, that of q̈ to its largest; those of little motion are
+held to LEAST of the one that moves most, √Mᵢᵢ qᵢ being compared, so that units do not matter.
+"""
+
+import numpy as np
+
+LEAST = 1e-3
+EPSILON = 2.0**-52
+STEP = 1e-6
+
+
+class Sizes:
+    """moved: the farthest that each coordinate has been from its start; largest: of |q̈|; radian: 1/|λ| of the fastest
+    eigenvalue of the equations linearised [s]; noise: the rounding error of q̈; weight: √Mᵢᵢ."""
+
+    __slots__ = ("largest", "moved", "noise", "origin", "radian", "weight")
+
+    def __init__(self, q):
+        self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
+
+    def measure(self, system, accelerations, t, q, v, g):
+        """Take weight, radian and noise from the system as it is at t."""
+        values = system.inertia(np.array([t]), q[:, None], v[:, None], g)
+        self.weight = np.sqrt(np.maximum([float(np.max(value)) for value in values], 1e-300))
+        a, J = jacobian(accelerations, t, q, v)
+        n = len(q)
+        self.radian, self.noise = np.inf, 4 * EPSILON * system.sizes(t, q, v, g) / self.weight**2
+        if np.isfinite(J).all():
+            state = np.block([[np.zeros((n, n)), np.eye(n)], [J[:, :n], J[:, n:]]])
+            fastest = np.abs(np.linalg.eigvals(state)).max()
+            self.radian = 1.0 / fastest if fastest > 0 else np.inf
+            self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
+        self.meet(a[:, None])
+
+    def meet(self, a):
+        """Note accelerations of shape (n, instants)."""
+        self.largest = np.maximum(self.largest, self._lifted(np.abs(a).max(axis=1)))
+
+    def move(self, q):
+        self.moved = np.maximum(self.moved, np.abs(q - self.origin))
+
+    def scale(self, H, v, a):
+        """The size of each coordinate to which its error is compared; that of a motion that begins is taken from what
+        it does within a radian."""
+        T = min(H, self.radian)
+        size = self._lifted(np.maximum(self.moved, np.maximum(T * np.abs(v), T * T * np.abs(a))))
+        size = np.maximum(size, LEAST * np.abs(self.origin))
+        return np.where(size > 0, size, 1.0)
+
+    def _lifted(self, size):
+        """Sizes of those that move little, lifted to LEAST of the largest."""
+        weighted = size * self.weight
+        return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
+
+
+def jacobian(accelerations, t, q, v):
+    """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
+    n = len(q)
+    a = accelerations(np.array([t]), q[:, None], v[:, None])[:, 0]
+    span = np.max(np.abs(q), initial=0.0), np.max(np.abs(v), initial=0.0)
+    size = np.concatenate([np.where(np.abs(q) > 0, np.abs(q), span[0] or 1e-3),
+                           np.where(np.abs(v) > 0, np.abs(v), span[1] or 1e-3)])
+    step = STEP * size
+    Q, V = np.repeat(q[:, None], 2 * n, 1), np.repeat(v[:, None], 2 * n, 1)
+    Q[range(n), range(n)] += step[:n]
+    V[range(n), range(n, 2 * n)] += step[n:]
+    with np.errstate(all="ignore"):
+        return a, (accelerations(np.full(2 * n, t), Q, V) - a[:, None]) / step

@@ -1,0 +1,118 @@
+"""One window of a motion: the polynomials of q̈, q̇ and q from its start, and the iteration that finds them.
+
+Picard's iteration A ← f(q(A), q̇(A)) contracts while a window spans few radians of the fastest oscillation. Of stiff
+scenes, whose fast oscillations have died out or were never excited, windows span many: there Newton's method is used,
+with the Jacobians of f at every point by differences.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+MOST_PICARD, MOST_NEWTON, PATIENCE = 60, 12, 15
+DIFFERENCE, LEAST = 1e-7, 1e-3      # of the way that a coordinate goes; of its value
+CLOSE, HOPELESS = 1e3, 1e18         # of the tolerance
+
+
+
+class Window:
+    """start [s] and length of the polynomials, which hold up to `end` after the start; q, v at the start; values of q̈
+    at the points, and `series`, its Legendre coefficients, both of shape (n, points); g: senses of the switches;
+    slides: those that slide."""
+
+    __slots__ = ("end", "g", "length", "q", "rule", "series", "slides", "start", "v", "values")
+
+    def __init__(self, rule, start, length, q, v, A, g, slides):
+        self.rule, self.start, self.length, self.end = rule, start, length, length
+        self.q, self.v, self.g, self.slides = q, v, g, slides
+        self.values, self.series = A, A @ rule.to_series
+
+    def states(self, tau):
+        """(q, q̇, q̈) of shapes (n, instants) at the instants tau [s] after the start."""
+        return self.summed(tau, self.rule.basis(2 * tau / self.length - 1))
+
+    def summed(self, tau, P):
+        """The same with the values of the Legendre polynomials at the instants at hand."""
+        rule, H = self.rule, self.length
+        a = self.series @ P[:-2]
+        v = self.v[:, None] + H * ((self.series @ rule.once) @ P[:-1])
+        q = self.q[:, None] + tau * self.v[:, None] + H * H * ((self.series @ rule.twice) @ P)
+        return q, v, a
+
+    def state(self, tau):
+        q, v, a = self.states(np.array([tau]))
+        return q[:, 0], v[:, 0], a[:, 0]
+
+
+class Attempt(NamedTuple):
+    """What an iteration came to: A of shape (n, points), None where it failed; the iterations it took."""
+
+    A: np.ndarray
+    iterations: int
+
+
+def iterated(force, rule, H, q, v, guess, allowed):
+    """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1)."""
+    base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]
+    V1, V2 = H * rule.V1, (H * H) * rule.V2
+    A, Q, before = guess, base + guess @ V2, np.inf
+    for count in range(1, MOST_PICARD + 1):
+        A = force(Q, speed + A @ V1)
+        old, Q = Q, base + A @ V2
+        error = float((np.abs(Q - old) / allowed).max())
+        if error <= 1 or (error <= CLOSE and error > 0.5 * before):
+            return Attempt(A, count)
+        if not error < HOPELESS or (count > PATIENCE and error > 0.9 * before):
+            break
+        before = error
+    return Attempt(None, count)
+
+
+def newton(force, rule, H, q, v, guess, allowed):
+    """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once."""
+    base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]
+    V1, V2 = H * rule.V1, (H * H) * rule.V2
+    A, inverse, before = guess, None, np.inf
+    for count in range(1, MOST_NEWTON + 1):
+        Q, V = base + A @ V2, speed + A @ V1
+        fresh = inverse is None
+        if fresh:
+            residual, inverse = _linearised(force, Q, V, A, V1, V2, H)
+            if inverse is None:
+                break
+        else:
+            residual = force(Q, V) - A
+        step = (inverse @ residual.ravel()).reshape(A.shape)
+        error = float((np.abs(step @ V2) / allowed).max())
+        A = A + step
+        if error <= 1 or (error <= CLOSE and error > 0.5 * before):
+            return Attempt(A, count)
+        if not error < HOPELESS or (count > 4 and error > 0.9 * before):
+            break
+        if error > 0.1 * before and not fresh:
+            inverse = None
+        before = error
+    return Attempt(None, count)
+
+
+def _linearised(force, Q, V, A, V1, V2, H):
+    """(f − A, (1 − ∂f/∂A)⁻¹) with ∂f/∂A = f_q V₂ᵀ + f_q̇ V₁ᵀ, by differences."""
+    n, s = A.shape
+    span = np.maximum(np.ptp(Q, axis=1), LEAST * np.abs(Q).max(axis=1))
+    steps = DIFFERENCE * np.where(span > 0, span, span.max() or 1.0)
+    Qs, Vs = np.tile(Q, 2 * n + 1), np.tile(V, 2 * n + 1)
+    for i in range(n):
+        Qs[i, (i + 1) * s:(i + 2) * s] += steps[i]
+        Vs[i, (n + i + 1) * s:(n + i + 2) * s] += steps[i] / H
+    F = force(Qs, Vs, 2 * n + 1).reshape(n, 2 * n + 1, s)
+    K = (F[:, 1:n + 1] - F[:, :1]) / steps[:, None]
+    C = (F[:, n + 1:] - F[:, :1]) / (steps[:, None] / H)
+    big = np.eye(n * s).reshape(n, s, n, s)
+    big = big - K.transpose(0, 2, 1)[:, :, :, None] * V2.T[None, :, None, :]
+    big -= C.transpose(0, 2, 1)[:, :, :, None] * V1.T[None, :, None, :]
+    if not np.isfinite(big).all():
+        return F[:, 0] - A, None
+    try:
+        return F[:, 0] - A, np.linalg.inv(big.reshape(n * s, n * s))
+    except np.linalg.LinAlgError:
+        return F[:, 0] - A, None

@@ -1,0 +1,106 @@
+"""What the commands that plot and save curves share: options, signals given as text, the files that they write."""
+
+import shutil
+from functools import reduce
+from pathlib import Path
+
+import click
+
+from vibcli.errors import PhysicsError
+
+NARROWEST, WIDEST = 40, 120
+
+
+def curve_options(function):
+    """Options of a command that shows curves."""
+    options = [
+        click.option("--plot", is_flag=True, help="Plot in the terminal."),
+        click.option("--save", "saves", multiple=True, metavar="FILE", help="Write a picture (.png, .svg, .pdf) or the "
+                     "sampled numbers (.csv, .npz, .json)."),
+    ]
+    return reduce(lambda f, option: option(f), reversed(options), function)
+
+
+def asked(text, option):
+    """A signal given on the command line as an Expression."""
+    from vibcli.algebra.parse import ExpressionError, parse
+    from vibcli.document import Scalar
+    from vibcli.errors import Where
+    from vibcli.reading import Expression
+
+    try:
+        return Expression(Scalar(text, Where(option, 1, 1, len(text)), False, 0), parse(text), None, None)
+    except ExpressionError as error:
+        hint = f" ({error.hint})" if error.hint else ""
+        raise click.UsageError(f"{option} {text}: {error.message}{hint}") from None
+
+
+def size(text, option, unit, wants, exact=False):
+    """A positive quantity given on the command line, in SI units; a bare number is one of `unit`, cycles are 2π.
+    `exact`: as a Fraction, where it may be zero."""
+    from math import pi
+
+    from vibcli.algebra.meaning import literal_unit, whole_literal
+    from vibcli.algebra.parse import ExpressionError, parse
+    from vibcli.units import parse_unit
+
+    try:
+        literal = whole_literal(parse(text))
+    except ExpressionError as error:
+        raise click.UsageError(f"{option} {text}: {error.message}") from None
+    found = literal_unit(literal[4] if literal and literal[4] else parse(f"1 {unit}")[4])
+    if not literal or not (literal[3] > 0 or exact) or text.lstrip().startswith("-") or (
+            found.dimension != parse_unit(unit).dimension):
+        raise click.UsageError(f"{option} {text}: expected {wants}")
+    if exact:
+        return literal[3] * found.value
+    return float(literal[3] * found.value) * pi**found.pi * (2 * pi if found.cycles else 1)
+
+
+def plot_width():
+    """Columns of a plot in this terminal."""
+    return min(max(shutil.get_terminal_size((80, 24)).columns, NARROWEST), WIDEST)
+
+
+def progress(problem):
+    """What tells on a terminal how far an integration has come, from a second on; None elsewhere."""
+    import sys
+    from time import monotonic
+
+    if not sys.stderr.isatty() or problem.spec.get("motion") != "full":
+        return None
+    started, told = monotonic(), [0.0]
+
+    def tell(t):
+        now, until = monotonic(), problem.motion.until
+        if now - started > 1.0 and (now - told[0] > 0.2 or t >= until):
+            told[0] = now
+            told_so_far = f"integrated to {t:.4g} of {until:.4g} s" if t < until else ""
+            click.echo("\r\x1b[K" + told_so_far, nl=False, err=True)
+    return tell
+
+
+def refuse_targets(paths, force):
+    """A usage error, before anything is computed, where one of the files cannot be written."""
+    from vibcli.report.written import refuse_unwritable
+
+    for path in map(Path, paths):
+        try:
+            refuse_unwritable(path, (".png", ".svg", ".pdf", ".csv", ".npz", ".json"))
+        except PhysicsError as error:
+            raise click.UsageError(f"{error.message}; {error.hint}") from None
+        if path.exists() and not force:
+            raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
+
+
+def save_to(path, problem, figure, columns):
+    """Write the figure or the columns, as the suffix says."""
+    from vibcli.report.saved import DATA, save_data
+
+    if Path(path).suffix.lower() in DATA:
+        save_data(path, problem.spec.get("title") or "", columns())
+    else:
+        from vibcli.report.plots.save import save
+
+        save(figure(), path)
+    click.echo(f"wrote {path}", err=True)

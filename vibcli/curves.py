@@ -1,0 +1,86 @@
+"""The frequency response of a signal of a scene to an input, and what is read off its graph."""
+
+from functools import cached_property
+
+from vibcli.errors import PhysicsError
+
+ERROR = 1e-12
+
+
+class FrequencyResponse:
+    """H(iΩ) of `signal` (a name, primes for rates) to a unit of the input `driver`."""
+
+    def __init__(self, problem, signal, driver):
+        from vibcli.analyses.frequency.transfer import transfer
+
+        self.problem, self.signal, self.driver = problem, signal, driver
+        self.transfer = transfer(problem, signal, driver)
+
+    def at(self, Omega):
+        """(complex H, relative error bound)."""
+        from vibcli.analyses.frequency.response import frf
+
+        return complex(frf(self.transfer, Omega)), ERROR
+
+    @cached_property
+    def extremes(self):
+        from vibcli.analyses.frequency.extremes import extremes
+
+        return extremes(self.transfer)
+
+    @cached_property
+    def marked(self):
+        """The Extremes that are peaks."""
+        from vibcli.analyses.frequency.peaks import peaks
+
+        return peaks(self.transfer, self.extremes)
+
+    @property
+    def peaks(self):
+        """[(Ω, |H|)], the value infinite without damping."""
+        return [(one.Omega, float("inf") if one.value is None else one.value) for one in self.marked]
+
+    @cached_property
+    def antiresonances(self):
+        """Ω of the antiresonances."""
+        from vibcli.analyses.frequency.peaks import antiresonances
+
+        return [one.Omega for one in antiresonances(self.transfer, self.extremes)]
+
+    def half_power_of(self, number):
+        """(Ω₁, Ω₂) about a peak, counted from 1."""
+        from vibcli.analyses.frequency.peaks import half_power
+
+        return half_power(self.transfer, self._peak(number), self.extremes)
+
+    def quality(self, number):
+        """Q of a peak, counted from 1."""
+        low, high = self.half_power_of(number)
+        return self._peak(number).Omega / (high - low)
+
+    def _peak(self, number):
+        if number > len(self.marked):
+            raise PhysicsError(f"this frequency response has {len(self.marked) or 'no'} peaks", "ask for one it has")
+        return self.marked[number - 1]
+
+    def places(self, low, high):
+        """Frequencies of a range, dense where the curve bends."""
+        from vibcli.analyses.frequency.grid import adaptive
+
+        return adaptive(self.transfer, low, high, True, self.extremes)[0]
+
+    def values(self, Omega):
+        """H at frequencies; NaN where an undamped mode has no bound."""
+        import numpy as np
+
+        from vibcli.analyses.frequency.response import sampled
+
+        values, resonant = sampled(self.transfer, Omega)
+        return np.where(resonant, np.nan, values)
+
+    @cached_property
+    def span(self):
+        """The range of Ω in which what matters lies: from a fifth of the lowest frequency to five times the highest."""
+        places = [Omega for Omega, _ in self.peaks] + self.antiresonances
+        places += [float(mode.omega) for mode in self.problem.modes if mode.omega] or [1.0]
+        return 0.2 * min(places), 5.0 * max(places)

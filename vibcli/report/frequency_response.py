@@ -1,0 +1,71 @@
+"""Frequency responses: amplitude at rest, resonances and antiresonances; amplitudes in letters of few degrees."""
+
+from math import isfinite
+
+from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.report import blocks
+from vibcli.report.blocks import Table, line, paragraph, section
+from vibcli.report.figures import figure
+from vibcli.report.responses import curves_asked
+
+TURN = 6.283185307179586
+LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
+
+
+def frequency_response(problem, report):
+    """A section for each frequency response that is asked for."""
+    for name, driver, unit in curves_asked(problem, report.wanted):
+        title = f"Frequency response H of {name} to {driver} [{unit}], lag θ = −arg H"
+        blocks_of = [_in_letters(problem, name, driver)]
+        if not problem.symbolic:
+            blocks_of += _in_numbers(problem, name, driver, unit)
+        yield from section(title, *blocks_of)
+
+
+def _in_letters(problem, name, driver):
+    """The amplitude and tan θ, or nothing where they are too long or not known."""
+    if len(problem.scene.q) > LETTERS:
+        if problem.symbolic:
+            raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
+                               "give the parameters values with --set")
+        return None
+    from vibcli.analyses.frequency.in_letters import formula
+
+    try:
+        found = formula(problem, name, driver)
+    except (NotInLetters, PhysicsError):
+        if problem.symbolic:
+            raise
+        return None
+    lines = [line("H = " if found.undamped else "|H| = ", found.amplitude)]
+    return blocks.equations(lines if found.undamped else [*lines, line("tan θ = ", found.tangent)])
+
+
+def _in_numbers(problem, name, driver, unit):
+    curve, rows = problem.frequency_response(name, driver), []
+    for number, (Omega, value) in enumerate(curve.peaks, 1):
+        rows.append((f"peak {number}", figure(Omega), figure(Omega / TURN), figure(value) if isfinite(value) else "∞",
+                     *_bandwidth(curve, number)))
+    for number, Omega in enumerate(curve.antiresonances, 1):
+        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / TURN),
+                     "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
+    head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
+    yield _static(curve, unit)
+    yield Table(head, tuple(rows)) if rows else paragraph("no resonance")
+    if any(isfinite(value) for _, value in curve.peaks):
+        yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
+
+
+def _bandwidth(curve, number):
+    """The half-power points of a peak and its quality, dashes where it has none."""
+    try:
+        return (*(figure(Omega) for Omega in curve.half_power_of(number)), figure(curve.quality(number)))
+    except PhysicsError:
+        return ("–", "–", "–")
+
+
+def _static(curve, unit):
+    try:
+        return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)} {unit}")
+    except PhysicsError:
+        return paragraph("at rest (Ω → 0) it has no bound: the scene moves off freely")

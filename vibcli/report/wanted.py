@@ -1,0 +1,19 @@
+"""What a command asks of responses beyond the file: signals, their end, the input, the range, how phases are told."""
+
+from typing import NamedTuple
+
+
+class Wanted(NamedTuple):
+    """signals: Expressions, those of the file if empty; driver: the Expression of an input, or None; phase: sine,
+    cosine or lead; low, high: angular frequencies or None; parts: steady, transient, to be shown apart; points: how
+    many instants are sampled; at: instants as (text, Fraction of a second), to so many digits."""
+
+    signals: tuple = ()
+    driver: object = None
+    phase: str = "sine"
+    low: float | None = None
+    high: float | None = None
+    parts: tuple = ()
+    points: int = 1001
+    at: tuple = ()
+    digits: int | None = None
