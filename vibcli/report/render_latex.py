@@ -54,11 +54,11 @@ def _equations(block):
 
 def aligned(block, write):
     """Rows of an alignment: labels, then formulas, broken where they are long."""
-    found, labelled = [], any(line.label for line in block.lines)
+    found = []
     for line in block.lines:
         first, *others = rows(line.parts, write, COLUMNS)
         label = formula(line.label, write) + r":\quad" if line.label else ""
-        head = f"{label} & {{}}" if labelled else "& {}"
+        head = f"{label} & {{}}".lstrip()
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
     return found
 
