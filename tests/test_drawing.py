@@ -304,6 +304,38 @@ def test_any_motion_can_be_shown():
     assert middle[3][0] == pytest.approx(-middle[3][1] * math.tan(0.5 * math.sin(0.9)), rel=1e-3)
 
 
+@pytest.mark.parametrize("kind", ["small", "full"])
+def test_the_response_of_a_scene(kind):
+    given = problem(PENDULUM + f"    initial: {{phi: 0.4 rad}}\n    motion: {kind}\n")
+    given.end = 2 * math.pi / math.sqrt(9.81)
+    frames, words, names = animation.of_response(given)
+    assert len(frames) == animation.FRAMES and words == "0 s to 2.006 s" and names[-1] == "2.006 s"
+    bobs = [next(part for part in frame if isinstance(part, Polygon) and len(part.points) > 20) for frame in frames]
+    across = [sum(plane.bounds(bob.points)[0::2]) / 2 for bob in bobs]
+    assert across[0] == pytest.approx(max(across)) and min(across) < -0.9 * max(across)
+
+
+def test_a_scene_at_rest_is_not_animated():
+    with pytest.raises(PhysicsError, match="stays at rest"):
+        animation.of_response(problem(BLOCK))
+
+
+def test_large_animations_lose_frames(monkeypatch):
+    from vibcli.report.drawing import pillow_canvas
+
+    frames, *_ = animation.of_mode(problem_of(CART), 2)
+    whole = pillow_canvas.gif(frames, "")
+    monkeypatch.setattr(pillow_canvas, "LARGEST", len(whole) - 1)
+    assert len(pillow_canvas.gif(frames, "")) < 0.7 * len(whole)
+
+
+def test_small_motions_are_magnified():
+    given = problem(PENDULUM)
+    _, words, _ = animation.of_motion(given, lambda t: {"phi": 1e-4 * math.sin(t)}, [0.0, 1.0, 2.0])
+    factor = float(words.partition("×")[2])
+    assert factor > 100 and f"{factor:g}"[0] in "125"
+
+
 # the commands
 
 def test_draw_writes_a_file_once(tmp_path, monkeypatch, capsys):
@@ -341,6 +373,8 @@ def test_links_are_not_followed(command, tmp_path, capsys):
     (["draw", "-o", "a.jpg"], 2, ".png, .svg, .pdf"), (["animate", "-o", "a.png"], 2, ".gif, .html"),
     (["draw", "-o", "nowhere/a.png"], 2, "no folder"), (["draw", "--case", "x"], 2, "no case 'x'"),
     (["draw", "--both"], 2, "--both belongs to --mode"), (["draw", "--mode", "9"], 4, "no mode 9"),
+    (["animate", "--response", "--mode", "1"], 2, "exclude"), (["animate", "--until", "2"], 2, "belongs to --response"),
+    (["animate", "--response", "--until", "x"], 2, "expected a time"),
     (["draw", "--mode", "0"], 2, "--mode"), (["animate", "--mode", "9"], 4, "modes 1 to 2")])
 def test_wrong_commands(args, code, message, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)

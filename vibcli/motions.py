@@ -163,13 +163,14 @@ class FullMotion(Motion):
         super().__init__(problem)
         self._trajectory = None
 
-    def trajectory(self, until=None, progress=None):
+    def trajectory(self, until=None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         if self._trajectory is None or self._trajectory.until < until:
             from vibcli.analyses.trajectory.simulate import simulate
 
-            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start, progress=progress)
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start,
+                                        progress=self.problem.progress)
         return self._trajectory
 
     def lasting(self):

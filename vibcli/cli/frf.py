@@ -13,6 +13,7 @@ from vibcli.cli.sampled import (
     refuse_targets,
     require_curves,
     save_to,
+    size,
 )
 
 
@@ -39,33 +40,14 @@ def command(file, settings, case, as_json, timings, signals, driver, low, high, 
     require_curves(plot, saves, as_json, {"--nyquist": nyquist, "--from": low, "--up-to": high})
     output = output_of(file, as_json, **report)
     problems = cases_to_show(chosen(load(file, settings), case), saves)
-    ends = [None if text is None else _frequency(text, option) for text, option in ((low, "--from"), (high, "--up-to"))]
+    ends = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
+            for text, option in ((low, "--from"), (high, "--up-to"))]
     if None not in ends and not ends[0] < ends[1]:
         raise click.UsageError(f"--from {low} is not below --up-to {high}")
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), driver and asked(driver, "--to"), "sine", *ends)
     return print_scenes(problems, lambda problem: ("chosen", "frequency_response"), output, timings,
                         data=("frequency_response",), wanted=wanted,
                         curves=lambda problem: _shown(problem, wanted, nyquist, plot, saves))
-
-
-def _frequency(text, option):
-    """An angular frequency given as rad/s or Hz."""
-    from math import pi
-
-    from vibcli.algebra.meaning import literal_unit, whole_literal
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.units import parse_unit
-
-    try:
-        literal = whole_literal(parse(text))
-    except ExpressionError as error:
-        raise click.UsageError(f"{option} {text}: {error.message}") from None
-    unit = literal_unit(literal[4]) if literal and literal[4] else None
-    good = literal and literal[3] > 0 and not text.lstrip().startswith("-")
-    if not good or (unit and unit.dimension != parse_unit("rad/s").dimension):
-        raise click.UsageError(f"{option} {text}: expected a frequency, as in {option} 10 or {option} '2 Hz'")
-    return float(literal[3] * (unit.value if unit else 1)) * (2 * pi if unit and unit.cycles else 1) * (
-        pi ** unit.pi if unit else 1)
 
 
 def _shown(problem, wanted, nyquist, plot, saves):

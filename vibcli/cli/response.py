@@ -10,9 +10,11 @@ from vibcli.cli.sampled import (
     cases_to_show,
     curve_options,
     plot_width,
+    progress,
     refuse_targets,
     require_curves,
     save_to,
+    size,
 )
 
 
@@ -45,26 +47,18 @@ def command(file, settings, case, as_json, timings, signals, until, points, phas
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
     if until is not None:
-        _until(problems, until)
+        set_end(problems, until)
+    for _, problem in problems:
+        problem.progress = progress(problem)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves))
 
 
-def _until(problems, text):
-    """The end of the motion as given; a usage error where it is no time."""
-    from vibcli.algebra.meaning import literal_unit, whole_literal
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.units import TIME
-
-    try:
-        literal = whole_literal(parse(text))
-    except ExpressionError as error:
-        raise click.UsageError(f"--until {text}: {error.message}") from None
-    unit = literal_unit(literal[4]) if literal and literal[4] else None
-    if not literal or not literal[3] > 0 or text.lstrip().startswith("-") or (unit and unit.dimension != TIME):
-        raise click.UsageError(f"--until {text}: expected a time, as in --until 2 or --until '500 ms'")
+def set_end(problems, text):
+    """Let the motions end as given; a usage error where that is no time."""
+    end = size(text, "--until", "s", "a time, as in 2 or '500 ms'")
     for _, problem in problems:
-        problem.end = float(literal[3] * (unit.value if unit else 1))
+        problem.end = end
 
 
 def _shown(problem, wanted, plot, saves):

@@ -8,6 +8,7 @@ coefficients (a shaken pivot) are refused by name.
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
+from vibcli.algebra.jumps import at_impulses
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
 from vibcli.algebra.stand_ins import SmoothFloats
@@ -130,6 +131,8 @@ def excitation(scene, form, position):
     found = {}
     for i, terms in enumerate(rows):
         total = scene.table.sum(*((term, -ONE) for term in terms))
+        if "impulse" in scene.table.called:
+            total = at_impulses(total, scene.time)
         if total.mask & scene.time.mask:
             parts = {monomial: value for monomial, value in _terms(scene, total).items()
                      if any(atom.mask & scene.time.mask for atom, _ in monomial)}

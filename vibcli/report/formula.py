@@ -1,8 +1,9 @@
 """The mathematics of blocks in a notation: as text, LaTeX or MathML, piece by piece where a line may end."""
 
 import re
+from itertools import groupby
 
-from vibcli.report.blocks import Either, Factor, Name, Terms, Words
+from vibcli.report.blocks import Either, Factor, Maths, Name, Terms, Words
 from vibcli.report.figures import width
 from vibcli.report.notation import plain
 
@@ -22,6 +23,17 @@ def pieces(parts, write):
         found[-1:] = [write.beside(*found[-1:], first)]
         found += others
     return found
+
+
+def without_words(parts):
+    """Running text in which the words within formulas stand outside of them."""
+    for part in parts:
+        if not isinstance(part, Maths):
+            yield part
+            continue
+        for are_words, group in groupby(part.parts, lambda one: isinstance(one, Words)):
+            found = tuple(group)
+            yield "".join(one.text for one in found) if are_words else Maths(found)
 
 
 def rows(parts, write, columns):

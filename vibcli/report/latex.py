@@ -80,10 +80,10 @@ class Latex(Stacked):
     def words(self, text):
         from vibcli.report.tex import escaped
 
-        return rf"\text{{{escaped(text)}}}"
+        return rf"\text{{{escaped(text)}}}" if text else ""
 
     def beside(self, *texts):
-        return " ".join(filter(None, texts))
+        return " ".join(filter(None, map(str.strip, texts)))
 
 
 latex = Latex()

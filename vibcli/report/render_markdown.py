@@ -4,13 +4,26 @@ import re
 
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
 from vibcli.report.clean import on_one_line
-from vibcli.report.formula import formula
-from vibcli.report.latex import latex
+from vibcli.report.formula import formula, without_words
+from vibcli.report.latex import Latex, latex
 from vibcli.report.render_latex import aligned, is_signed
 
 _SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
 _OTHERS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "$": r"<span>\$</span>", "://": r":\//", "www.": r"www\."}
 _OTHER = re.compile("|".join(map(re.escape, _OTHERS)), re.IGNORECASE)
+
+
+_WIDE = {letter: chr(ord(letter) + 0xFEE0) for letter in r"\${}%&#_^~<>`"}
+
+
+class Displayed(Latex):
+    """LaTeX as web pages read it: words within it are no TeX, so what is special there is written as a wide letter."""
+
+    def words(self, text):
+        return rf"\text{{{on_one_line(text).translate(str.maketrans(_WIDE))}}}" if text else ""
+
+
+displayed = Displayed()
 
 
 def escaped(text):
@@ -46,13 +59,14 @@ def _document(document, place):
         yield _refusal(document.refusal)
 
 
-def _running(parts):
-    return "".join(f"${formula(part.parts, latex)}$" if isinstance(part, Maths) else escaped(part) for part in parts)
+def _running(parts, bar="|"):
+    return "".join(f"${formula(part.parts, latex).replace('|', bar)}$" if isinstance(part, Maths) else escaped(part)
+                   for part in without_words(parts))
 
 
 def _equations(block):
     """A display each, in an alignment where a formula has a label or is broken."""
-    text = aligned(block)
+    text = aligned(block, displayed)
     if "\\\\\n" not in text and not block.lines[0].label:
         return f"$$\n{text.removeprefix('& {} ')}\n$$"
     return f"$$\n\\begin{{aligned}}\n{text}\n\\end{{aligned}}\n$$"
@@ -63,7 +77,7 @@ def _paragraph(block):
 
 
 def _heading(block):
-    return f"### {escaped(block.text)}"
+    return f"### {escaped(block.text.rstrip(':'))}"
 
 
 def _table(block):
@@ -72,8 +86,7 @@ def _table(block):
 
 
 def _cell(cell):
-    text = f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,))
-    return text.replace("|", r"\vert ") if isinstance(cell, Maths) else text
+    return f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,), r"\vert ")
 
 
 def _definitions(block):

@@ -96,14 +96,16 @@ def frequency_figure(problem, curves, nyquist=False):
     from vibcli.report.plots import frequency
 
     Omega, values = curves[0].Omega, {curve.name: curve.values for curve in curves}
-    marks = {name: sorted({x for curve in curves for x in getattr(curve, name)}) for name in ("peaks",
-                                                                                           "antiresonances")}
+    if len(curves) == 1:
+        peaks, dips = curves[0].peaks, curves[0].antiresonances
+    else:
+        natural = [float(mode.omega) for mode in problem.modes if mode.omega]
+        peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
     title = problem.spec.get("title") or ""
     if nyquist:
-        return frequency.nyquist(Omega, values, _unit(curves), at=marks["peaks"], title=title)
+        return frequency.nyquist(Omega, values, _unit(curves), at=peaks, title=title)
     kind = f"H to {curves[0].driver}"
-    return frequency.of_frequency_response(Omega, values, kind, _unit(curves), marks["peaks"],
-                                           marks["antiresonances"], title=title)
+    return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
 
 
 def _unit(curves):

@@ -81,8 +81,10 @@ def ends(block, found, timeline):
         for drive in found:
             inside = drive.at < count - 1
             at = drive.at[inside]
-            response = math.factorial(drive.power) * product * differences(nodes + drive.nodes, unique)
-            added[at + 1, i] += drive.inputs[inside, j] * response[which[at]]
+            few = len(at) < len(unique)
+            response = differences(nodes + drive.nodes, lengths[at] if few else unique)
+            factor = math.factorial(drive.power) * product * drive.inputs[inside, j]
+            added[at + 1, i] += factor * (response if few else response[which[at]])
     return step, added
 
 

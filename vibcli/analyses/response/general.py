@@ -9,8 +9,8 @@ import numpy as np
 
 from vibcli.analyses.response.block import Block
 from vibcli.analyses.response.clusters import groups, joined, starting
+from vibcli.analyses.response.inputs import blocks
 from vibcli.analyses.response.sharpened import sharpened
-from vibcli.errors import PhysicsError
 
 
 def general(M, C, K):
@@ -18,12 +18,11 @@ def general(M, C, K):
     powers, rate = scaling(M, C, K)
     unit = np.ldexp(1.0, powers)
     M, C, K = (np.ldexp(unit[:, None] * matrix * unit, -lower * rate) for lower, matrix in enumerate((M, C, K)))
-    check_inertia(M)
-    return [_in_units(block, unit, rate) for block in blocks(M, exact_bases(M, C, K))]
+    return [_in_units(block, unit, rate) for block in blocks(M, C, exact_bases(M, C, K))]
 
 
 def exact_bases(M, C, K):
-    """The bases of all blocks, (X, B, half); eigenvalues that cannot be told apart are put together."""
+    """The bases of all blocks, (X, B, half) in fixed point; eigenvalues that cannot be told apart are put together."""
     found = groups(M, C, K)
     while True:
         bases, mixed = sharpened(M, C, K, [starting(M, C, K, group) for group in found])
@@ -34,47 +33,11 @@ def exact_bases(M, C, K):
 
 def scaling(M, C, K):
     """Powers of two p, r: with q = 2ᵖ q̂ and λ = 2ʳ λ̂ the diagonal of M and the largest entry of K or C are near 1."""
-    diagonal = np.diagonal(M)
-    if not (diagonal > 0).all():
-        raise unmoved(int(np.argmin(diagonal)))
-    powers = -(np.frexp(diagonal)[1] // 2)
+    powers = -(np.frexp(np.diagonal(M))[1] // 2)
     unit = np.ldexp(1.0, powers)
     stiffest, strongest = (np.abs(unit[:, None] * matrix * unit).max() for matrix in (K, C))
     rate = int(np.frexp(stiffest)[1]) // 2 if stiffest else int(np.frexp(strongest)[1])
     return powers, rate
-
-
-def check_inertia(M):
-    """Refuses a scaled M that is not positive definite."""
-    try:
-        np.linalg.cholesky(M)
-    except np.linalg.LinAlgError:
-        raise unmoved(int(np.argmin(np.abs(np.linalg.eigh(M)[1][:, 0]) < 0.5))) from None
-
-
-def unmoved(i):
-    """The refusal of a coordinate that no inertia moves."""
-    return PhysicsError(f"no positive inertia moves with coordinate {i + 1}: its motion in time is not determined by "
-                        "q̈", hint="give what it moves a mass or inertia")
-
-
-def blocks(M, bases):
-    """Blocks of bases (X, B, half): the rows that give c of a state are those of the inverse of all [X; X B]."""
-    V = np.concatenate([_columns(basis) for basis in bases], axis=1)
-    N, at, found = np.linalg.inv(V), 0, []
-    inverse = np.linalg.inv(M)
-    for X, B, half in bases:
-        R = N[at:at + len(B), len(M):]
-        W = R @ inverse
-        found.append(Block(2 * X if half else X, B, N[at:at + len(B), :len(M)], R, W, half))
-        at += len(B) * (1 + half)
-    return found
-
-
-def _columns(basis):
-    X, B, half = basis
-    Z = np.concatenate([X, X @ B])
-    return np.concatenate([Z, Z.conj()], axis=1) if half else Z
 
 
 def _in_units(block, unit, rate):

@@ -5,11 +5,13 @@ from functools import cached_property
 
 import numpy as np
 
+from vibcli.analyses.precise import beyond
 from vibcli.analyses.response import searching
 from vibcli.analyses.response.driven import drives, ends, marched
 from vibcli.analyses.response.spectrum import spectrum
 from vibcli.analyses.response.terms import Terms
 from vibcli.analyses.response.timeline import Timeline
+from vibcli.errors import PhysicsError
 
 
 def linear_motion(M, C, K, forcing, q0, v0, modes=None):
@@ -19,7 +21,13 @@ def linear_motion(M, C, K, forcing, q0, v0, modes=None):
     generalised forces. modes: undamped modes (modal.Mode) where they are known better than the assembled matrices tell.
     """
     M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
-    return LinearMotion(M, C, K, spectrum(M, C, K, modes), forcing, q0, v0)
+    if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
+        raise PhysicsError("inertia, damping, stiffness or what the motion starts from is not a finite number",
+                           hint="look for a length, an angle or a law that is singular there")
+    try:
+        return LinearMotion(M, C, K, spectrum(M, C, K, modes), forcing, q0, v0)
+    except (OverflowError, ZeroDivisionError):
+        raise beyond() from None
 
 
 class LinearMotion:

@@ -15,25 +15,29 @@ GUARD, MORE, TRIES = 64, 96, 12
 
 
 def precise_value(M, C, K, forcing, q0, v0, output, time, digits, order=0):
-    """The order-th derivative of the output at a time, just after what jumps there, as mpmath.mpf correct to `digits`.
+    """The order-th derivative of an output at a time as mpmath.mpf, see precise_values."""
+    return precise_values(M, C, K, forcing, q0, v0, [output], time, digits, order)[0]
 
-    M, C, K: nested lists of numbers, as q0, v0 and those of the forcing and the output: float, Fraction, mpf or mpc.
+
+def precise_values(M, C, K, forcing, q0, v0, outputs, time, digits, order=0):
+    """The order-th derivative of each output at a time, just after what jumps there, correct to `digits`.
+
+    M, C, K: nested lists of numbers, as q0, v0 and those of the forcing and the outputs: float, Fraction, mpf or mpc.
     """
     from mpmath import mp
 
     bits, before = math.ceil(digits * math.log2(10)) + GUARD, None
     for _ in range(TRIES):
         with mp.workprec(bits + GUARD):
-            found = _value(M, C, K, forcing, q0, v0, output, time, order, bits)
-            if before is not None and abs(found - before) <= abs(found) * mp.mpf(10) ** (-digits - 1):
-                return found
-        if before is not None and not found and not before:
-            return found
+            found = _values(M, C, K, forcing, q0, v0, outputs, time, order, bits)
+            small = mp.mpf(10) ** (-digits - 1)
+            if before is not None and all(abs(x - y) <= abs(x) * small for x, y in zip(found, before, strict=True)):
+                break
         before, bits = found, bits + max(MORE, bits // 3)
     return found
 
 
-def _value(M, C, K, forcing, q0, v0, output, time, order, bits):
+def _values(M, C, K, forcing, q0, v0, outputs, time, order, bits):
     from mpmath import mp
 
     n, time = len(M), _real(time)
@@ -48,10 +52,10 @@ def _value(M, C, K, forcing, q0, v0, output, time, order, bits):
         G, z, forces = _generator(inverse, C, K, piece.waves, state, forcing.channels)
         last = after is None or _real(after.start) > time
         z = _carried(G, (time if last else _real(after.start)) - start, z, bits)
-        state = [z[i] for i in range(2 * n)]
         if last:
-            return _read(G, z, forces, output, order, n)
-    return None
+            break
+        state = [z[i] for i in range(2 * n)]
+    return [_read(G, z, forces, output, order, n) for output in outputs]
 
 
 def _real(x):

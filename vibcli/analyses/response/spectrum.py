@@ -5,8 +5,9 @@ import numpy as np
 from vibcli.analyses.response.block import Block, apart
 from vibcli.analyses.response.clusters import components
 from vibcli.analyses.response.poles import one_degree, pair, poles_of_mode
+from vibcli.errors import PhysicsError
 
-COUPLED = 1e-14
+COUPLED, EPSILON = 1e-14, 2.0**-52
 FLAT = 0.1
 
 
@@ -15,6 +16,7 @@ def spectrum(M, C, K, modes=None):
 
     modes: undamped modes that replace those of the matrices where damping does not couple them.
     """
+    check_inertia(M)
     if modes is not None:
         found = modal(M, C, modes)
         if found:
@@ -22,6 +24,20 @@ def spectrum(M, C, K, modes=None):
     sets = components((M != 0) | (C != 0) | (K != 0) | ((M != 0) | (C != 0) | (K != 0)).T)
     return [apart(block, places, len(M)) for places in sets
             for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)))]
+
+
+def check_inertia(M):
+    """Refuses an M that is not positive definite: q̈ is not determined then."""
+    diagonal = np.diagonal(M)
+    weak = int(np.argmin(diagonal))
+    if diagonal[weak] > 0:
+        unit = np.ldexp(1.0, -(np.frexp(diagonal)[1] // 2))
+        values, vectors = np.linalg.eigh(unit[:, None] * M * unit)
+        if values[0] > len(M) * EPSILON * values[-1]:
+            return
+        weak = int(np.argmax(np.abs(vectors[:, 0])))
+    raise PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
+                       hint="give what it moves a mass or inertia")
 
 
 def _coupled(M, C, K):

@@ -15,7 +15,7 @@ class Terms:
     """The order-th derivative of an output, real parts of sums with coefficients by segment.
 
     free: (λ, coefficients) of e^{λτ}; linked: (nodes, coefficients) of E[nodes](τ); near: (nodes, segments,
-    coefficients) of driven parts; waves: {(power, s): coefficients} of τᵏe^{sτ}.
+    coefficients) of driven parts; waves: {…: (power, s, segments, coefficients)} of τᵏe^{sτ}.
     """
 
     __slots__ = ("count", "free", "linked", "near", "waves")
@@ -29,7 +29,7 @@ class Terms:
                 if row[i]:
                     self._add_path(nodes, row[i] * product, states[:, j], found, j)
         if output.constant and pieces.motion.constants and not order:
-            self._add_wave(0, 0j, slice(None), output.constant)
+            self._add_wave(0, 0j, np.arange(self.count), output.constant)
         if output.a or output.channels or (order and output.v) or order > 1:
             self._add_direct(pieces, output, order)
 
@@ -49,9 +49,9 @@ class Terms:
     def _add_wave(self, power, s, at, coefficients):
         if s.imag < 0:
             s, coefficients = s.conjugate(), np.conj(coefficients)
-        kind = complex if s.imag else float
-        row = self.waves.setdefault((power, s), np.zeros(self.count, kind))
-        row[at] += coefficients if s.imag else np.real(coefficients)
+        new = power, s, at, np.zeros(len(at), complex if s.imag else float)
+        row = self.waves.setdefault((power, s, at.tobytes()), new)[3]
+        row += coefficients if s.imag else np.real(coefficients)
 
     def _add_direct(self, pieces, output, order):
         motion = pieces.motion
@@ -65,14 +65,14 @@ class Terms:
     def nodes(self):
         """The nodes of each exponential in the sum."""
         return ([nodes for nodes, _ in self.free + self.linked] + [nodes for nodes, _, _ in self.near]
-                + [(s,) for _, s in self.waves])
+                + [(s,) for _, s, _, _ in self.waves.values()])
 
     def on(self, segment):
         """(nodes, factor) of all on one segment: the output is Re Σ factor · E[nodes](τ)."""
         found = [(nodes, row[segment]) for nodes, row in self.free + self.linked]
-        found += [(nodes, row[np.flatnonzero(at == segment)[0]]) for nodes, at, row in self.near if segment in at]
-        return found + [((s,) * (power + 1), math.factorial(power) * row[segment])
-                        for (power, s), row in self.waves.items()]
+        parts = self.near + [((s,) * (power + 1), at, math.factorial(power) * row)
+                             for power, s, at, row in self.waves.values()]
+        return found + [(nodes, row[np.searchsorted(at, segment)]) for nodes, at, row in parts if segment in at]
 
     def at(self, segment, tau):
         """The values at the times `tau` after the starts of the segments."""
@@ -92,9 +92,11 @@ class Terms:
         for nodes, at, row in self.near:
             inside, place = self._within(at, segment)
             y[inside] += np.real(row[place] * differences(nodes, tau[inside]))
-        for (power, s), row in self.waves.items():
-            wave = real_wave(self._of(row, segment), s, tau)
-            y += tau**power * wave if power else wave
+        for power, s, at, row in self.waves.values():
+            inside, place = self._within(at, segment)
+            here = tau[inside]
+            wave = real_wave(row[place], s, here)
+            y[inside] += here**power * wave if power else wave
         return y
 
     def bound(self, segment, early, late):
@@ -106,8 +108,9 @@ class Terms:
             for nodes, at, row in self.near:
                 inside, place = self._within(at, segment)
                 total[inside] += np.abs(row[place]) * bounds(nodes, early[inside], late[inside])
-            for (power, s), row in self.waves.items():
-                total += np.abs(self._of(row, segment)) * late**power * bounds((s,), early, late)
+            for power, s, at, row in self.waves.values():
+                inside, place = self._within(at, segment)
+                total[inside] += np.abs(row[place]) * (late**power * bounds((s,), early, late))[inside]
         return total
 
     def _of(self, row, segment):
@@ -116,7 +119,7 @@ class Terms:
     def _within(self, at, segment):
         """Which of the times lie in the segments `at`, and in which of them."""
         if len(at) == self.count:
-            return slice(None), segment
+            return slice(None), 0 if self.count == 1 else segment
         row = np.full(self.count, -1)
         row[at] = np.arange(len(at))
         place = row[segment]

@@ -11,7 +11,7 @@ from vibcli.errors import PhysicsError
 from vibcli.report.drawing import plane
 from vibcli.report.figures import figure as printed
 
-READABLE, LUMPED, SWING, SMALL, FARTHEST = 30.0, 22.0, 0.7, 1e-4, 0.9
+READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4, 0.9
 SQUEEZED, ROUNDS = 0.4, 24
 
 
@@ -128,15 +128,27 @@ def phases(count):
     return [2 * pi * i / count - pi / 2 for i in range(count)]
 
 
-def response(stage, positions, unit=None):
+def response(stage, positions, times=None, unit=None):
     """(Sketches, unit) of a motion: `positions` are {coordinate: value} of all or only the independent coordinates, one
-    for each frame; PhysicsError where the loops of the scene cannot follow."""
+    for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene cannot follow."""
+    positions = list(positions)
     sketches = []
-    for position in positions:
-        found = stage.at(dict(position))
+    for position, time in zip(positions, times or [0.0] * len(positions), strict=True):
+        found = stage.at(dict(position), time)
         if found is None:
             raise PhysicsError("the loops of this scene cannot follow this motion", "ask for a smaller one")
         sketches.append(found)
     stage.room = room(stage, [stage.sketch, *sketches])
     slides = max((lumped_displacements(stage.sketch, sketch, stage)[0] for sketch in sketches), default=0.0)
     return sketches, unit or (LUMPED / slides if slides else 1.0)
+
+
+def magnification(stage, middle, sketches):
+    """1, or a round number by which a motion about the Sketch `middle` is to be magnified so that it can be seen."""
+    size = max((largest_displacement(middle, sketch, stage) for sketch in sketches if middle), default=0.0)
+    if not 0 < size < VISIBLE:
+        return 1.0
+    factor, power = READABLE / size, 1.0
+    while power * 10 <= factor:
+        power *= 10
+    return max(part * power for part in (1.0, 2.0, 5.0) if part * power <= factor)
