@@ -183,7 +183,16 @@ class FullMotion(Motion):
                                "say until when: find: [{response: {until: 10 s}}]") from None
 
     def period(self, tree):
-        """The time from one upward passage of a signal through the middle of its range to the next."""
+        """Of one conservative degree of freedom by quadrature; else the time from one upward passage of a signal
+        through the middle of its range to the next."""
+        from vibcli.analyses.trajectory.period import exact_period
+
+        problem = self.problem
+        if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
+            name = tree[3]
+            found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
+            if found is not None:
+                return found
         signal = self.signal(tree)
         high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
         found = signal.zeros(0.0, self.until, 0.5 * (high + low))

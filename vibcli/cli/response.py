@@ -17,6 +17,8 @@ from vibcli.cli.sampled import (
     size,
 )
 
+INSTANT = "a time, as in 2.5 or '40 ms'"
+
 
 @click.command("response")
 @scene_options
@@ -25,6 +27,10 @@ from vibcli.cli.sampled import (
               "be given several times. The coordinates unless given, here or by `find` of the file.")
 @click.option("--until", metavar="TIME", help="Its end, as 2 (seconds) or '500 ms'; unless given, here or by "
               "`find` of the file, some periods, or until it has died out.")
+@click.option("--at", "instants", multiple=True, metavar="TIME", help="Also the values at this instant, as 2.5 or "
+              "'40 ms'.")
+@click.option("--digits", type=click.IntRange(1, 200), metavar="N", help="Those values with N correct digits, in "
+              "arbitrary precision.")
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, metavar="N",
               help="How many instants are plotted or saved.")
 @click.option("--phase", type=click.Choice(["sine", "cosine", "lead"]), default="sine", show_default=True,
@@ -32,8 +38,8 @@ from vibcli.cli.sampled import (
 @click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
-def command(file, settings, case, as_json, timings, signals, until, points, phase, steady, transient, plot, saves,
-            **report):
+def command(file, settings, case, as_json, timings, signals, until, instants, digits, points, phase, steady, transient,
+            plot, saves, **report):
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
@@ -45,7 +51,10 @@ def command(file, settings, case, as_json, timings, signals, until, points, phas
     output = output_of(file, as_json, **report)
     problems = cases_to_show(chosen(load(file, settings), case), saves)
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
-    wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
+    wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points,
+                    at=tuple((text, size(text, "--at", "s", INSTANT, exact=True)) for text in instants), digits=digits)
+    if digits and not instants:
+        raise click.UsageError("--digits belongs to --at")
     if until is not None:
         set_end(problems, until)
     for _, problem in problems:

@@ -35,8 +35,9 @@ def asked(text, option):
         raise click.UsageError(f"{option} {text}: {error.message}{hint}") from None
 
 
-def size(text, option, unit, wants):
-    """A positive quantity given on the command line, in SI units; a bare number is one of `unit`, cycles are 2π."""
+def size(text, option, unit, wants, exact=False):
+    """A positive quantity given on the command line, in SI units; a bare number is one of `unit`, cycles are 2π.
+    `exact`: as a Fraction, where it may be zero."""
     from math import pi
 
     from vibcli.algebra.meaning import literal_unit, whole_literal
@@ -48,9 +49,11 @@ def size(text, option, unit, wants):
     except ExpressionError as error:
         raise click.UsageError(f"{option} {text}: {error.message}") from None
     found = literal_unit(literal[4] if literal and literal[4] else parse(f"1 {unit}")[4])
-    if not literal or not literal[3] > 0 or text.lstrip().startswith("-") or (
+    if not literal or not (literal[3] > 0 or exact) or text.lstrip().startswith("-") or (
             found.dimension != parse_unit(unit).dimension):
         raise click.UsageError(f"{option} {text}: expected {wants}")
+    if exact:
+        return literal[3] * found.value
     return float(literal[3] * found.value) * pi**found.pi * (2 * pi if found.cycles else 1)
 
 

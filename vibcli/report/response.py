@@ -33,7 +33,33 @@ def response(problem, report):
         yield from formulas(asked)
         if motion.drive:
             yield from steady_state(asked, report.wanted.phase)
+    yield from _at_instants(problem, asked, report.wanted)
     yield from _extremes(asked, motion)
+
+
+def _at_instants(problem, asked, wanted):
+    """The values at the instants asked for."""
+    if wanted.at:
+        rows = tuple((f"{one.text} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
+                     for one in asked)
+        yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
+
+
+def value_at(problem, one, t, digits=None):
+    """A signal at an instant, as text."""
+    if digits is None:
+        import numpy as np
+
+        return figure(float(one.signal.values(np.array([float(t)]))[0]), digits=12)
+    import mpmath
+
+    from vibcli.errors import PhysicsError
+    from vibcli.precise_motion import precise_value
+
+    if one.tree[0] != "name" or problem.spec.get("motion") == "full":
+        raise PhysicsError("--digits is for coordinates of small motions",
+                           "ask for --of " + problem.scene.coordinates[0])
+    return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
 
 
 def _start(problem, motion):
