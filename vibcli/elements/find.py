@@ -43,8 +43,8 @@ _IN_FREQUENCY = Element(
     "Frequency responses of signals to a unit of an input.",
     {
         "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
-        "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of these "
-                    "if left out"),
+        "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of "
+                    "these if left out"),
         "from": Field(Quantity("rad/s"), "where plots and saved numbers begin, an angular frequency"),
         "up_to": Field(Quantity("rad/s"), "where they end"),
     },
