@@ -133,7 +133,7 @@ def _small(problem, answer):
         body = problem.scene.bodies[tree[5][0]]
         mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
         return 1e-12 * (mass * size * size if head == "J" else size)
-    return 1e-12 * max((abs(float(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
+    return 1e-12 * max((float(abs(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
 
 
 def _small_signal(problem, text):

@@ -152,7 +152,10 @@ class SmallMotion(Motion):
     def _one(self, part):
         if isinstance(part[0], Output):
             return self._linear(0.0, [(1.0, part)])
-        return getattr(self.signal(part[0][7][0]), part[0][4])
+        found = getattr(self.signal(part[0][7][0]), part[0][4], None)
+        if found is None:
+            raise PhysicsError(f"'{part[0][4]}' is not found of what is no sum of signals", "ask for it of each signal")
+        return found
 
     def _linear(self, constant, terms):
         direct = [node for _, (_, node) in terms if node is not None]

@@ -9,6 +9,18 @@ from vibcli.errors import PhysicsError
 SAMPLES, ROUNDS = 4001, 60
 
 
+def require_finite(values, times):
+    """The values; PhysicsError where one is no real number."""
+    import numpy as np
+
+    bad = ~np.isfinite(values)
+    if bad.any():
+        instant = np.asarray(times)[bad][0]
+        raise PhysicsError(f"this signal has no finite real value at t = {instant:.6g} s",
+                           "mind its divisors and what stands under roots and in logarithms")
+    return values
+
+
 class LinearSignal:
     """A linear output of a linear motion."""
 
@@ -48,18 +60,6 @@ class LinearSignal:
         return harmonics(self)
 
 
-class Envelope:
-    """A e^{−δt} of a free vibration."""
-
-    def __init__(self, signal):
-        self.signal = signal
-
-    def values(self, times, order=0):
-        from vibcli.read_off import envelope
-
-        return envelope(self.signal, times)
-
-
 class ComposedSignal:
     """A function of signals, instant by instant; `node` in symbols that `signals` names."""
 
@@ -71,8 +71,12 @@ class ComposedSignal:
 
         if order:
             raise PhysicsError("rates of products of signals are not found", "ask for the signal itself")
+        import numpy as np
+
         values = {name: signal.values(times) for name, signal in self.signals.items()}
-        return evaluate([self.node], Arrays, {**self.floats, **values})[0]
+        with np.errstate(all="ignore"):
+            found = evaluate([self.node], Arrays, {**self.floats, **values})[0]
+        return require_finite(np.broadcast_to(found, np.shape(times)), times)
 
     def extreme(self, start, end, sense):
         """(instant, value), refined from the best of many samples by golden section."""
@@ -135,6 +139,20 @@ class Difference:
         return self.one.final() - self.other.final()
 
 
+class Envelope:
+    """A e^{−δt} of a free vibration."""
+
+    def __init__(self, signal):
+        self.signal = signal
+
+    def values(self, times, order=0):
+        from vibcli.read_off import envelope
+
+        return envelope(self.signal, times)
+
+    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+
+
 class FullSignal:
     """A function of the coordinates, velocities and accelerations of a motion that was integrated."""
 
@@ -154,7 +172,9 @@ class FullSignal:
         values = {**self.motion.problem.floats, scene.time.name: times}
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
-        return np.broadcast_to(evaluate([self.node], Arrays, values)[0], times.shape)
+        with np.errstate(all="ignore"):
+            found = evaluate([self.node], Arrays, values)[0]
+        return require_finite(np.broadcast_to(found, times.shape), times)
 
     def zeros(self, start, end, level=0.0):
         """Instants at which the signal passes a level."""

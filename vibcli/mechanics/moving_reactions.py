@@ -11,6 +11,7 @@ with δp = P δq + P_u δu. What q does follows from its own equations, so any l
 from functools import cached_property
 
 from vibcli.algebra.calculus import gradient
+from vibcli.algebra.copied import copied
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.opened import Opened
@@ -71,6 +72,7 @@ class MovingReactions:
                     if i < released.n:
                         _add(parts[i][kind], x, motions[j])
         driven = excitation(released.scene, released.timed, released.place)
+        driven = dict(zip(driven, copied(list(driven.values()), self.opened.scene.table), strict=True))
         return {i: Row(float(numbers.residual[i]), [(-1.0, driven[i])] if i in driven else [], **part)
                 for i, part in parts.items()}
 

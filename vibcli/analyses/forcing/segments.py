@@ -6,6 +6,10 @@ and all their products. Counting from the start of the segment keeps a 5 ms puls
 
 from typing import NamedTuple
 
+from vibcli.errors import PhysicsError
+
+MOST = 100_000      # segments of a periodic forcing
+
 
 class Wave(NamedTuple):
     """Re(c τᵏ e^{sτ}) on one channel: c complex, k an integer, s complex [1/s]."""
@@ -38,6 +42,9 @@ class Forcing:
         found = [piece for piece in self.pieces if piece.start < until or not piece.start]
         if self.period is None:
             return found
+        if (until - self.since) * len(self.pieces) > MOST * self.period:
+            raise PhysicsError("this periodic load repeats itself too often to be followed for so long",
+                               f"ask for an instant before t = {MOST * self.period / len(self.pieces):.3g} s")
         repeated = [piece for piece in self.pieces if piece.start >= self.since]
         turns = 1
         while self.since + turns * self.period < until:
