@@ -1,8 +1,8 @@
 """The keys of --json: what each means. Dots lead into objects, [] into lists."""
 
 ABOUT = ("What `vibcli solve`, `frequencies`, `equations`, `response` and `frf` print with --json: one object in SI "
-         "units, angles in radians, null where there is nothing. Values are strings where the scene has symbols without value "
-         "(expressions of the scene language) or with --digits (decimals); else numbers.")
+         "units, angles in radians, null where there is nothing. Values are strings where the scene has symbols "
+         "without value (expressions of the scene language) or with --digits (decimals); else numbers.")
 KEYS = {
     "title": "the title of the scene, or null",
     "coordinates": "names of the generalised coordinates, in the order of all rows and columns",
