@@ -28,7 +28,7 @@ INSTANT = "a time, as in 2.5 or '40 ms'"
 @click.option("--until", metavar="TIME", help="Its end, as 2 (seconds) or '500 ms'; unless given, here or by "
               "`find` of the file, some periods, or until it has died out.")
 @click.option("--at", "instants", multiple=True, metavar="TIME", help="Also the values at this instant, as 2.5 or "
-              "'40 ms'.")
+              "'40 ms'; may be given several times.")
 @click.option("--digits", type=click.IntRange(1, 200), metavar="N", help="Those values with N correct digits, in "
               "arbitrary precision.")
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, metavar="N",

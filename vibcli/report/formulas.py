@@ -112,7 +112,7 @@ def _beats(one):
     if not hasattr(one.signal, "output"):
         return []
     period = beat_period(one.signal.motion, one.signal.output)
-    return [f"{one.text} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s"] if period else []
+    return [f"{one.label} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s"] if period else []
 
 
 def steady_state(asked, convention):
@@ -128,14 +128,14 @@ def steady_state(asked, convention):
     angle = "α" if convention == "lead" else "θ"
     yield from section(f"Steady state {PHASES[convention][0]}", Table(
         ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
-        *(paragraph(f"{one.text}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
+        *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
 
 
 def _still(asked, rows):
     """Which signals do not vibrate where others do."""
     from vibcli.report.response import harmonics_of
 
-    still = [one.text for one in asked if hasattr(one.signal, "output") and not harmonics_of(one.signal)]
+    still = [one.label for one in asked if hasattr(one.signal, "output") and not harmonics_of(one.signal)]
     return paragraph(f"without vibration: {', '.join(still)}") if rows and still else None
 
 

@@ -42,7 +42,7 @@ def response(problem, report):
 def _at_instants(problem, asked, wanted):
     """The values at the instants asked for."""
     if wanted.at:
-        rows = tuple((f"{one.text} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
+        rows = tuple((f"{one.label} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
                      for one in asked)
         yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
@@ -106,7 +106,7 @@ def _integration(trajectory):
 def _extremes(asked, motion):
     rows = []
     for one, (late, most), (early, least) in extremes(asked, motion.until):
-        rows.append((f"{one.text} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
+        rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
                      figure(early)))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(motion.until)} s",
                        Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
@@ -142,5 +142,5 @@ def steady_rows(asked, convention):
         for Omega, X in harmonics_of(one.signal):
             if Omega:
                 theta = phase_in(convention, X)
-                yield (f"{one.text} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
                        figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))
