@@ -77,7 +77,7 @@ def test_the_measure_sees_a_wrong_response():
 def test_derivatives_and_mixed_outputs():
     rng = np.random.default_rng(4)
     _, M, C, K = systems(rng)[0]
-    motion, times, fastest = case(M, C, K, rng)
+    motion, times, _ = case(M, C, K, rng)
     output = Output(0.7, q={0: 1.0}, v={1: 0.4}, a={0: -0.2, 1: 1.0}, channels={1: 0.3})
     lists = [matrix.tolist() for matrix in (M, C, K)]
     for order in range(4):
