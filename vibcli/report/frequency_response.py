@@ -16,29 +16,32 @@ def frequency_response(problem, report):
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
         title = f"Frequency response H of {name} to {driver} [{unit}], lag θ = −arg H"
-        blocks_of = [_in_letters(problem, name, driver)]
+        blocks_of = list(_in_letters(problem, name, driver))
         if not problem.symbolic:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
 
 
 def _in_letters(problem, name, driver):
-    """The amplitude and tan θ, or nothing where they are too long or not known."""
+    """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
         if problem.symbolic:
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
-        return None
+        return
     from vibcli.analyses.frequency.in_letters import formula
+    from vibcli.report.response_letters import conditions
 
     try:
         found = formula(problem, name, driver)
     except (NotInLetters, PhysicsError):
         if problem.symbolic:
             raise
-        return None
-    lines = [line("H = " if found.undamped else "|H| = ", found.amplitude)]
-    return blocks.equations(lines if found.undamped else [*lines, line("tan θ = ", found.tangent)])
+        return
+    head = "H = " if found.undamped else "H = i·" if found.ahead else "|H| = "
+    lines = [line(head, found.amplitude)]
+    yield blocks.equations([*lines, line("tan θ = ", found.tangent)] if head == "|H| = " else lines)
+    yield from conditions(found)
 
 
 def _in_numbers(problem, name, driver, unit):

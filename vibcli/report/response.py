@@ -2,10 +2,11 @@
 
 from math import degrees
 
+from vibcli.elements.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, with_unit
-from vibcli.report.responses import extremes, signals_asked
+from vibcli.report.responses import extremes, names_asked, signals_asked
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
@@ -17,9 +18,10 @@ PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t �
 def response(problem, report):
     """The sections of a motion in time."""
     if problem.symbolic:
-        from vibcli.errors import NotInLetters
+        from vibcli.report.response_letters import response_in_letters
 
-        raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
+        yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
+        return
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
     yield from _start(problem, motion)
     if problem.spec.get("motion") == "full":
