@@ -17,9 +17,9 @@ from plots import EVIL, FIGURES, TIMES, wave
 from vibcli.errors import PhysicsError
 from vibcli.report.plots.braille import braille
 from vibcli.report.plots.figure import Curve, Figure, Mark, Panel
-from vibcli.report.plots.frequency import lag
+from vibcli.report.plots.frequency import lag, of_frequency_response
 from vibcli.report.plots.inline import svg_text
-from vibcli.report.plots.paper import sheets, thinned
+from vibcli.report.plots.paper import fewer, sheets, thinned
 from vibcli.report.plots.picture import picture
 from vibcli.report.plots.prefixes import readable
 from vibcli.report.plots.response import of_response
@@ -92,6 +92,16 @@ def test_thinning_keeps_the_drawing():
         assert (min(kept), max(kept), kept[0], kept[-1]) == (min(all_in), max(all_in), all_in[0], all_in[-1])
 
 
+def test_very_many_points_become_fewer_with_their_extremes():
+    x, y = list(range(100000)), [math.sin(i * i) for i in range(100000)]
+    y[70000] = math.nan
+    short_x, short_y = fewer(x, y, 2000)
+    assert 1500 < len(short_x) < 2300 and (short_x[0], short_x[-1]) == (0, 99999)
+    assert all(a < b for a, b in pairwise(short_x))
+    assert max(short_y) == max(y) and min(short_y) == min(y) and 70000 in short_x
+    assert fewer([1, 2], [3, 4]) == ((1, 2), (3, 4))
+
+
 @EACH
 def test_ranges_are_finite_and_hold_the_curves(name):
     for sheet in sheets(FIGURES[name]):
@@ -114,6 +124,12 @@ def test_lag_is_positive_and_without_jumps():
     assert lag(turning) == pytest.approx([math.degrees(i / 10) for i in range(100)])
     assert lag([1 + 0j, -1 + 0j, complex(-1, -0.0), 0j, -2 + 0j, 1 + 0j]) == pytest.approx(
         (0, 180, 180, math.nan, 180, 0), nan_ok=True)
+
+
+def test_peaks_at_nearly_the_same_place_are_marked_once():
+    upper, lower = of_frequency_response([1, 20], {"x": [1, 0.1], "y": [1, 0.01]}, peaks=(12.36, 3, 12.35)).panels
+    assert [(mark.at, mark.label) for mark in upper.marks] == [(3, "3"), (12.35, "12.35")]
+    assert [mark.label for mark in lower.marks] == ["", ""]
 
 
 def test_phase_of_two_degrees():

@@ -12,7 +12,7 @@ from test_imports import PROBLEMS, modules
 from vibcli.algebra.expression import Table
 from vibcli.cli import run
 from vibcli.cli.common import load
-from vibcli.questions import INSIGHT
+from vibcli.questions import INSIGHT, ON_REQUEST
 from vibcli.report import render_html, render_latex, render_markdown, render_text
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import Table as Cells
@@ -116,6 +116,9 @@ def assert_markdown(text):
     assert set(re.findall(r"<[^\s>][^>]*>", text)) <= {"<span>", "</span>"}
     bare = text.replace(r"<span>\$</span>", "").replace(r"\$", "")
     assert bare.count("$$") % 2 == 0 and bare.replace("$$", "").count("$") % 2 == 0
+    formulas = re.findall(r"\$\$\n(.*?)\n\$\$|\$([^$\n]+)\$", bare, re.DOTALL)
+    assert not [found for pair in formulas for found in pair
+                if re.search(r"\\[^a-zA-Z]|\S_|_\S|^[-+=*#] |`", found, re.MULTILINE)]
     for block in re.findall(r"(?:^\|.*\n)+", text + "\n", re.MULTILINE):
         assert len({len(re.findall(r"(?<!\\)\|", line)) for line in block.splitlines()}) == 1
 
@@ -130,8 +133,8 @@ def test_the_sample_is_wide():
 @pytest.mark.parametrize("path", SAMPLE, ids=lambda path: path.stem)
 def test_problems_in_every_format(path):
     found = load(str(path))
-    documents = [document(part, EVERYTHING + INSIGHT) for part in (found, *map(found.case, found.spec.cases))
-                 if not part.spec.choices]
+    documents = [document(part, [*EVERYTHING, *(word for word in ON_REQUEST if word in part.spec.get("find", INSIGHT))])
+                 for part in (found, *map(found.case, found.spec.cases)) if not part.spec.choices]
     for kind in FORMATS:
         if documents:
             CHECKS[kind](render(documents, kind))
@@ -243,6 +246,10 @@ def test_markup_of_expressions(nodes, name):
     ("Q_φ₁·δφ₁", r"Q_{\varphi_{1}} \, \delta \varphi_{1}",
      "<msub><mi>Q</mi><mrow><msub><mi>φ</mi><mn>1</mn></msub></mrow></msub>" + BY + "<mi>δ</mi>"
      "<msub><mi>φ</mi><mn>1</mn></msub>"),
+    ("3·e^(−0.5·t)·cos(2·t + 1)", r"3 \, e^{- 0.5 \, t} \, \cos ( 2 \, t + 1 )",
+     f"<mn>3</mn>{BY}<msup><mi>e</mi><mrow><mo>−</mo><mn>0.5</mn>{BY}<mi>t</mi></mrow></msup>{BY}<mi>cos</mi><mo>(</mo>"
+     f"<mn>2</mn>{BY}<mi>t</mi><mo>+</mo><mn>1</mn><mo>)</mo>"),
+    ("t^2", "t^{2}", "<msup><mi>t</mi><mn>2</mn></msup>"), ("t^", "t^{}", "<msup><mi>t</mi><mrow></mrow></msup>"),
     ("√2", r"\sqrt{2}", "<msqrt><mn>2</mn></msqrt>"), ("√(a", r"\sqrt{(} a", "<msqrt><mo>(</mo></msqrt><mi>a</mi>")])
 def test_texts_in_notation(text, expected, markup):
     assert latex.notation(text) == expected
@@ -265,6 +272,10 @@ def test_pieces_make_the_whole(nodes, write):
     for node in nodes.values():
         assert write.beside(*pieces((node,), write)) == write(node)
         assert len(pieces((node,), write)) == len(pieces((node,), plain))
+
+
+def test_texts_are_broken_outside_of_brackets():
+    assert pieces((" = e^(a − b)·c + d − (e = f)",), plain) == ["", " = e^(a − b)·c", " + d", " − (e = f)"]
 
 
 def test_words_stand_outside_of_formulas_in_running_text():

@@ -1,15 +1,18 @@
 """Steady states, free motions and conditions in letters: against the same scene in numbers, and against textbooks."""
 
 import math
+import re
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from scenes import problem, value
+from scenes import number, problem, value
 
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.parse import parse
 from vibcli.analyses.frequency.steady_letters import steady_state
 from vibcli.errors import NotInLetters
+from vibcli.inverse import settled
 from vibcli.report.blocks import Equations, Terms
 from vibcli.report.document import Report
 from vibcli.report.render_text import section_lines, shown
@@ -190,3 +193,29 @@ def test_what_is_not_known_is_refused(scene, words):
     assert isinstance(report.refusal, NotInLetters)
     with pytest.raises(NotInLetters, match=words):
         raise report.refusal
+
+
+# chosen by responses
+
+@pytest.mark.parametrize(("scene", "condition", "known"), [
+    # Den Hartog 1956, §3.2: an absorber tuned to the excitation brings the machine to rest
+    (ABSORBER, "k2: amplitude(x1) = 0", "m2*Omega^2"),
+    (ABSORBER, "k2: abs(frf[x1, drive](2*Omega)) = 0", "4*m2*Omega^2"),
+    (ABSORBER, "m2: amplitude(ground.force) = 0", "k2/Omega^2"),
+    # Rao 2018, eq. 9.116: the stiffness of an isolator without damping that lets a fraction of the force through
+    (FORCED.replace("dampers", "# dampers").replace("c: ,", "T: ,") % "sin",
+     "k: transmissibility[ground.force, drive](Omega) = T", "m*Omega^2*T/(1 + T)"),
+    (SHAKEN.replace("dampers", "# dampers").replace("c: ,", "a: ,"), "m: amplitude(x) = a", "k*(1 + Y/a)/Omega^2"),
+    (FORCED.replace("F0: ,", "F0: , a: ,") % "sin", "c: amplitude(x) = a",
+     "sqrt((F0/a)^2 - (k - m*Omega^2)^2)/Omega"),
+    (UNBALANCED.replace("Omega: }", "Omega: , a: }"), "m0: abs(frf[x, x](Omega)) = a/(m0*e*Omega^2)",
+     "a*sqrt((k - m*Omega^2)^2 + c^2*Omega^2)/(e*Omega^2)")])
+def test_chosen_in_letters_by_a_response(scene, condition, known):
+    name = condition.partition(":")[0]
+    scene = re.sub(rf"([{{ ]){name}: ,? ?", r"\1", scene, count=1)
+    found = settled(problem(scene + f"    choose: {{'{name}':{condition.partition(':')[2]!r}}}\n"))
+    forms = [solution.forms[name] for solution in found.chosen.solutions]
+    draw = {"m": 2.0, "k": 300.0, "c": 1.5, "F0": 300.0, "Omega": 11.0, "a": 0.7, "Y": 0.4, "T": 0.3, "m1": 5.0,
+            "m2": 1.5, "k1": 900.0, "k2": 250.0, "m0": 0.3, "e": 0.2}
+    wanted = number(parse(known), draw)
+    assert any(x == pytest.approx(wanted, rel=1e-12) for x in evaluate(forms, Floats, draw))

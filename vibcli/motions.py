@@ -41,6 +41,12 @@ class Motion:
         return self.problem.excitation if self.problem.scene.timed else {}
 
 
+def nonlinear(owner):
+    """The refusal of a motion in time that nobody said to linearise."""
+    return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
+                        "write motion: full, or motion: small where the motion stays small")
+
+
 class SmallMotion(Motion):
     """Small oscillations about the equilibrium, exact in time."""
 
@@ -163,13 +169,14 @@ class FullMotion(Motion):
         super().__init__(problem)
         self._trajectory = None
 
-    def trajectory(self, until=None, progress=None):
+    def trajectory(self, until=None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         if self._trajectory is None or self._trajectory.until < until:
             from vibcli.analyses.trajectory.simulate import simulate
 
-            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start, progress=progress)
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start,
+                                        progress=self.problem.progress)
         return self._trajectory
 
     def lasting(self):
@@ -182,7 +189,16 @@ class FullMotion(Motion):
                                "say until when: find: [{response: {until: 10 s}}]") from None
 
     def period(self, tree):
-        """The time from one upward passage of a signal through the middle of its range to the next."""
+        """Of one conservative degree of freedom by quadrature; else the time from one upward passage of a signal
+        through the middle of its range to the next."""
+        from vibcli.analyses.trajectory.period import exact_period
+
+        problem = self.problem
+        if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
+            name = tree[3]
+            found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
+            if found is not None:
+                return found
         signal = self.signal(tree)
         high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
         found = signal.zeros(0.0, self.until, 0.5 * (high + low))

@@ -3,7 +3,6 @@ that are composed of them."""
 
 from functools import cached_property
 
-from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import evaluate
 from vibcli.errors import PhysicsError
 
@@ -157,35 +156,17 @@ class FullSignal:
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         return np.broadcast_to(evaluate([self.node], Arrays, values)[0], times.shape)
 
-    zeros = ComposedSignal.zeros
+    def zeros(self, start, end, level=0.0):
+        """Instants at which the signal passes a level."""
+        from vibcli.analyses.trajectory.passages import passages
+
+        return passages(self.motion.trajectory(max(end, self.motion.until)), self.values, start, end, level)
 
     def extreme(self, start, end, sense):
-        """(instant, value): where the rate passes zero next to the best of many samples, or that sample itself."""
-        import numpy as np
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.trajectory.passages import extreme
 
-        scene = self.motion.problem.scene
-        if set(gradient(self.node)) & set(scene.a):
-            return ComposedSignal.extreme(self, start, end, sense)
-        times = np.linspace(start, end, SAMPLES)
-        best = int(np.argmax(sense * self.values(times)))
-        low, high = times[max(best - 1, 0)], times[min(best + 1, SAMPLES - 1)]
-        turning = FullSignal(self.motion, scene.rate(self.node)).bisected(low, high)
-        candidates = np.array([times[best], *turning])
-        found = self.values(candidates)
-        pick = int(np.argmax(sense * found))
-        return float(candidates[pick]), float(found[pick])
-
-    def bisected(self, low, high):
-        """[t] at which the sign changes between two instants, [] where it does not."""
-        import numpy as np
-
-        first, last = self.values(np.array([low, high]))
-        if not first * last < 0:
-            return []
-        for _ in range(ROUNDS):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if self.values(np.array([middle]))[0] * first > 0 else (low, middle)
-        return [0.5 * (low + high)]
+        return extreme(self.motion.trajectory(max(end, self.motion.until)), self.values, start, end, sense)
 
     def final(self):
         raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")

@@ -27,6 +27,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """`holding`: the Problem whose motion starts under the force that lets go, where this one is held by it."""
         self.spec, self.given, self.holding = spec, dict(given or {}), holding
         self.costs, self.inner, self._cases = {}, 0.0, {}
+        self.progress = None    # told the instant that an integration has reached
         self.end = None         # of a motion in time [s], where it is not that of the file
         self.signed = False     # amplitudes have a sign, so that a search sees where they vanish
         self.chosen = None      # what was chosen (inverse), where this is the scene with its solution

@@ -50,7 +50,7 @@ def rows(parts, write, columns):
 
 def _pieces(part, write):
     if isinstance(part, str):
-        return [write.notation(text) for text in (BREAK.split(part) if "(" not in part else [part])]
+        return [write.notation(text) for text in _split(part)]
     if isinstance(part, Words):
         return [write.words(part.text)]
     if isinstance(part, Name):
@@ -63,3 +63,10 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, Terms) else (part,)
     terms = [term for node in nodes for term in write.terms(node)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _split(text):
+    """A text in notation before each relation or sign that stands in no bracket."""
+    places = [found.start() for found in BREAK.finditer(text)
+              if text.count("(", 0, found.start()) == text.count(")", 0, found.start())]
+    return [text[start:end] for start, end in zip([0, *places], [*places, len(text)], strict=True)]

@@ -48,18 +48,19 @@ def _running(parts):
 
 
 def _equations(block):
-    return f"\\begin{{align*}}\n{aligned(block, latex)}\n\\end{{align*}}"
+    lines = " \\\\\n".join(aligned(block, latex))
+    return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
 def aligned(block, write):
     """Rows of an alignment: labels, then formulas, broken where they are long."""
-    found, labelled = [], any(line.label for line in block.lines)
+    found = []
     for line in block.lines:
         first, *others = rows(line.parts, write, COLUMNS)
         label = formula(line.label, write) + r":\quad" if line.label else ""
-        head = f"{label} & {{}}" if labelled else "& {}"
+        head = f"{label} & {{}}".lstrip()
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
-    return " \\\\\n".join(found)
+    return found
 
 
 def _paragraph(block):

@@ -5,7 +5,7 @@ import re
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
 from vibcli.report.clean import on_one_line
 from vibcli.report.formula import formula, without_words
-from vibcli.report.latex import Latex, latex
+from vibcli.report.latex import Latex
 from vibcli.report.render_latex import aligned, is_signed
 
 _SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
@@ -16,14 +16,24 @@ _OTHER = re.compile("|".join(map(re.escape, _OTHERS)), re.IGNORECASE)
 _WIDE = {letter: chr(ord(letter) + 0xFEE0) for letter in r"\${}%&#_^~<>`"}
 
 
-class Displayed(Latex):
-    """LaTeX as web pages read it: words within it are no TeX, so what is special there is written as a wide letter."""
+class Protected(Latex):
+    """LaTeX that Markdown leaves as it is, should it look into formulas: no backslash before a sign, no index that
+    could begin emphasis. Web pages read words within it as they stand: what is special is written as a wide letter."""
+
+    thin, thick = r"\mkern3mu", r"\mkern5mu"
+
+    def word(self, text):
+        first, _, rest = text.partition("_")
+        return self.indexed(rf"\mathrm{{{first}}}", self.word(rest)) if rest else rf"\mathrm{{{first}}}"
+
+    def indexed(self, letter, below):
+        return f"{letter} _ {{{below}}}"
 
     def words(self, text):
         return rf"\text{{{on_one_line(text).translate(str.maketrans(_WIDE))}}}" if text else ""
 
 
-displayed = Displayed()
+latex = Protected()
 
 
 def escaped(text):
@@ -66,9 +76,10 @@ def _running(parts, bar="|"):
 
 def _equations(block):
     """A display each, in an alignment where a formula has a label or is broken."""
-    text = aligned(block, displayed)
-    if "\\\\\n" not in text and not block.lines[0].label:
-        return f"$$\n{text.removeprefix('& {} ')}\n$$"
+    found = aligned(block, latex)
+    if len(found) == 1 and not block.lines[0].label:
+        return f"$$\n{re.sub(r'& {} (?![-+=])|& ', '', found[0], count=1)}\n$$"
+    text = " \\cr\n".join(found)
     return f"$$\n\\begin{{aligned}}\n{text}\n\\end{{aligned}}\n$$"
 
 

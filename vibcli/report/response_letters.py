@@ -6,6 +6,7 @@ from vibcli.algebra.expression import Table, reachable
 from vibcli.errors import NotInLetters
 from vibcli.report.blocks import Name, Terms, Words, equations, line, maths, paragraph, section
 from vibcli.report.letters import equilibrium_parts
+from vibcli.report.responses import symbol
 
 LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),
            "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
@@ -58,7 +59,7 @@ def _steady_section(problem, name, steady, number):
              line(Name(X), " = ", formula.amplitude)]
     if lag:
         lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
-    yield from section(f"Steady state of {name}", equations(lines), *conditions(formula))
+    yield from section(f"Steady state of {symbol(name)}", equations(lines), *conditions(formula))
 
 
 def conditions(formula):
@@ -98,7 +99,7 @@ def _from_the_start(problem, steady):
     known = _known_regime(problem, m, c, k)
     blocks = [block for motion in found if known in (None, motion.regime)
               for block in _regime(name, motion, prefix, (m, c, k))]
-    yield from section(f"Motion of {name} from the start" if steady else f"Free motion of {name}", *blocks, meaning)
+    yield from section(f"Motion of {symbol(name)} from the start" if steady else f"Free motion of {symbol(name)}", *blocks, meaning)
 
 
 def _about_steady(problem, table, start, steady):

@@ -84,13 +84,13 @@ class Formula:
 
     @property
     def tangent(self):
-        """tan θ of the lag θ = −arg H of the undifferentiated output; None where θ is a right angle."""
+        """tan θ of the lag θ = −arg H of the undifferentiated output; None where θ is a right angle everywhere."""
         (a, b), (c, d) = self.numerator, self.denominator
         above, below = a * d - b * c, a * c + self.Omega * self.Omega * b * d
-        if below.is_zero:
-            return None
         if not self.numerator[1].is_zero:
             above, below = _simple(above), _simple(below) if self.short else below
+        if below.is_zero:
+            return None
         return self.Omega * above / below
 
 

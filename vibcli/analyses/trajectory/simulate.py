@@ -9,6 +9,7 @@ from vibcli.analyses.trajectory.energy import balance
 from vibcli.analyses.trajectory.events import first_event
 from vibcli.analyses.trajectory.march import March
 from vibcli.analyses.trajectory.result import Event, Trajectory
+from vibcli.analyses.trajectory.ropes import slack
 from vibcli.analyses.trajectory.start import start, vectors
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.switching import Switching
@@ -30,19 +31,33 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, progress=None):
     places, speeds = start(problem, initial)
     scene = equations_of(problem)
     system = System(scene, problem.floats, problem.scene.freedom.redundant)
-    march = March(system, Switching(system), *vectors(scene, places, speeds), rtol, progress)
+    owners, bounds = scene.law_switches()
+    march = March(system, Switching(system, bounds, owners), *vectors(scene, places, speeds), rtol, progress)
     stops = breaks(scene, system.parts.nodes(), problem.floats, until)
     events = _marched(march, stops, until)
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
-    return Trajectory(system, march.windows, until, events, energies, drift(system, march.windows))
+    found = Trajectory(system, march.windows, until, events, energies, drift(system, march.windows))
+    if any(tie.form == "rope" for tie in problem.scene.constraints):
+        all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
+        gone = slack(problem, all_of_it, found)
+        if gone is not None:
+            found.cut(*gone)
+    return found
 
 
 def equations_of(problem):
     """The scene whose equations are integrated: that with all its coordinates where loops are closed."""
-    scene = problem.scene
-    if scene.loops is None:
-        return scene
+    return problem.scene if problem.scene.loops is None else _loose(problem)
+
+
+def _loose(problem):
+    """The scene with all its coordinates, its static preloads in numbers."""
+    from vibcli.scene.build import build_scene
+
     loose = problem.loose
+    if loose is problem.scene:
+        loose = build_scene(problem.spec, problem.given, loose.attempt, loose=True,
+                            holding=problem.holding is not None)
     if loose.static_preloads:
         number, floats = loose.table.number, problem.floats
         loose.replace({node: number(Fraction(evaluate([problem.preloads[record.name]], Floats, floats)[0]))

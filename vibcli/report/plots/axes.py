@@ -84,6 +84,8 @@ def _ticks(axes, panel, x, y, last):
 
 def _minor_ticks(axes, axis, places):
     """All of them in one line of markers: Matplotlib's own take a millisecond each."""
+    if not places:      # a line without points would be taken to lie in the corner of the page
+        return
     across = axis is axes.xaxis
     zeros = [0.0] * len(places)
     x, y, transform, marker = ((places, zeros, axes.get_xaxis_transform(), 3) if across
@@ -102,7 +104,7 @@ def _fits_across(found, axis, inches):
 
 def _fits_up(found, axis, inches):
     places = [axis.part(place) * inches for place, _ in found]
-    return all(b - a > 0.3 for a, b in pairwise(places))
+    return all(b - a > 0.25 for a, b in pairwise(places))
 
 
 def _curves(axes, sheet):

@@ -138,6 +138,17 @@ def thinned(run, axis, columns):
     return found + _extremes(group)
 
 
+def fewer(x, y, most=20000):
+    """(x, y) as tuples, of very many points the first, lowest, highest and last of each few that follow each other."""
+    if len(x) > most:
+        size = -(-4 * len(x) // most)
+        parts = [list(zip(x[i:i + size], y[i:i + size], strict=True)) for i in range(0, len(x), size)]
+        kept = [point for part in parts for point in (_extremes(part) if math.isfinite(sum(y for _, y in part))
+                                                      else part)]
+        x, y = zip(*kept, strict=True)
+    return tuple(x), tuple(y)
+
+
 def _extremes(group):
     if len(group) <= 4:
         return group
