@@ -16,32 +16,33 @@ def frequency_response(problem, report):
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
         title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
-        blocks_of = [_in_letters(problem, name, driver)]
+        blocks_of = list(_in_letters(problem, name, driver))
         if not problem.symbolic:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
 
 
 def _in_letters(problem, name, driver):
-    """The amplitude and tan θ, or nothing where they are too long or not known."""
+    """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
         if problem.symbolic:
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
-        return None
+        return
     from vibcli.analyses.frequency.in_letters import formula
+    from vibcli.report.response_letters import conditions
 
     try:
         found = formula(problem, name, driver)
     except (NotInLetters, PhysicsError):
         if problem.symbolic:
             raise
-        return None
-    if found.undamped:
-        return blocks.equations([line("H = ", found.amplitude)])
-    tangent = found.tangent
-    return blocks.equations([line("|H| = ", found.amplitude),
-                             line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)])
+        return
+    tangent, heads = found.tangent, ("H = ", "H = i·", "|H| = ")
+    head = heads[0 if found.undamped else 1 if found.ahead else 2]
+    lag = line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)
+    yield blocks.equations([line(head, found.amplitude), *([lag] if head == heads[2] else ())])
+    yield from conditions(found)
 
 
 def _in_numbers(problem, name, driver, unit):

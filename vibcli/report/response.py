@@ -2,11 +2,13 @@
 
 from math import degrees
 
+from vibcli.elements.find import RESPONSE
 from vibcli.elements.initial import let_go
+from vibcli.errors import NotInLetters
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, with_unit
-from vibcli.report.responses import extremes, signals_asked
+from vibcli.report.responses import extremes, names_asked, signals_asked
 from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
@@ -19,10 +21,13 @@ PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t �
 def response(problem, report):
     """The sections of a motion in time."""
     if problem.symbolic:
-        from vibcli.errors import NotInLetters
+        from vibcli.report.response_letters import response_in_letters
 
-        names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
-        raise NotInLetters("motions in time are found in numbers", f"give values with --set to {names}")
+        if report.wanted.at:
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
+        yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
+        return
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
     full = problem.spec.get("motion") == "full"
     yield from _start(problem, motion, None if full else _drive(problem, motion))
