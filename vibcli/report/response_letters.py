@@ -59,7 +59,8 @@ def _steady_section(problem, name, steady, number):
              line(Name(X), " = ", formula.amplitude)]
     if lag:
         lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
-    yield from section(f"Steady state of {symbol(name)}", equations(lines), *conditions(formula))
+    told = () if problem.chosen is not None else conditions(formula)     # what is chosen holds at this Ω alone
+    yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
 
 
 def conditions(formula):
@@ -99,7 +100,8 @@ def _from_the_start(problem, steady):
     known = _known_regime(problem, m, c, k)
     blocks = [block for motion in found if known in (None, motion.regime)
               for block in _regime(name, motion, prefix, (m, c, k))]
-    yield from section(f"Motion of {symbol(name)} from the start" if steady else f"Free motion of {symbol(name)}", *blocks, meaning)
+    title = f"Motion of {symbol(name)} from the start" if steady else f"Free motion of {symbol(name)}"
+    yield from section(title, *blocks, meaning)
 
 
 def _about_steady(problem, table, start, steady):
