@@ -41,6 +41,12 @@ class Motion:
         return self.problem.excitation if self.problem.scene.timed else {}
 
 
+def nonlinear(owner):
+    """The refusal of a motion in time that nobody said to linearise."""
+    return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
+                        "write motion: full, or motion: small where the motion stays small")
+
+
 class SmallMotion(Motion):
     """Small oscillations about the equilibrium, exact in time."""
 

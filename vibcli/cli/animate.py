@@ -10,9 +10,10 @@ SUFFIXES = (".gif", ".html")
 
 @click.command("animate")
 @picture_options(SUFFIXES)
-@click.option("--mode", "index", type=click.IntRange(1), metavar="I", help="Which mode (1 unless given).")
+@click.option("--mode", "index", type=click.IntRange(1), metavar="I",
+              help="Which mode, by ascending frequency (1 unless given).")
 @click.option("--response", is_flag=True, help="The motion in time instead of a mode.")
-@click.option("--until", metavar="TIME", help="With --response: its end, as 2 or '500 ms'.")
+@click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
 def command(file, settings, case, output, force, index, response, until):
     """A mode shape or the motion in time, moving: a gif, or an html page with play, pause and a slider."""
     if response and index is not None:

@@ -10,8 +10,8 @@ SUFFIXES = (".png", ".svg", ".pdf")
 
 @click.command("draw")
 @picture_options(SUFFIXES)
-@click.option("--mode", "index", type=click.IntRange(1), metavar="I", help="The shape of this mode over the scene at "
-              "rest.")
+@click.option("--mode", "index", type=click.IntRange(1), metavar="I",
+              help="The shape of mode I over the scene at rest.")
 @click.option("--both", is_flag=True, help="With --mode: displaced the other way as well, dashed.")
 def command(file, settings, case, output, force, index, both):
     """The scene as a textbook figure, or a mode shape on it: png, svg or pdf by the suffix of the file."""

@@ -16,9 +16,9 @@ FLOAT_DIGITS = 12
 
 
 def print_scenes(problems, sections, output, timings, digits=None, normalise="first", data=(), question=False,
-                 wanted=None):
+                 wanted=None, curves=None):
     """Print the scene and its cases, or write them; `sections(problem)` names the sections of the report, `data` the
-    parts of the JSON.
+    parts of the JSON; `curves(problem)` plots and saves what belongs to each.
 
     A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
     """
@@ -39,6 +39,8 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
                 _print_at_once(found, case, output)
                 if report.refusal:
                     raise report.refusal
+            if curves:
+                curves(problem)
         except PhysicsError as error:
             if output.kind == "json" and len(problems) == 1:
                 raise

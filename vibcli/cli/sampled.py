@@ -16,7 +16,7 @@ def curve_options(function):
     options = [
         click.option("--plot", is_flag=True, help="Plot in the terminal."),
         click.option("--save", "saves", multiple=True, metavar="FILE", help="Write a picture (.png, .svg, .pdf) or the "
-                     "sampled numbers (.csv, .npz, .json)."),
+                     "sampled numbers (.csv, .npz, .json) of the scene, or of one --case."),
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
 
@@ -91,6 +91,20 @@ def refuse_targets(paths, force):
             raise click.UsageError(f"{error.message}; {error.hint}") from None
         if path.exists() and not force:
             raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
+
+
+def require_curves(plot, saves, as_json, options):
+    """A usage error where an option would do nothing, or a plot would break the JSON."""
+    idle = next((option for option, given in options.items() if given), None)
+    if idle and not (plot or saves):
+        raise click.UsageError(f"{idle} belongs to --plot or --save")
+    if plot and as_json:
+        raise click.UsageError("--plot does not go with --json: save the numbers with --save FILE")
+
+
+def cases_to_show(problems, saves):
+    """The scene and its cases; the scene alone where its curves are saved, for they are saved to one file."""
+    return problems[:1] if saves else problems
 
 
 def save_to(path, problem, figure, columns):

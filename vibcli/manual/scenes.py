@@ -60,7 +60,7 @@ def asking(head):
     """The name of an example whose answers ask for a quantity."""
     for name in names("examples"):
         for asked in _asked(document(name)):
-            if re.match(rf"{head}([\[(]|$)", asked):
+            if re.search(rf"(?<![\w.]){head}[\[(]|^{head}$", asked):
                 return name
     return None
 

@@ -116,8 +116,13 @@ def quantity_page(catalogue, head):
     rows.append(("compared", dict(topics.COMPARED)[compared] if compared else topics.IN_SHORT))
     scene = scenes.asking(head)
     return blocks([f"{usage(head)} — a quantity, for `answers`"], table(row for row in rows if row[1]),
-                  [f"A scene that asks for it: vibcli new {scene}"] if scene else [],
-                  ["All quantities: vibcli explain quantities"])
+                  [f"A scene that asks for it: vibcli new {scene}"] if scene else [], [_more(head)])
+
+
+def _more(head):
+    topic = "response" if head in questions.IN_TIME else "frequency_response" if head in questions.IN_FREQUENCY else ""
+    return f"More: vibcli explain {topic}; all quantities: vibcli explain quantities" if topic else (
+        "All quantities: vibcli explain quantities")
 
 
 def find_page(catalogue, word):

@@ -4,6 +4,8 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 """
 
 from vibcli import signals
+from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
+from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.questions import SEVERAL as HEADS
 
 EXIT_CODES = [
@@ -133,7 +135,13 @@ CONVENTIONS = [
          "the decay, omega_d = omega·√(1 − zeta²). The logarithmic decrement is 2 pi zeta/√(1 − zeta²). Damped "
          "modes are numbered by ascending |λ|. Two real eigenvalues of an over-damped mode share its number: "
          "omega = √(λ₁λ₂), zeta = −(λ₁ + λ₂)/(2 omega) ≥ 1."),
-        ("amplitudes", "From rest to peak, not from peak to peak."),
+        ("time", "Motions start at t = 0; that is also the t of loads and driven motions."),
+        ("free", "A free vibration of one frequency is A e^(−δt) cos(omega_d t − φ): `amplitude(x)` is A, `phase(x)` "
+         "is φ."),
+        ("steady", "A steady state of one frequency is X sin(Omega t − θ): `amplitude(x)` is X, from the mean to the "
+         "peak, `phase(x)` is θ, from −pi to pi, whatever phase the load has. `--phase cosine` prints θ of "
+         "X cos(Omega t − θ), `--phase lead` α of X sin(Omega t + α)."),
+        ("lag", "The phase of a frequency response is the lag of the signal behind the input, `phase` = −`arg`."),
         ("units", "Any of the list in, SI out; angles in radians."),
     ],
 ]
@@ -205,8 +213,10 @@ TIME = [
 ]
 
 SIGNALS = [
-    "Beside coordinates these can be asked for, as in `equilibrium[hoist.force]` or `mode[1][P.y]`. Forces are those "
-    "in equilibrium: only `equilibrium` takes them.",
+    "Beside coordinates these can be asked for: in equilibrium `equilibrium[hoist.force]`, in modes `mode[1][P.y]` "
+    "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
+    "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. Of "
+    "motions of the full equations forces are found of springs and dampers alone.",
     list(signals.ABOUT),
 ]
 
@@ -273,25 +283,20 @@ TOPICS = {
     "expressions": ("how numbers, units, names and derivatives are written", EXPRESSIONS),
     "units": ("the units that are known", None),
     "functions": ("the functions that are known", None),
-    "conventions": ("signs, coordinates, numbering and normalisation of modes, damping", CONVENTIONS),
+    "conventions": ("signs, coordinates, numbering of modes, damping, amplitudes and phases", CONVENTIONS),
     "motions": ("how bodies may move", MOTIONS),
     "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
     "lumped": ("bodies without a place", LUMPED),
     "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),
+    "response": ("motions in time", RESPONSE),
+    "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),
     "ground": ("the fixed end of springs and dampers", GROUND),
     "quantities": ("what `answers` may ask for, and how it is compared", None),
     "exit": ("exit codes", None),
+    "pictures": ("figures of scenes, moving modes, plots of responses", PICTURES),
+    "reports": ("text, Markdown, LaTeX, HTML", REPORTS),
+    "data": ("responses as numbers for other programs", DATA),
     "json": ("the keys of --json", None),
     "editors": ("completion and checking in an editor", EDITORS),
 }
-ALIASES = {"expression": "expressions", "unit": "units", "function": "functions", "convention": "conventions",
-           "quantity": "quantities", "exit codes": "exit",
-           "exit code": "exit", "json keys": "json", "derivatives": "expressions", "derivative": "expressions",
-           "names": "expressions", "numbers": "expressions", "signs": "conventions", "coordinate system": "conventions",
-           "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
-           "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
-           "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
-           "case": "cases", "tolerance": "quantities", "t": "time", "excitation": "time", "driven": "time",
-           "signal": "signals", "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope",
-           "unbalanced": "unbalance", "follower": "force.carrier", "multiplier": "constraint"}

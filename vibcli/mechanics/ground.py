@@ -66,6 +66,9 @@ def _moves(opened, node):
 
 def _forces(opened, section, name):
     """The Rows of the force of an element; those of its components where it has no free length."""
+    laws = opened.scene.law_forces(name)
+    if laws:
+        return opened.rows(laws)
     terms = [term for term in getattr(opened.scene, section) if term.owner == name]
     if section == "springs":
         return opened.rows([term.force + term.weight * term.s for term in terms])

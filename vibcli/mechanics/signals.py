@@ -51,7 +51,7 @@ def moving(problem, text, primes=0):
         node = _along(scene, name, part)
     if node is None:
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations",
-                           "ask for it with motion: small, or see `find: [reactions]`")
+                           "ask for forces of springs and dampers, as in s.force + d.force, or write motion: small")
     for _ in range(primes):
         node = scene.rate(node)
     return node

@@ -112,7 +112,7 @@ def _beats(one):
     if not hasattr(one.signal, "output"):
         return []
     period = beat_period(one.signal.motion, one.signal.output)
-    return [f"{one.text} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s"] if period else []
+    return [f"{one.label} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s"] if period else []
 
 
 def steady_state(asked, convention):
@@ -128,7 +128,7 @@ def steady_state(asked, convention):
     angle = "α" if convention == "lead" else "θ"
     yield from section(f"Steady state {PHASES[convention][0]}", Table(
         ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
-        *(paragraph(f"{one.text}: {words}") for one in asked for words in _left_out(one.signal)))
+        *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)))
 
 
 def _left_out(signal):

@@ -6,7 +6,7 @@ from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.report import blocks
 from vibcli.report.blocks import Table, line, paragraph, section
 from vibcli.report.figures import figure
-from vibcli.report.responses import curves_asked
+from vibcli.report.responses import curves_asked, symbol
 
 TURN = 6.283185307179586
 LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
@@ -15,7 +15,7 @@ LETTERS = 2     # most degrees of freedom whose amplitudes are written in letter
 def frequency_response(problem, report):
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
-        title = f"Frequency response H of {name} to {driver} [{unit}], lag θ = −arg H"
+        title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
         blocks_of = [_in_letters(problem, name, driver)]
         if not problem.symbolic:
             blocks_of += _in_numbers(problem, name, driver, unit)
@@ -37,8 +37,11 @@ def _in_letters(problem, name, driver):
         if problem.symbolic:
             raise
         return None
-    lines = [line("H = " if found.undamped else "|H| = ", found.amplitude)]
-    return blocks.equations(lines if found.undamped else [*lines, line("tan θ = ", found.tangent)])
+    if found.undamped:
+        return blocks.equations([line("H = ", found.amplitude)])
+    tangent = found.tangent
+    return blocks.equations([line("|H| = ", found.amplitude),
+                             line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)])
 
 
 def _in_numbers(problem, name, driver, unit):
@@ -66,6 +69,6 @@ def _bandwidth(curve, number):
 
 def _static(curve, unit):
     try:
-        return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)} {unit}")
+        return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)}{f' {unit}' * (unit != '1')}")
     except PhysicsError:
         return paragraph("at rest (Ω → 0) it has no bound: the scene moves off freely")

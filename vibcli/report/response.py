@@ -2,10 +2,12 @@
 
 from math import degrees
 
+from vibcli.elements.initial import let_go
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, with_unit
 from vibcli.report.responses import extremes, signals_asked
+from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
@@ -38,7 +40,7 @@ def response(problem, report):
 def _at_instants(problem, asked, wanted):
     """The values at the instants asked for."""
     if wanted.at:
-        rows = tuple((f"{one.text} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
+        rows = tuple((f"{one.label} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
                      for one in asked)
         yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
@@ -67,7 +69,9 @@ def _start(problem, motion):
         dimension = problem.dimension(name)
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
-            parts += [", ", maths(Name(name + "'"), f"(0) = {figure(speeds[name])}")]
+            parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    force = let_go(problem.spec)
+    parts += [f", where {force} lets go"] if force else []
     yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
                        _drive(problem, motion))
 
@@ -101,7 +105,7 @@ def _integration(trajectory):
 def _extremes(asked, motion):
     rows = []
     for one, (late, most), (early, least) in extremes(asked, motion.until):
-        rows.append((f"{one.text} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
+        rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
                      figure(early)))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(motion.until)} s",
                        Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
@@ -137,5 +141,5 @@ def steady_rows(asked, convention):
         for Omega, X in harmonics_of(one.signal):
             if Omega:
                 theta = phase_in(convention, X)
-                yield (f"{one.text} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
                        figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))

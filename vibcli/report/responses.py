@@ -26,8 +26,20 @@ class Asked(NamedTuple):
     signal: object
 
     @property
+    def label(self):
+        """The signal as it is printed: a coordinate by its symbol."""
+        return symbol(self.text)
+
+    @property
     def unit(self):
         return "rad" if self.dimension == {} else units.text(self.dimension)
+
+
+def symbol(text):
+    """A coordinate or its rate by its symbol; other signals as they are written."""
+    from vibcli.report.notation import plain
+
+    return plain.symbol(text) if text.rstrip("'").isidentifier() else text
 
 
 def require_known(spec, signals, inputs=()):

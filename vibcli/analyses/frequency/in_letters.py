@@ -53,11 +53,13 @@ class Formula:
 
     @property
     def tangent(self):
-        """tan θ of the lag θ = −arg H of the undifferentiated output."""
+        """tan θ of the lag θ = −arg H of the undifferentiated output; None where θ is a right angle everywhere."""
         (a, b), (c, d) = self.numerator, self.denominator
         above, below = a * d - b * c, a * c + self.Omega * self.Omega * b * d
         if not self.numerator[1].is_zero:
             above, below = _simple(above), _simple(below) if self.short else below
+        if below.is_zero:
+            return None
         return self.Omega * above / below
 
 
@@ -67,8 +69,8 @@ def formula(problem, signal, driven_by, frequency="Omega", order=0):
         raise NotInLetters("amplitudes in letters are found for one and two degrees of freedom",
                            "give numbers with --set")
     table = problem.scene.table
-    M, C, G, K = problem.matrices_in_letters
     b, c, d = (_copied(part, table) for part in coefficients(problem, signal, driven_by))
+    M, C, G, K = problem.matrices_in_letters
     n, w, zero = len(problem.scene.q), table.variable(SQUARE), table.zero
     D = [[(textbook(K.get((i, j), zero) - w * M.get((i, j), zero)), C.get((i, j), zero) + G.get((i, j), zero))
           for j in range(n)] for i in range(n)]
