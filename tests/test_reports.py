@@ -1,9 +1,11 @@
 """Reports in every format: well formed, escaped, free of references; formulas as they are typeset; files."""
 
 import re
+import subprocess
 import xml.etree.ElementTree as ET
 from itertools import pairwise
 from pathlib import Path
+from shutil import which
 
 import pytest
 from scenes import problem
@@ -392,3 +394,14 @@ def test_formats_import_nothing_heavy(scene, kind):
     code, names = modules("solve", scene, "--format", kind)
     assert code == 0
     assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+@pytest.mark.skipif(which("pdflatex") is None, reason="no LaTeX here")
+@pytest.mark.parametrize("scene", ["problems/7_forced_two_degrees/washing_machine_on_a_bench.yaml",
+                                   "vibcli/examples/double_pendulum.yaml", "vibcli/examples/frequency_response.yaml"])
+def test_latex_compiles(scene, tmp_path):
+    path = tmp_path / "report.tex"
+    assert run(["solve", str(PROBLEMS.parent / scene), "-o", str(path), "--pictures"]) == 0
+    done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", path.name], cwd=tmp_path,
+                          capture_output=True, timeout=120)
+    assert done.returncode == 0, done.stdout[-2000:].decode(errors="replace")

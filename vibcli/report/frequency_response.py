@@ -20,6 +20,13 @@ def frequency_response(problem, report):
         if not problem.symbolic:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
+    if report.pictures and not problem.symbolic:
+        from vibcli.report.illustrations import plot
+        from vibcli.report.series import frequency_figure, sampled_curves
+
+        curves = sampled_curves(problem, report.wanted)
+        yield from section("As a plot", plot("frequency-response", "Amplitude and phase lag over the frequency",
+                                             frequency_figure(problem, curves)))
 
 
 def _in_letters(problem, name, driver):

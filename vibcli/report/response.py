@@ -40,6 +40,12 @@ def response(problem, report):
         yield from formulas(asked)
         if motion.drive:
             yield from steady_state(asked, report.wanted.phase)
+    if report.pictures:
+        from vibcli.report.illustrations import plot
+        from vibcli.report.series import response_figure, sampled
+
+        yield from section("As a plot", plot("response", "The motion in time", response_figure(
+            problem, sampled(problem, report.wanted))))
     yield from _at_instants(problem, asked, report.wanted)
     yield from _extremes(asked, motion)
 
