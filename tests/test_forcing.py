@@ -341,3 +341,18 @@ def test_a_long_record():
     table.time = table.variable("t")
     found = forcing_of({0: table.call("ag", table.time) * 3}, table.time, {})
     assert len(found.pieces) == 4000
+
+
+@pytest.mark.parametrize("text", ["F*ag(2*t - q)*t", "ag(t)*sin(W*t)", "square(W*t)*ag(t)"])
+def test_records_and_their_rates_in_more_digits(text):
+    node, time = recorded(text)
+    rate = gradient(node)[time]
+    with mpmath.workdps(30):
+        values = {name: mpmath.mpf(value) for name, value in VALUES.items()}
+        found = forcing_of({0: node, 1: rate}, time, values, precise=True)
+        floats = forcing_of({0: node, 1: rate}, time, VALUES)
+        for x, y in zip(found.pieces, floats.pieces, strict=True):
+            assert [float(size) for _, size in x.impulses] == pytest.approx([size for _, size in y.impulses])
+        for t in (0.123, 0.47, 0.88):
+            assert abs(at(found, t) - exact(node, t)) < 1e-26
+            assert float(abs(at(found, t, 1) - at(floats, t, 1))) < 1e-10

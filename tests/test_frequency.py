@@ -246,6 +246,16 @@ def test_antiresonances_interlace_with_resonances():
     assert not antiresonances(Transfer(np.diag(m), np.zeros((6, 6)), K, unit(6, 0), unit(6, 5)))
 
 
+@pytest.mark.parametrize("n", [6, 30])
+def test_a_chain_driven_at_its_end_has_no_antiresonance_at_the_other(n):
+    """Its numerator is a constant without damping, with dampers beside the springs a product of real zeros."""
+    for weak in (0.0, 0.02):
+        system = Transfer(np.eye(n), chain(np.full(n, weak)), chain(np.linspace(90, 110, n)), unit(n, 0),
+                          unit(n, n - 1))
+        assert not antiresonances(system)
+        assert len(peaks(system)) == n
+
+
 def test_a_damped_antiresonance_is_a_minimum():
     system = Transfer(np.diag([20.0, 2.0]), chain([1.0, 3.0]), chain([8000.0, 1250.0]), unit(2, 0), unit(2, 0))
     (dip,) = antiresonances(system)
@@ -380,7 +390,8 @@ TWO = """
     dampers: {d: {c: c, between: [machine, absorber]}}
     forces: {drive: {at: machine, force: F0*sin(Omega*t)}}
 """
-NUMBERS = {"m": 2.0, "k": 300.0, "c": 7.0, "Y": 0.1, "me": 0.3, "m1": 5.0, "m2": 1.5, "k1": 900.0, "k2": 250.0, "F0": 3.0}
+NUMBERS = {"m": 2.0, "k": 300.0, "c": 7.0, "Y": 0.1, "me": 0.3, "m1": 5.0, "m2": 1.5, "k1": 900.0, "k2": 250.0,
+           "F0": 3.0}
 
 
 @pytest.mark.parametrize(("scene", "signal", "driven_by", "order"), [
@@ -403,7 +414,7 @@ def test_formulas_have_the_values_of_the_response(scene, signal, driven_by, orde
 
 def test_formula_of_the_absorber():
     found = formula(problem(TWO.replace("dampers", "# dampers").replace(" c: ,", "")), "x1", "drive")
-    given = {name: value for name, value in NUMBERS.items()} | {"Omega": 9.0}
+    given = NUMBERS | {"Omega": 9.0}
     assert evaluate([found.zeros], Floats, given)[0] == pytest.approx(math.sqrt(250 / 1.5))
     assert found.undamped and found.poles is None
     assert formula(problem(ONE), "x", "motor").zeros is None

@@ -20,7 +20,8 @@ ROOMS = (
     ("errors", ("errors",)),
     ("units", ("units",)),
     ("questions", ("questions",)),
-    ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document", "columns")),
+    ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document",
+                  "columns")),
     ("algebra", ("algebra",)),
     ("fields", ("reading", "fields")),
     ("elements", ("elements",)),
@@ -28,8 +29,9 @@ ROOMS = (
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
-    ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals", "measured_signals",
-                 "curves", "on_request", "problem", "measured", "inverse", "draws", "check")),
+    ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals",
+                 "measured_signals", "curves", "read_off", "precise_motion", "on_request", "problem", "measured",
+                 "inverse", "draws", "check")),
     ("manual", ("manual",)),
     ("cli", ("cli", "__main__")),
     ("bench", ("bench",)),
@@ -182,6 +184,25 @@ def test_check_in_numbers(stem):
     code, names = modules("check", PROBLEMS / f"{stem}.yaml")
     assert code == 0
     assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+@pytest.mark.parametrize(("args", "example"), [
+    (["response"], "forced_vibration"), (["response", "--plot"], "free_vibration"), (["response"], "bump_in_the_road"),
+    (["response", "--plot"], "square_wave"), (["frf", "--plot"], "frequency_response"), (["check"], "forced_vibration"),
+    (["frf"], "beats"), (["response", "--json"], "beats")], ids=lambda part: "-".join(part) if isinstance(
+        part, list) else part)
+def test_responses_in_numbers_need_numpy_alone(args, example):
+    code, names = modules(*args, PACKAGE / "examples" / f"{example}.yaml")
+    assert code == 0
+    assert names <= {"numpy"}
+
+
+def test_a_picture_needs_matplotlib_and_no_scipy(tmp_path):
+    path = tmp_path / "response.svg"
+    code, names = imported("response", PACKAGE / "examples" / "free_vibration.yaml", "--save", path)
+    assert code == 0 and path.stat().st_size > 2000
+    assert "matplotlib.figure" in names and "matplotlib.pyplot" not in names
+    assert not {name.partition(".")[0] for name in names} & {"scipy", "sympy"}
 
 
 INSIGHT = {f"vibcli.{name}" for name in (

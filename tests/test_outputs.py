@@ -299,3 +299,18 @@ def test_equilibrium_values_of_all_signals(path):
         wanted = pytest.approx(reaction.value, rel=1e-8, abs=1e-8 * size)
         assert row.constant == wanted or drawn == wanted    # at t = 0, where a carrier turns
     assert refused == 0 or scene.scene.timed
+
+
+def test_a_support_that_moves_by_a_pulse_is_an_input():
+    """Its static preload is that at rest, and its displacement drives, as a sine would."""
+    text = """
+        parameters: {m: 4 kg, k: 900 N/m, c: 20 N*s/m, h: 5 cm, t1: 0.2 s, L: 0.5 m, g: 9.81 m/s^2}
+        gravity: g
+        points: {W: {at: [0, -L], moves: [0, %s]}}
+        bodies: {car: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}}
+        springs: {s: {k: k, between: [W, car], preload: static}}
+        dampers: {d: {c: c, between: [W, car]}}
+    """
+    pulse = problem(text % "h*sin(pi*t/t1)*(step(t) - step(t - t1))")
+    assert linear_row(pulse, "s.force").constant == pytest.approx(-4 * 9.81)
+    assert response(pulse, "y", "W") == pytest.approx(response(problem(text % "h*sin(pi*t/t1)"), "y", "W"))

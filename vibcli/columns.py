@@ -55,7 +55,7 @@ class Columns:
     def _not_a_number(self, line, text, i):
         cells = text.split(self.separator)
         if i >= len(cells):
-            return Where(self.file, line, max(len(text), 1)), (
+            return Where(self.file, line, 1, max(len(text), 1)), (
                 f"expected {i + 1} columns, found {len(cells)}"), "every row has the same columns"
         where, cell = self._cell(line, text, i)
         comma = self.separator != "," and "," in cell

@@ -22,13 +22,17 @@ NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", 
 
 
 def check(spec, reader, expression, names, expected, local=None):
-    """Names and dimension of one expression; True where both fit. `local`: the name of a length in it alone."""
+    """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
+    alone."""
     before = len(reader.diagnostics)
     named = names_in(expression.tree)
     if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
         return True
     for name, primes, start, end in named:
-        if name == local and not primes:
+        if local and name == local[0]:
+            if primes:
+                reader.report(expression.scalar.place(start, end - start), f"'{name}' has no derivative here",
+                              f"it is a number on which this depends: write '{name}' alone")
             continue
         if name in names:
             spec.used.add(name)
@@ -42,8 +46,11 @@ def check(spec, reader, expression, names, expected, local=None):
     if len(reader.diagnostics) > before:
         return False
     try:
-        checker = DimensionCheck(spec.dimensions, lambda name, primes: units.LENGTH if name == local else units.times(
-            spec.dimensions.of(name), units.TIME, -primes), spec.free_numbers, spec.asked_dimension, expression.text)
+        def of(name, primes):
+            known = local[1] if local and name == local[0] else spec.dimensions.of(name)
+            return units.times(known, units.TIME, -primes)
+
+        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
         in_cycles = expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree))

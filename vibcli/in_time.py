@@ -13,7 +13,7 @@ class InTime:
         """The Problem under the force that lets go at t = 0; None where none does."""
         from vibcli.elements.initial import let_go
 
-        if let_go(self.spec) is None or self.holding:
+        if let_go(self.spec) is None or self.holding is not None:
             return None
         return self.held_back()
 
@@ -36,4 +36,7 @@ class InTime:
         """The motion in time, as `motion:` of the file says."""
         from vibcli import motions
 
-        return motions.FullMotion(self) if self.spec.get("motion") == "full" else motions.SmallMotion(self)
+        kind = self.spec.get("motion")
+        if kind is None and self.scene.laws:
+            raise motions.nonlinear(self.scene.laws[0].owner)
+        return motions.FullMotion(self) if kind == "full" else motions.SmallMotion(self)

@@ -2,10 +2,12 @@
 
 from math import isfinite, pi
 
+from vibcli import read_off
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import counts_cycles, lower, quantities_in
 from vibcli.errors import PhysicsError
 from vibcli.fit import cyclic
+from vibcli.moving_signals import LinearSignal
 
 TURN, ERROR = 2 * pi, 1e-12
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
@@ -14,7 +16,8 @@ ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 def measure_response(problem, tree):
     """(value, relative error bound) of a quantity with arguments; the value of an frf is complex."""
     head = tree[4]
-    if head in _OF_FREQUENCY or (head == "phase" and tree[7][0][4:5] == ("frf",)):
+    in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
+    if not in_time:
         return _OF_FREQUENCY[head](problem, tree)
     return _IN_TIME[head](problem, tree), ERROR
 
@@ -54,24 +57,23 @@ def _extreme(sense, which):
     return value
 
 
-def _phasors(problem, tree):
-    return [(Omega, X) for Omega, X in _signal(problem, tree).phasors if Omega]
+def _linear(problem, tree):
+    """The signal as a linear output of a small motion."""
+    signal = _signal(problem, tree)
+    if not isinstance(signal, LinearSignal):
+        kind = "full equations" if problem.spec.get("motion") == "full" else "products of signals"
+        raise PhysicsError(f"'{tree[4]}' is not found of {kind}", "ask for max(x), min(x) or values in time")
+    return signal
 
 
 def _amplitude(problem, tree):
-    """Of the steady state, half its range where it has several harmonics; without excitation of the free motion."""
-    if not problem.motion.driven:
-        return problem.motion.free(tree[7][0]).amplitude
-    steady = _signal(problem, tree).steady
-    found = _phasors(problem, tree) if hasattr(steady, "phasors") else ()
-    if len(found) == 1:
-        return _signed(found[0][1]) if problem.signed else abs(found[0][1])
-    if hasattr(steady, "phasors") and not found and not problem.motion.period:
-        return 0.0
-    period = problem.motion.period
-    if period is None:
-        raise PhysicsError("the steady state is not periodic: it has no one amplitude", "ask for max(x) and min(x)")
-    return 0.5 * (steady.extreme(0.0, period, 1)[1] - steady.extreme(0.0, period, -1)[1])
+    """Of the steady state; without excitation of the free vibration."""
+    signal = _linear(problem, tree)
+    if not problem.motion.drive:
+        return read_off.amplitude(signal)
+    if problem.signed and signal.motion.steady.period is None:
+        return sum(_signed(X) for _, X in read_off.harmonics(signal))
+    return read_off.steady_amplitude(signal)
 
 
 def _signed(X):
@@ -84,7 +86,10 @@ def _signed(X):
 def _phase(problem, tree):
     import cmath
 
-    found = _phasors(problem, tree)
+    signal = _linear(problem, tree)
+    if not problem.motion.drive:
+        return wrapped(read_off.vibration(signal).phase)
+    found = read_off.harmonics(signal)
     if len(found) != 1:
         raise PhysicsError("this steady state has no one phase: it is not one harmonic", "ask for frf[…]")
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
@@ -97,12 +102,13 @@ def wrapped(angle):
 
 
 def _harmonic(problem, tree):
-    return problem.motion.harmonic(tree[7][0], int(tree[5][0]))
+    return abs(read_off.harmonic(_linear(problem, tree), int(tree[5][0])))
 
 
 def _over_a_period(which):
     def value(problem, tree):
-        return problem.motion.average(tree[7][0], which)
+        signal = _linear(problem, tree)
+        return getattr(signal.motion.steady, which)(signal.output)
     return value
 
 
@@ -131,15 +137,19 @@ def _zero(problem, tree):
     return found[number - 1]
 
 
-def _free(name, fraction=False):
+def _free(find, fraction=False):
     def value(problem, tree):
-        found = problem.motion.free(tree[7][0])
-        return getattr(found, name)(float(tree[5][0])) if fraction else getattr(found, name)
+        signal = _linear(problem, tree)
+        return find(signal, float(tree[5][0])) if fraction else find(signal)
     return value
 
 
 def _period(problem, tree):
-    return problem.motion.period_of(tree[7][0])
+    """Of the motion: of its steady state where it is driven, else of its free vibration."""
+    if problem.spec.get("motion") == "full":
+        return problem.motion.period(tree[7][0])
+    signal = _linear(problem, tree)
+    return TURN / read_off.fundamental(signal) if problem.motion.drive else read_off.free_period(signal)
 
 
 def _frf(problem, tree):
@@ -211,6 +221,6 @@ _IN_TIME = {
     "value": _value, "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
     "argmax": _extreme(1, 0), "argmin": _extreme(-1, 0), "mean": _over_a_period("mean"), "rms": _over_a_period("rms"),
     "final": _final, "overshoot": _overshoot, "harmonic": _harmonic, "zero": _zero, "period": _period,
-    "decrement": _free("decrement"), "beat_period": _free("beat_period"), "time_to": _free("time_to", True),
-    "cycles_to": _free("cycles_to", True),
+    "decrement": _free(read_off.decrement), "beat_period": _free(read_off.beat_period),
+    "time_to": _free(read_off.time_to, True), "cycles_to": _free(read_off.cycles_to, True),
 }

@@ -15,6 +15,9 @@ from vibcli.elements.find import RESPONSE
 from vibcli.errors import PhysicsError
 from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
 
+PERIODIC = 1e-7     # how equal the periods of a periodic motion are
+LONGEST = 1e12      # seconds
+
 
 class Motion:
     """What both kinds of motion share: until when they are looked at, and what drives them."""
@@ -25,18 +28,29 @@ class Motion:
     @cached_property
     def until(self):
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
-        if self.problem.end is not None:
-            return self.problem.end
+        end, where = self.problem.end, None
         find = self.problem.spec.get("find")
         record = find.about(RESPONSE) if find is not None else None
-        if record is not None and "until" in record:
-            return evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)[0]
-        return self.lasting()
+        if end is None and record is not None and "until" in record:
+            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)
+            where = record["until"].where
+        if end is None:
+            return self.lasting()
+        if not 0 < end < LONGEST:
+            raise PhysicsError(f"a motion cannot end at t = {end:.6g} s",
+                               f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
+        return end
 
     @cached_property
     def drive(self):
         """{i: Q(t)} of the small oscillations, in letters."""
         return self.problem.excitation if self.problem.scene.timed else {}
+
+
+def nonlinear(owner):
+    """The refusal of a motion in time that nobody said to linearise."""
+    return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
+                        "write motion: full, or motion: small where the motion stays small")
 
 
 class SmallMotion(Motion):
@@ -64,25 +78,21 @@ class SmallMotion(Motion):
     def forcing(self, direct=()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         from vibcli.analyses.forcing.decompose import forcing_of
+        from vibcli.report.notation import plain
 
         n = len(self.matrices[0])
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct))
+        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain)
 
     def moved(self, direct=()):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.response.motion import linear_motion
 
-        return linear_motion(*self.matrices, self.forcing(direct), *self.deviations)
+        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations)
 
     @cached_property
     def alone(self):
         return self.moved()
-
-    @property
-    def period(self):
-        """The period of the steady state, None where it has none."""
-        return self.alone.steady.period if self.drive else None
 
     def lasting(self):
         from vibcli.analyses.duration import duration
@@ -165,13 +175,14 @@ class FullMotion(Motion):
         super().__init__(problem)
         self._trajectory = None
 
-    def trajectory(self, until=None, progress=None):
+    def trajectory(self, until=None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         if self._trajectory is None or self._trajectory.until < until:
             from vibcli.analyses.trajectory.simulate import simulate
 
-            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start, progress=progress)
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start,
+                                        progress=self.problem.progress)
         return self._trajectory
 
     def lasting(self):
@@ -182,6 +193,26 @@ class FullMotion(Motion):
         except PhysicsError:
             raise PhysicsError("it is not known how long this motion is to be looked at",
                                "say until when: find: [{response: {until: 10 s}}]") from None
+
+    def period(self, tree):
+        """Of one conservative degree of freedom by quadrature; else the time from one upward passage of a signal
+        through the middle of its range to the next."""
+        from vibcli.analyses.trajectory.period import exact_period
+
+        problem = self.problem
+        if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
+            name = tree[3]
+            found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
+            if found is not None:
+                return found
+        signal = self.signal(tree)
+        high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
+        found = signal.zeros(0.0, self.until, 0.5 * (high + low))
+        gaps = [later - early for early, later in zip(found, found[2:], strict=False)]
+        if not gaps or max(gaps) - min(gaps) > PERIODIC * gaps[0]:
+            raise PhysicsError("this motion has no one period" if gaps else "this motion has not yet gone through a "
+                               "period", "give a later end: find: [{response: {until: 20 s}}]" if not gaps else None)
+        return sum(gaps) / len(gaps)
 
     def signal(self, tree):
         """The signal of a tree: a function of the coordinates, velocities and accelerations."""

@@ -34,13 +34,30 @@ class LinearSignal:
 
     @cached_property
     def transient(self):
-        """The rest: it has no constant."""
-        return LinearSignal(self.motion.transient, self.output._replace(constant=0.0, channels={}))
+        return LinearSignal(self.motion.transient, self.output)
 
     @cached_property
+    def envelope(self):
+        return Envelope(self)
+
+    @property
     def phasors(self):
         """[(Ω, complex X)] of the steady state Re Σ X e^{iΩt}, by ascending Ω."""
-        return self.motion.steady.phasors(self.output)
+        from vibcli.read_off import harmonics
+
+        return harmonics(self)
+
+
+class Envelope:
+    """A e^{−δt} of a free vibration."""
+
+    def __init__(self, signal):
+        self.signal = signal
+
+    def values(self, times, order=0):
+        from vibcli.read_off import envelope
+
+        return envelope(self.signal, times)
 
 
 class ComposedSignal:
@@ -73,18 +90,18 @@ class ComposedSignal:
         pick = int(np.argmax(sense * found))
         return float(candidates[pick]), float(found[pick])
 
-    def zeros(self, start, end):
-        """Instants at which the sign changes, each bisected."""
+    def zeros(self, start, end, level=0.0):
+        """Instants at which the signal passes a level, each bisected."""
         import numpy as np
 
         times = np.linspace(start, end, SAMPLES)
-        values = self.values(times)
+        values = self.values(times) - level
         found = []
         for i in np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0):
             low, high, sign = times[i], times[i + 1], values[i] > 0
             for _ in range(ROUNDS):
                 middle = 0.5 * (low + high)
-                low, high = (middle, high) if (self.values(np.array([middle]))[0] > 0) == sign else (low, middle)
+                low, high = (middle, high) if (self.values(np.array([middle]))[0] > level) == sign else (low, middle)
             found.append(float(0.5 * (low + high)))
         return found
 
@@ -114,6 +131,9 @@ class Difference:
 
     extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
 
+    def final(self):
+        return self.one.final() - self.other.final()
+
 
 class FullSignal:
     """A function of the coordinates, velocities and accelerations of a motion that was integrated."""
@@ -136,7 +156,17 @@ class FullSignal:
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         return np.broadcast_to(evaluate([self.node], Arrays, values)[0], times.shape)
 
-    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+    def zeros(self, start, end, level=0.0):
+        """Instants at which the signal passes a level."""
+        from vibcli.analyses.trajectory.passages import passages
+
+        return passages(self.motion.trajectory(max(end, self.motion.until)), self.values, start, end, level)
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.trajectory.passages import extreme
+
+        return extreme(self.motion.trajectory(max(end, self.motion.until)), self.values, start, end, sense)
 
     def final(self):
         raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")

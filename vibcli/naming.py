@@ -49,7 +49,7 @@ def resolve(spec, reader):
         if id(expression) not in apart and id(expression) not in parameters:
             names = known if id(expression) in moving else spec.parameters
             local = reader.local_names.get(id(expression))
-            check(spec, reader, expression, names if local is None else {**names, local: None}, expression.dimension,
+            check(spec, reader, expression, names if local is None else {**names, local[0]: None}, expression.dimension,
                   local)
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.choosing import check_choices

@@ -23,10 +23,11 @@ STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energi
 class Problem(InNumbers, InLetters, InTime, OnRequest):
     """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
 
-    def __init__(self, spec, given=None, holding=False):
-        """`holding`: with the force that lets go where its motion starts."""
+    def __init__(self, spec, given=None, holding=None):
+        """`holding`: the Problem whose motion starts under the force that lets go, where this one is held by it."""
         self.spec, self.given, self.holding = spec, dict(given or {}), holding
         self.costs, self.inner, self._cases = {}, 0.0, {}
+        self.progress = None    # told the instant that an integration has reached
         self.end = None         # of a motion in time [s], where it is not that of the file
         self.signed = False     # amplitudes have a sign, so that a search sees where they vanish
         self.chosen = None      # what was chosen (inverse), where this is the scene with its solution
@@ -37,7 +38,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
     def held_back(self):
         """The same scene under the force that lets go where its motion starts."""
-        return Problem(self.spec, self.given, holding=True)
+        return Problem(self.spec, self.given, holding=self)
 
     def sharing(self, given):
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
@@ -76,13 +77,17 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
     def scene(self):
         from vibcli.scene.build import build_scene
 
-        scene = build_scene(self.spec, self.given, holding=self.holding)
+        scene = build_scene(self.spec, self.given, holding=self.holding is not None)
         if self.symbolic_parameters(scene):
             from vibcli.mechanics.symbolic import drawn_stable
 
             scene = drawn_stable(self.spec, self.given, scene)
         self.preloads = {}
-        if scene.static_preloads:
+        if scene.static_preloads and self.holding is not None:
+            from vibcli.mechanics.preload import take_over
+
+            take_over(scene, self.holding.preloads)
+        elif scene.static_preloads:
             from vibcli.mechanics.preload import settle_static_preloads
 
             self.preloads = defined_as_drawn(settle_static_preloads, scene)
@@ -95,7 +100,8 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
             return self.scene
         from vibcli.scene.build import build_scene
 
-        return build_scene(self.spec, self.given, self.scene.attempt, loose=True, holding=self.holding)
+        return build_scene(self.spec, self.given, self.scene.attempt, loose=True,
+                           holding=self.holding is not None)
 
     @property
     def symbolic(self):
@@ -159,7 +165,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """The modes of the system without its dampers."""
         from vibcli.analyses.spectrum import natural_modes
 
-        return self._named(natural_modes, self.elements, *self.sources)
+        return self.named(natural_modes, self.elements, *self.sources)
 
     @cached_property
     def zero_modes(self):
@@ -176,7 +182,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
             return None
         from vibcli.analyses.spectrum import damped_modes
 
-        return self._named(damped_modes, elements, lambda: self.modes, *self.sources)
+        return self.named(damped_modes, elements, lambda: self.modes, *self.sources)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
@@ -184,7 +190,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
         return normalised(mode.shape, how, weights(self.elements))
 
-    def _named(self, solve, *args, **options):
+    def named(self, solve, *args, **options):
         """Solve, and give a physical refusal the name of its coordinate."""
         from vibcli.errors import PhysicsError
 
@@ -202,5 +208,5 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        modes = self._named(natural_modes, self.elements, *self.sources, digits=digits)
-        return modes, self._named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
+        modes = self.named(natural_modes, self.elements, *self.sources, digits=digits)
+        return modes, self.named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)

@@ -38,7 +38,7 @@ class TooMany(Exception):
 class Reader:
     """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
     move something (a bare name there is a coordinate), those that load or tie it, names that are good in one expression
-    alone as {id: name}, and every reference as (Name, namespaces, what is wanted).
+    alone as {id: (name, dimension)}, and every reference as (Name, namespaces, what is wanted).
     `sound` tells whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it."""
 
     def __init__(self, files=None):

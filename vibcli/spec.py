@@ -60,8 +60,8 @@ SECTIONS = {
     "matrices": (Lazy("matrices"), "M, C and K given outright"),
     "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
     "initial": (initial.KIND, initial.ABOUT),
-    "motion": (Choice("small", "full"), "`small`: motions in time are those of the small oscillations, in closed form; "
-               "`full`: those of the full equations, integrated"),
+    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default, "
+               "or those of the `full` equations, integrated. Scenes with nonlinear laws must say which"),
     "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
     "choose": (Named(Lazy("choose"), "a mapping from parameters to conditions", ("pi", "t")),
                "parameters that conditions determine"),
@@ -243,5 +243,5 @@ def _report_unused(spec, used, diagnostics):
             diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used", hint))
     for name, record in (spec.get("records") or {}).items():
         if len(diagnostics) <= MOST_PROBLEMS and own(name) not in used:
-            diagnostics.append(Diagnostic(record.where, f"the record '{name}' is not used", f"write {name}(t) in a load "
-                                          "or motion, or take it out"))
+            hint = f"write {name}(t) in a load or motion, or take it out"
+            diagnostics.append(Diagnostic(record.where, f"the record '{name}' is not used", hint))

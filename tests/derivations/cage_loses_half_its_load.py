@@ -1,4 +1,4 @@
-"""Angular momentum about the axle; the free motion as a real matrix exponential from the turn under the lost weight.
+"""Angular momentum about the axle; free motion as the sum of two eigensolutions from the turn under the lost weight.
 
 A turn phi > 0 (counter-clockwise) lowers the cage at the left by R phi and raises the counterweight by r phi."""
 import numpy as np
@@ -12,15 +12,12 @@ def answers(p):
     roots, shapes = np.linalg.eig(A)
     back = np.linalg.inv(shapes)
 
-    def propagated(t, state):
-        return (shapes * np.exp(roots * t) @ back @ state).real
-
     start = np.array([G * R / kt, 0])
 
     def state(t):
-        return propagated(t, start)
+        return (shapes * np.exp(roots * t) @ back @ start).real
 
-    root = np.linalg.eigvals(A)[0]
+    root = roots[0]
     period = 2 * np.pi / abs(root.imag)
     least = minimize_scalar(lambda t: state(t)[0], bounds=(0, period), method="bounded", options={"xatol": 1e-12})
     return {

@@ -24,8 +24,8 @@ def answers(p):
         def rate(t):
             return mp.diff(y, t, h=mp.mpf("1e-12"))
 
-        grid = [t1 + mp.mpf(i) / 1000 + mp.mpf("1e-7") for i in range(600)]
-        turning = [mp.findroot(rate, (grid[i], grid[i + 1]), solver="anderson") for i in range(599)
+        grid = [t1 + mp.mpf(i) / 250 + mp.mpf("1e-7") for i in range(100)]
+        turning = [mp.findroot(rate, (grid[i], grid[i + 1]), solver="anderson") for i in range(99)
                    if rate(grid[i]) * rate(grid[i + 1]) < 0 and not grid[i] <= t2 <= grid[i + 1]]
         low, high = min([*turning, t2], key=y), max([*turning, t2], key=y)
         out = {"equilibrium[y]": rest, "K[y,y]": stiffness, "zeta[1]": decay / mp.sqrt(stiffness / m),

@@ -1,11 +1,10 @@
-"""Angular momentum of each disc. The half sine is the answer of a free oscillator: it joins the state, so that the
-motion is one matrix exponential during the pulse and another one behind; the twist at the end again by
-Runge-Kutta.
+"""Angular momentum of each disc, integrated by Runge-Kutta on the pulse and behind it, the extremes as events of the
+twists' rates. The twists at the end of the pulse again by a matrix exponential, to which the half sine is joined
+as an oscillator.
 """
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
-from scipy.optimize import brentq
 
 
 def answers(p):
@@ -22,22 +21,20 @@ def answers(p):
     end = (expm(A * t1) @ [0, 0, 0, 0, 0, 0, 0, M0])[:6]
     free = A[:6, :6]
 
-    def state(t):
-        return (expm(A * t) @ [0, 0, 0, 0, 0, 0, 0, M0])[:6] if t < t1 else expm(free * (t - t1)) @ end
-
     def rates(t, z):
-        return free @ z + np.array([0, 0, 0, 0, 0, -M0 * np.sin(np.pi * t / t1) / J[2]])
+        torque = -M0 * np.sin(np.pi * t / t1) if t < t1 else 0.0
+        return free @ z + np.array([0, 0, 0, 0, 0, torque / J[2]])
 
-    run = solve_ivp(rates, (0, t1), np.zeros(6), method="DOP853", rtol=1e-12, atol=1e-16)
-    assert np.allclose(run.y[:, -1], end, rtol=1e-8, atol=1e-11)
+    events = [lambda t, z, row=row: row @ z[3:] for row in twist]
+    tight = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-16, "events": events}
+    pulse = solve_ivp(rates, (0, t1), np.zeros(6), **tight)
+    after = solve_ivp(rates, (t1, 0.3), pulse.y[:, -1], **tight)
+    assert np.allclose(pulse.y[:, -1], end, rtol=1e-8, atol=1e-11)
+    assert np.allclose(J @ after.y[3:, -1], -2 / np.pi * M0 * t1)
 
     def least(i):
-        grid = np.linspace(1e-3, 0.1, 100)
-        values = [twist[i] @ state(t)[3:] for t in grid]
-        turning = [brentq(lambda t: twist[i] @ state(t)[3:], grid[j], grid[j + 1], xtol=1e-15)
-                   for j in range(len(grid) - 1) if values[j] * values[j + 1] < 0]
-        best = min(turning, key=lambda t: twist[i] @ state(t)[:3])
-        return k[i] * twist[i] @ state(best)[:3], best
+        return min((k[i] * twist[i] @ z[:3], t) for leg in (pulse, after)
+                   for t, z in zip(leg.t_events[i], leg.y_events[i], strict=True) if t > 1e-6)
 
     inertias = np.diag(J**-0.5)
     squares = np.linalg.eigvalsh(inertias @ (twist.T * k @ twist) @ inertias)
@@ -55,6 +52,6 @@ def answers(p):
         "argmin(s1.force)": time1,
         "min(s2.force)": low2,
         "argmin(s2.force)": time2,
-        "theta1'(0.3 s)": state(0.3)[3],
-        "(J1*theta1' + J2*theta2' + J3*theta3')(0.2 s)": J @ state(0.2)[3:],
+        "theta1'(0.3 s)": after.y[3, -1],
+        "(J1*theta1' + J2*theta2' + J3*theta3')(0.2 s)": J @ end[3:],
     }

@@ -24,7 +24,7 @@ def answers(p):
         return (bump if t < end else after).sol(t)[i]
 
     def extremes(signal, h=1e-6):
-        grid = np.linspace(1e-4, 1.5, 6001)
+        grid = np.linspace(1e-4, 0.9, 600)
         slopes = [signal(t + h) - signal(t - h) if abs(t - end) > 2 * h else np.nan for t in grid]
         return [brentq(lambda t: signal(t + h) - signal(t - h), grid[i], grid[i + 1], xtol=1e-13)
                 for i in range(len(grid) - 1) if slopes[i] * slopes[i + 1] < 0]

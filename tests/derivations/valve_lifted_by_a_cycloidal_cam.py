@@ -29,9 +29,9 @@ def answers(p):
         return (rise if t < t1 else rest).sol(t)
 
     def roots(function):
-        grid = np.linspace(1e-3 * t1, 7.9 * t1, 4001)
+        grid = np.linspace(1e-3 * t1, 4 * t1, 801)
         values = [function(t) for t in grid]
-        return [brentq(function, grid[i], grid[i + 1], xtol=1e-16) for i in range(4000)
+        return [brentq(function, grid[i], grid[i + 1], xtol=1e-16) for i in range(800)
                 if values[i] * values[i + 1] < 0]
 
     def force(t):

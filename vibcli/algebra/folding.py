@@ -1,6 +1,7 @@
 """Values of functions that are exact: sin 0, cos(π/6), |a| of a positive a; and f(−u) by parity.
 
-What begins at t = 0 has not begun in the drawn position: step(0) folds to 0, and square(0) to the mean of its jump.
+What begins at t = 0 has not begun in the drawn position: step(0) and a record at its start fold to 0, and square(0) to
+the mean of its jump.
 """
 
 from fractions import Fraction
@@ -25,6 +26,8 @@ def folded(table, name, args):
     if name in _STARTS and args[0].op == "number":
         begun = args[0].coefficient > 0
         return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero
+    if name in table.records and args[0].is_zero and table.records[name].times[0] >= 0:
+        return table.zero
     if name in _ODD and _is_negative(args[0]):
         return -table.call(name, -args[0])
     if name in _EVEN and _is_negative(args[0]):

@@ -14,14 +14,14 @@ from vibcli import __version__
 from vibcli.errors import PhysicsError, SpecError
 
 COMMANDS = {
-    "solve": "The whole solution of a scene, as a textbook writes it.",
+    "solve": "The solution of a scene as a textbook writes it, or what its `find` asks.",
     "equations": "Energies and equations of motion, full and for small oscillations.",
     "frequencies": "Equilibrium, natural frequencies, damping and mode shapes.",
     "draw": "The scene as a textbook figure, or a mode shape on it.",
-    "animate": "A mode in motion, as an animated gif or a page for the browser.",
-    "response": "The motion in time: free, forced, steady, transient.",
-    "frf": "Frequency responses: amplitude and phase, peaks, antiresonances.",
-    "check": "Compare the answers in problem files with the results.",
+    "animate": "A mode, or the motion in time, as an animated gif or a page for the browser.",
+    "response": "The motion in time, free or forced: numbers, plots, data files.",
+    "frf": "Frequency responses: resonances, bandwidths, plots, data files.",
+    "check": "Compare the answers in scene files with the results.",
     "explain": "The manual of the scene language, word by word.",
     "schema": "The JSON Schema of scene files, for editors.",
     "new": "A commented scene to start from.",
@@ -58,7 +58,7 @@ class Commands(click.Group):
              epilog="A scene to start from: vibcli new > scene.yaml; vibcli solve scene.yaml")
 @click.version_option(__version__, prog_name="vibcli")
 def group():
-    """Mechanical vibration problems: from a scene in YAML to its equations, equilibrium and frequencies."""
+    """Mechanical vibration problems: from a scene in YAML to its equations, frequencies and motions."""
 
 
 def main(args=None):

@@ -1,21 +1,34 @@
-"""`vibcli animate FILE`: a mode in motion."""
+"""`vibcli animate FILE`: a mode, or the motion in time, moving."""
 
 import click
 
 from vibcli.cli.common import load
-from vibcli.cli.pictures import one, picture_options, target, write
+from vibcli.cli.pictures import moving, one, picture_options, target, write
 
 SUFFIXES = (".gif", ".html")
 
 
 @click.command("animate")
 @picture_options(SUFFIXES)
-@click.option("--mode", "index", type=click.IntRange(1), metavar="I", default=1, help="Which mode (default: 1).")
-def command(file, settings, case, output, force, index):
-    """A mode shape in motion: an animated gif, or an html page with play, pause and a slider, complete in itself."""
+@click.option("--mode", "index", type=click.IntRange(1), metavar="I",
+              help="Which mode, by ascending frequency (1 unless given).")
+@click.option("--response", is_flag=True, help="The motion in time instead of a mode.")
+@click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
+def command(file, settings, case, output, force, index, response, until):
+    """A mode shape or the motion in time, moving: a gif, or an html page with play, pause and a slider."""
+    if response and index is not None:
+        raise click.UsageError("--response and --mode exclude each other")
+    if until is not None and not response:
+        raise click.UsageError("--until belongs to --response")
     problem = one(load(file, settings), case)
-    path = target(file, output, SUFFIXES, force, case, f"mode{index}")
-    from vibcli.report.drawing.animation import data, of_mode
+    path = target(file, output, SUFFIXES, force, case, "response" if response else f"mode{index or 1}")
+    if until is not None:
+        from vibcli.cli.response import set_end
+
+        set_end([(None, problem)], until)
+    from vibcli.report.drawing.animation import data, of_mode, of_response
 
     title = problem.spec.get("title") or path.stem
-    write(path, data(*of_mode(problem, index), title=title, kind=path.suffix[1:].lower()))
+    problem = moving(problem)
+    frames = of_response(problem) if response else of_mode(problem, index or 1)
+    write(path, data(*frames, title=title, kind=path.suffix[1:].lower()))

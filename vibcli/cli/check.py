@@ -17,7 +17,7 @@ GRAVEST = (3, 4, 1, 0)
 @click.option("--quiet", "-q", is_flag=True, help="Print only what differs.")
 @color_option
 def command(paths, as_json, quiet):
-    """Compare the answers in problem files (and in folders of them) with the results.
+    """Compare the answers in scene files (and in folders of them) with the results.
 
     Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the
     gravest of 3, 4, 1), 5 no answer was found to check.

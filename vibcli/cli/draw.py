@@ -3,15 +3,15 @@
 import click
 
 from vibcli.cli.common import load
-from vibcli.cli.pictures import one, picture_options, target, write
+from vibcli.cli.pictures import moving, one, picture_options, target, write
 
 SUFFIXES = (".png", ".svg", ".pdf")
 
 
 @click.command("draw")
 @picture_options(SUFFIXES)
-@click.option("--mode", "index", type=click.IntRange(1), metavar="I", help="The shape of this mode over the scene at "
-              "rest.")
+@click.option("--mode", "index", type=click.IntRange(1), metavar="I",
+              help="The shape of mode I over the scene at rest.")
 @click.option("--both", is_flag=True, help="With --mode: displaced the other way as well, dashed.")
 def command(file, settings, case, output, force, index, both):
     """The scene as a textbook figure, or a mode shape on it: png, svg or pdf by the suffix of the file."""
@@ -31,4 +31,4 @@ def _primitives(problem, index, both):
         return draw(problem)
     from vibcli.report.drawing.mode_shape import draw
 
-    return draw(problem, index, both)
+    return draw(moving(problem), index, both)

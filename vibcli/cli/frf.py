@@ -5,60 +5,54 @@ import click
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets, save_to
+from vibcli.cli.sampled import (
+    asked,
+    cases_to_show,
+    curve_options,
+    plot_width,
+    refuse_targets,
+    require_curves,
+    save_to,
+    size,
+)
 
 
 @click.command("frf")
 @scene_options
 @report_options
-@click.option("--of", "signals", multiple=True, metavar="SIGNAL", help="Of what: x, x', P.y, ground.force; the "
-              "coordinates unless given, here or by `find` of the file.")
+@click.option("--of", "signals", multiple=True, metavar="SIGNAL", help="Of what: x, x', P.y, ground.force; may be "
+              "given several times. The coordinates unless given, here or by `find` of the file.")
 @click.option("--to", "driver", metavar="INPUT", help="To a unit of what: a force, a driven point, or a coordinate for "
-              "the generalised force on it.")
-@click.option("--from", "low", metavar="FREQUENCY", help="The lowest frequency, as 10 (rad/s) or '2 Hz'.")
-@click.option("--up-to", "high", metavar="FREQUENCY", help="The highest frequency.")
-@click.option("--nyquist", is_flag=True, help="Draw the response in the complex plane.")
+              "the generalised force on it. The first of these unless given, here or by `find` of the file.")
+@click.option("--from", "low", metavar="FREQUENCY", help="Where plots and saved numbers begin, as 10 (rad/s) or "
+              "'2 Hz'.")
+@click.option("--up-to", "high", metavar="FREQUENCY", help="Where they end.")
+@click.option("--nyquist", is_flag=True, help="Plot the response in the complex plane.")
 @curve_options
 def command(file, settings, case, as_json, timings, signals, driver, low, high, nyquist, plot, saves, **report):
-    """Frequency responses: amplitude and phase lag, peaks, antiresonances, half-power points."""
+    """Frequency responses: amplitude and phase lag, peaks, antiresonances, half-power points; plotted, or saved.
+
+    Each is that of a signal to one unit of an input: vibcli explain frf.
+    """
     from vibcli.report.wanted import Wanted
 
     refuse_targets(saves, report["force"])
+    require_curves(plot, saves, as_json, {"--nyquist": nyquist, "--from": low, "--up-to": high})
     output = output_of(file, as_json, **report)
-    problems = chosen(load(file, settings), case)
-    ends = [None if text is None else _frequency(text, option) for text, option in ((low, "--from"), (high, "--up-to"))]
+    problems = cases_to_show(chosen(load(file, settings), case), saves)
+    ends = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
+            for text, option in ((low, "--from"), (high, "--up-to"))]
     if None not in ends and not ends[0] < ends[1]:
         raise click.UsageError(f"--from {low} is not below --up-to {high}")
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), driver and asked(driver, "--to"), "sine", *ends)
-    code = print_scenes(problems, lambda problem: ("chosen", "frequency_response"), output, timings,
-                        data=("frequency_response",), wanted=wanted)
-    if code == 0 and (plot or saves):
-        for _, problem in problems if case is None and not saves else problems[:1]:
-            _shown(problem, wanted, nyquist, plot, saves)
-    return code
-
-
-def _frequency(text, option):
-    """An angular frequency given as rad/s or Hz."""
-    from math import pi
-
-    from vibcli.algebra.meaning import literal_unit, whole_literal
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.units import parse_unit
-
-    try:
-        literal = whole_literal(parse(text))
-    except ExpressionError as error:
-        raise click.UsageError(f"{option} {text}: {error.message}") from None
-    unit = literal_unit(literal[4]) if literal and literal[4] else None
-    good = literal and literal[3] > 0 and not text.lstrip().startswith("-")
-    if not good or (unit and unit.dimension != parse_unit("rad/s").dimension):
-        raise click.UsageError(f"{option} {text}: expected a frequency, as in {option} 10 or {option} '2 Hz'")
-    return float(literal[3] * (unit.value if unit else 1)) * (2 * pi if unit and unit.cycles else 1) * (
-        pi ** unit.pi if unit else 1)
+    return print_scenes(problems, lambda problem: ("chosen", "frequency_response"), output, timings,
+                        data=("frequency_response",), wanted=wanted,
+                        curves=lambda problem: _shown(problem, wanted, nyquist, plot, saves))
 
 
 def _shown(problem, wanted, nyquist, plot, saves):
+    if not (plot or saves):
+        return
     from vibcli.report.series import frequency_columns, frequency_figure, sampled_curves
 
     curves = sampled_curves(problem, wanted)

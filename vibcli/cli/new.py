@@ -1,5 +1,7 @@
 """`vibcli new [TEMPLATE]`: a commented scene to start from."""
 
+import os
+
 import click
 
 DEFAULT = "mass_spring"
@@ -34,9 +36,16 @@ def command(template, output, listing):
         raise click.UsageError(f"there is no template '{template}'; {hint} (all: vibcli new --list)")
     if output in (None, "-"):
         click.echo(scenes.text(name), nl=False)
+        for file in scenes.beside(name):
+            click.echo(f"it reads {os.path.basename(file)}, which -o writes beside it", err=True)
         return
+    copies = [(os.path.join(os.path.dirname(output), os.path.basename(file)), file) for file in scenes.beside(name)]
+    for copy, file in copies:
+        with open(file, encoding="utf-8") as record:
+            _write(copy, record.read())
     _write(output, scenes.text(name))
-    click.echo(f"wrote {output}; next: vibcli solve {output}", err=True)
+    written = ", ".join([output, *(copy for copy, _ in copies)])
+    click.echo(f"wrote {written}; next: vibcli solve {output}", err=True)
 
 
 def _listing(scenes):
@@ -51,7 +60,7 @@ def _listing(scenes):
 
 
 def _write(file, text):
-    """Write a new file; nothing is ever overwritten."""
+    """Write a new file; nothing is ever overwritten, and what is there already is left as it is."""
     try:
         with open(file, "x", encoding="utf-8") as new:
             new.write(text)

@@ -7,7 +7,7 @@ import click
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.cli.reports import write_documents, write_text
 from vibcli.errors import NotInLetters, PhysicsError
-from vibcli.questions import INSIGHT
+from vibcli.questions import INSIGHT, RESPONSES
 from vibcli.report.blocks import Document, Refusal, paragraph, section
 from vibcli.report.document import Report, title_of
 from vibcli.report.render_text import render
@@ -16,9 +16,9 @@ FLOAT_DIGITS = 12
 
 
 def print_scenes(problems, sections, output, timings, digits=None, normalise="first", data=(), question=False,
-                 wanted=None):
+                 wanted=None, curves=None):
     """Print the scene and its cases, or write them; `sections(problem)` names the sections of the report, `data` the
-    parts of the JSON.
+    parts of the JSON; `curves(problem)` plots and saves what belongs to each.
 
     A case that cannot be solved is refused on stderr and leaves the others: exit code 4.
     """
@@ -31,7 +31,7 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
                 problem = _settled(problem, question, digits)
             solved.append((case, problem))
             if output.kind == "json":
-                found[case] = _data(problem, data, normalise, digits, sections(problem))
+                found[case] = _data(problem, data, normalise, digits, sections(problem), wanted)
             else:
                 report = _report(problem, _illustrated(sections(problem), output), normalise, digits, output.pictures,
                                  wanted)
@@ -39,6 +39,8 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
                 _print_at_once(found, case, output)
                 if report.refusal:
                     raise report.refusal
+            if curves:
+                curves(problem)
         except PhysicsError as error:
             if output.kind == "json" and len(problems) == 1:
                 raise
@@ -97,7 +99,7 @@ def _print_json(found, output):
     write_text(json.dumps(found[first], ensure_ascii=False, allow_nan=False, indent=1), output)
 
 
-def _data(problem, parts, normalise, digits, sections):
+def _data(problem, parts, normalise, digits, sections, wanted=None):
     from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
@@ -124,6 +126,12 @@ def _data(problem, parts, normalise, digits, sections):
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
             found["matrices"] = matrices_data(problem)
+    if asked := [word for word in sections if word in RESPONSES]:
+        from vibcli.report import response_data
+        from vibcli.report.wanted import Wanted
+
+        for word in asked:
+            found[word] = getattr(response_data, word + "_data")(problem, wanted or Wanted())
     if words := [word for word in sections if word in INSIGHT]:
         from vibcli.report.insight_data import insight_data
 

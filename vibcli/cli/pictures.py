@@ -18,9 +18,9 @@ def picture_options(suffixes):
         click.argument("file", type=click.Path(), shell_complete=None),
         click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
                      help="Give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'."),
-        click.option("--case", "case", metavar="NAME", help="This case of the file."),
+        click.option("--case", "case", metavar="NAME", help="This case of the file, instead of the scene itself."),
         click.option("-o", "--output", metavar="FILE", type=click.Path(),
-                     help=f"The file to write: {', '.join(suffixes)}; {suffixes[0]} unless named."),
+                     help=f"The file to write: {', '.join(suffixes)}; unless named, {suffixes[0]} in this folder."),
         click.option("--force", is_flag=True, help="Replace the file if it exists."),
         color_option,
     ]
@@ -30,6 +30,15 @@ def picture_options(suffixes):
 def one(problem, case):
     """The scene, or its case if one is named."""
     return chosen(problem, case)[0][1]
+
+
+def moving(problem):
+    """The problem with what it chooses, where its modes are asked for."""
+    if not problem.spec.choices:
+        return problem
+    from vibcli.inverse import settled
+
+    return settled(problem)
 
 
 def target(file, output, suffixes, force, *parts):

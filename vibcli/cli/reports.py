@@ -26,8 +26,8 @@ def report_options(function):
         click.option("--format", "kind", type=click.Choice([kind for kind in SUFFIXES if kind != "json"]),
                      help="How to write the report; by the suffix of -o unless named, else text."),
         click.option("-o", "--output", metavar="FILE", type=click.Path(),
-                     help="Write to a file: .txt, .md, .tex, .html or .json."),
-        click.option("--force", is_flag=True, help="Replace the file if it exists."),
+                     help="Write the report to a file: .txt, .md, .tex, .html or .json."),
+        click.option("--force", is_flag=True, help="Replace files that exist."),
         click.option("--pictures", is_flag=True, help="Also draw the scene and its mode shapes (not in text)."),
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)

@@ -5,60 +5,74 @@ import click
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import asked, curve_options, plot_width, refuse_targets, save_to
+from vibcli.cli.sampled import (
+    asked,
+    cases_to_show,
+    curve_options,
+    plot_width,
+    progress,
+    refuse_targets,
+    require_curves,
+    save_to,
+    size,
+)
+
+INSTANT = "a time, as in 2.5 or '40 ms'"
 
 
 @click.command("response")
 @scene_options
 @report_options
-@click.option("--of", "signals", multiple=True, metavar="SIGNAL", help="What of the motion: x, x', s.force, k*x; the "
-              "coordinates unless given, here or by `find` of the file.")
-@click.option("--until", metavar="TIME", help="Its end, as 2 or '500 ms'.")
+@click.option("--of", "signals", multiple=True, metavar="SIGNAL", help="What of the motion: x, x', s.force, k*x; may "
+              "be given several times. The coordinates unless given, here or by `find` of the file.")
+@click.option("--until", metavar="TIME", help="Its end, as 2 (seconds) or '500 ms'; unless given, here or by "
+              "`find` of the file, some periods, or until it has died out.")
+@click.option("--at", "instants", multiple=True, metavar="TIME", help="Also the values at this instant, as 2.5 or "
+              "'40 ms'; may be given several times.")
+@click.option("--digits", type=click.IntRange(1, 200), metavar="N", help="Those values with N correct digits, in "
+              "arbitrary precision.")
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=1001, show_default=True, metavar="N",
               help="How many instants are plotted or saved.")
 @click.option("--phase", type=click.Choice(["sine", "cosine", "lead"]), default="sine", show_default=True,
               help="Steady states as X sin(Ωt − θ), X cos(Ωt − θ) or X sin(Ωt + α).")
-@click.option("--steady", is_flag=True, help="Show the steady part as well.")
-@click.option("--transient", is_flag=True, help="Show the transient part as well.")
+@click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
+@click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
-def command(file, settings, case, as_json, timings, signals, until, points, phase, steady, transient, plot, saves,
-            **report):
-    """The motion in time: free, forced, steady and transient; as numbers, in the terminal, or in files."""
+def command(file, settings, case, as_json, timings, signals, until, instants, digits, points, phase, steady, transient,
+            plot, saves, **report):
+    """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
+
+    It starts as `initial` in the file says, else at rest: vibcli explain response.
+    """
     from vibcli.report.wanted import Wanted
 
     refuse_targets(saves, report["force"])
+    require_curves(plot, saves, as_json, {"--steady": steady, "--transient": transient})
     output = output_of(file, as_json, **report)
-    problems = chosen(load(file, settings), case)
+    problems = cases_to_show(chosen(load(file, settings), case), saves)
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
-    wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points)
+    wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points,
+                    at=tuple((text, size(text, "--at", "s", INSTANT, exact=True)) for text in instants), digits=digits)
+    if digits and not instants:
+        raise click.UsageError("--digits belongs to --at")
     if until is not None:
-        _until(problems, until)
-    code = print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
-                        wanted=wanted)
-    if code == 0 and (plot or saves):
-        for _, problem in problems if case is None and not saves else problems[:1]:
-            _shown(problem, wanted, plot, saves)
-    return code
-
-
-def _until(problems, text):
-    """The end of the motion as given; a usage error where it is no time."""
-    from vibcli.algebra.meaning import literal_unit, whole_literal
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.units import TIME
-
-    try:
-        literal = whole_literal(parse(text))
-    except ExpressionError as error:
-        raise click.UsageError(f"--until {text}: {error.message}") from None
-    unit = literal_unit(literal[4]) if literal and literal[4] else None
-    if not literal or not literal[3] > 0 or text.lstrip().startswith("-") or (unit and unit.dimension != TIME):
-        raise click.UsageError(f"--until {text}: expected a time, as in --until 2 or --until '500 ms'")
+        set_end(problems, until)
     for _, problem in problems:
-        problem.end = float(literal[3] * (unit.value if unit else 1))
+        problem.progress = progress(problem)
+    return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
+                        wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves))
+
+
+def set_end(problems, text):
+    """Let the motions end as given; a usage error where that is no time."""
+    end = size(text, "--until", "s", "a time, as in 2 or '500 ms'")
+    for _, problem in problems:
+        problem.end = end
 
 
 def _shown(problem, wanted, plot, saves):
+    if not (plot or saves):
+        return
     from vibcli.report.series import columns, response_figure, sampled
 
     series = sampled(problem, wanted)

@@ -16,7 +16,7 @@ def curve_options(function):
     options = [
         click.option("--plot", is_flag=True, help="Plot in the terminal."),
         click.option("--save", "saves", multiple=True, metavar="FILE", help="Write a picture (.png, .svg, .pdf) or the "
-                     "sampled numbers (.csv, .npz, .json)."),
+                     "sampled numbers (.csv, .npz, .json) of the scene, or of one --case."),
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
 
@@ -35,9 +35,49 @@ def asked(text, option):
         raise click.UsageError(f"{option} {text}: {error.message}{hint}") from None
 
 
+def size(text, option, unit, wants, exact=False):
+    """A positive quantity given on the command line, in SI units; a bare number is one of `unit`, cycles are 2π.
+    `exact`: as a Fraction, where it may be zero."""
+    from math import pi
+
+    from vibcli.algebra.meaning import literal_unit, whole_literal
+    from vibcli.algebra.parse import ExpressionError, parse
+    from vibcli.units import parse_unit
+
+    try:
+        literal = whole_literal(parse(text))
+    except ExpressionError as error:
+        raise click.UsageError(f"{option} {text}: {error.message}") from None
+    found = literal_unit(literal[4] if literal and literal[4] else parse(f"1 {unit}")[4])
+    if not literal or not (literal[3] > 0 or exact) or text.lstrip().startswith("-") or (
+            found.dimension != parse_unit(unit).dimension):
+        raise click.UsageError(f"{option} {text}: expected {wants}")
+    if exact:
+        return literal[3] * found.value
+    return float(literal[3] * found.value) * pi**found.pi * (2 * pi if found.cycles else 1)
+
+
 def plot_width():
     """Columns of a plot in this terminal."""
     return min(max(shutil.get_terminal_size((80, 24)).columns, NARROWEST), WIDEST)
+
+
+def progress(problem):
+    """What tells on a terminal how far an integration has come, from a second on; None elsewhere."""
+    import sys
+    from time import monotonic
+
+    if not sys.stderr.isatty() or problem.spec.get("motion") != "full":
+        return None
+    started, told = monotonic(), [0.0]
+
+    def tell(t):
+        now, until = monotonic(), problem.motion.until
+        if now - started > 1.0 and (now - told[0] > 0.2 or t >= until):
+            told[0] = now
+            told_so_far = f"integrated to {t:.4g} of {until:.4g} s" if t < until else ""
+            click.echo("\r\x1b[K" + told_so_far, nl=False, err=True)
+    return tell
 
 
 def refuse_targets(paths, force):
@@ -51,6 +91,20 @@ def refuse_targets(paths, force):
             raise click.UsageError(f"{error.message}; {error.hint}") from None
         if path.exists() and not force:
             raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
+
+
+def require_curves(plot, saves, as_json, options):
+    """A usage error where an option would do nothing, or a plot would break the JSON."""
+    idle = next((option for option, given in options.items() if given), None)
+    if idle and not (plot or saves):
+        raise click.UsageError(f"{idle} belongs to --plot or --save")
+    if plot and as_json:
+        raise click.UsageError("--plot does not go with --json: save the numbers with --save FILE")
+
+
+def cases_to_show(problems, saves):
+    """The scene and its cases; the scene alone where its curves are saved, for they are saved to one file."""
+    return problems[:1] if saves else problems
 
 
 def save_to(path, problem, figure, columns):

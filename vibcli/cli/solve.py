@@ -19,7 +19,8 @@ FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
 def command(file, settings, case, as_json, timings, digits, normalise, insight, **report):
-    """The whole solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes."""
+    """The solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes; or what `find`
+    in the file asks, responses too."""
     from vibcli.report.document import EVERYTHING
 
     output = output_of(file, as_json, **report)

@@ -1,37 +1,72 @@
-"""Viscous dampers between two ends: Φ = ½ c ḋ², d being the distance of the ends."""
+"""Dampers between two ends: Φ = ½ c ḋ², the integral of a law, or R |ḋ| of dry friction, d being their distance."""
 
-from vibcli import units
+from vibcli.algebra.rationals import HALF
+from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.fields import ENDS, Element, Field, Quantity
 
 
 def _settle(record, reader):
-    if "stretch" in record:
-        record["stretch"].dimension = units.NONE if "torsion" in record else units.LENGTH
+    settle_torsion(record, reader, ("law", "friction", "breakaway"), "v", rate=True)
+    if "breakaway" in record and "friction" not in record:
+        reader.report(record.place("breakaway"), "'breakaway' goes with 'friction'", "write `friction:` too")
 
 
 ELEMENT = Element(
     "damper",
-    "A viscous damper between two ends: its force is c times the rate at which they part. `torsion` turns between two "
-    "bodies; `stretch` gives its deflection outright.",
+    "A damper between two ends: its force is c times the rate at which they part, what its `law` says, or dry friction "
+    "of a given size, which sticks at rest. `torsion` turns between two bodies; `stretch` gives its deflection "
+    "outright.",
     {
         "c": Field(Quantity("N*s/m"), "its coefficient, force per speed"),
-        "torsion": Field(Quantity("N*m*s"), "its torsional coefficient, moment per angular speed"),
+        "torsion": Field(Torsion("N*m*s"), "its torsional coefficient, moment per angular speed; `true` beside a law "
+                         "or friction"),
+        "law": Field(Quantity(), "its force as a function of the rate v of its length, as in c*v*abs(v); v means this "
+                     "only inside a law"),
+        "friction": Field(Quantity(), "the size of its dry friction, as in mu*N, which acts against the motion"),
+        "breakaway": Field(Quantity(), "the largest friction at rest, where it is more than `friction`"),
         "between": Field(ENDS, "its two ends [A, B]"),
         "stretch": Field(Quantity(), "its deflection as an expression of the coordinates, instead of two ends"),
     },
-    exclusive=(("c", "torsion"), ("between", "stretch")),
-    needs=(("c", "torsion"), ("between", "stretch")),
+    exclusive=(("c", "torsion"), ("c", "law"), ("between", "stretch")),
+    needs=(("c", "torsion", "law", "friction"), ("between", "stretch")),
     settle=_settle,
-    instead={"law": "a nonlinear law does not work yet", "series": "c: c1*c2/(c1 + c2)",
-             "parallel": "write two dampers with the same ends, or c: c1 + c2"},
+    instead={"series": "c: c1*c2/(c1 + c2)", "parallel": "write two dampers with the same ends, or c: c1 + c2"},
     example="mass_spring_damper",
 )
 
 
 def build(record, scene):
     """Add the dissipation function of a damper to the scene."""
-    torsion = "torsion" in record
-    c = scene.lower(record["torsion" if torsion else "c"])
-    stretch = scene.stretch(record, torsion)
-    if stretch is not None:
+    torsion = record.get("torsion")
+    given = record.get("c", torsion)
+    c = None if given in (None, True) else scene.lower(given)
+    stretch = scene.stretch(record, torsion is not None)
+    if stretch is None:
+        return
+    if "law" not in record and "friction" not in record:
         scene.add_damper(c, stretch)
+        return
+    v = scene.law_variable(damper=True)
+    energy = scene.table.zero if c is None else c * v * v * HALF
+    if "law" in record:
+        found = scene.integrated(scene.lower(record["law"], ("v", v)), v, record["law"].where)
+        if found is None:
+            return
+        energy = energy + found
+    bound = None
+    if "friction" in record:
+        friction = scene.positive(record["friction"], "the friction")
+        energy = energy + friction * scene.table.call("abs", v)
+        bound = _bound(record, scene, friction)
+    scene.add_law(stretch, v, energy, damper=True, bound=bound)
+
+
+def _bound(record, scene, friction):
+    """The largest friction at rest over that in motion."""
+    if "breakaway" not in record:
+        return scene.table.one
+    breakaway = scene.positive(record["breakaway"], "the friction at rest")
+    if scene.number(breakaway) < scene.number(friction):
+        scene.report(record["breakaway"].where, "the friction at rest is less than that in motion",
+                     "leave `breakaway` out where both are the same")
+    return breakaway / friction

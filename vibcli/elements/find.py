@@ -7,21 +7,6 @@ from vibcli.fields import Choice, Element, Expression, Field, Kind, Many, OneOf,
 from vibcli.questions import FIND
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
-ELEMENT = Element(
-    "search",
-    "All equilibria within bounds, each with its residual and whether it is stable. Without bounds angles are searched "
-    "over one turn and lengths to twice the size of the figure on either side of the drawn position. Positions one "
-    "turn apart count once where the forces are the same there; a line of neutral positions counts once.",
-    {
-        SEARCH: Field(Choice("all"), "which are asked: all of them", required=True),
-        "within": Field(ByCoordinate(Many(Quantity(), 2, 2, "two bounds [least, most]"),
-                                     "a mapping from coordinates to bounds [least, most]"),
-                        "bounds of coordinates, such as {phi: [-90 deg, 90 deg]}"),
-    },
-    example="buckled_post",
-)
-
-
 class _Signal(Kind):
     """An expression of signals; what its names mean is settled when all are known."""
 
@@ -39,9 +24,22 @@ class _Signal(Kind):
         return {"type": "string"}
 
 
+class _Frequency(Quantity):
+    """An angular frequency, or one in Hz, which counts 2π."""
+
+    wants, sample = "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
+
+    def __init__(self):
+        super().__init__("Hz")
+
+
+class _Input(_Signal):
+    wants = "the name of a force, driven point or coordinate"
+
+
 _SIGNALS = Many(_Signal(), 1, 50, "a list of signals")
 _IN_TIME = Element(
-    "motion in time",
+    "response",
     "The motion in time: which signals, and until when.",
     {
         "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
@@ -50,32 +48,44 @@ _IN_TIME = Element(
     example="bump_in_the_road",
 )
 _IN_FREQUENCY = Element(
-    "response curve",
+    "frequency_response",
     "Frequency responses of signals to a unit of an input.",
     {
         "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
-        "to": Field(_Signal(), "the input: a force, a driven point, or a coordinate for the generalised force on it"),
-        "from": Field(Quantity("rad/s"), "the lowest angular frequency"),
-        "up_to": Field(Quantity("rad/s"), "the highest angular frequency"),
+        "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of "
+                    "these if left out"),
+        "from": Field(_Frequency(), "where plots and saved numbers begin"),
+        "up_to": Field(_Frequency(), "where they end"),
     },
     example="frequency_response",
 )
-ASKED_AT_LENGTH = {
-    SEARCH: ELEMENT,
-    RESPONSE: Element("response", "What of the motion in time is asked.", {
-        RESPONSE: Field(_IN_TIME, "what of it", required=True)}, example="bump_in_the_road"),
-    FREQUENCY_RESPONSE: Element("frequency response", "What of the frequency response is asked.", {
-        FREQUENCY_RESPONSE: Field(_IN_FREQUENCY, "what of it", required=True)}, example="frequency_response"),
-}
+ELEMENT = Element(
+    "request",
+    "A question with particulars. Of all equilibria: each within bounds, with its residual and whether it is stable. "
+    "Without bounds angles are searched over one turn and lengths to twice the size of the figure on either side of "
+    "the drawn position. Positions one turn apart count once where the forces are the same there; a line of neutral "
+    "positions counts once.",
+    {
+        SEARCH: Field(Choice("all"), "which are asked: all of them"),
+        "within": Field(ByCoordinate(Many(Quantity(), 2, 2, "two bounds [least, most]"),
+                                     "a mapping from coordinates to bounds [least, most]"),
+                        "bounds of coordinates in the search, such as {phi: [-90 deg, 90 deg]}"),
+        RESPONSE: Field(_IN_TIME, "which signals of the motion in time, and until when"),
+        FREQUENCY_RESPONSE: Field(_IN_FREQUENCY, "frequency responses of which signals, to which input"),
+    },
+    exclusive=((SEARCH, RESPONSE, FREQUENCY_RESPONSE), ("within", RESPONSE), ("within", FREQUENCY_RESPONSE)),
+    needs=((SEARCH, RESPONSE, FREQUENCY_RESPONSE),),
+    example="buckled_post",
+)
+AT_LENGTH = (SEARCH, RESPONSE, FREQUENCY_RESPONSE)
 
 
 class Questions(list):
     """The words asked, in order; `records`: {word: Record} of those that are asked at length."""
 
     def __init__(self, items):
-        self.records = {key: item for item in items if not isinstance(item, str)
-                        for key in ASKED_AT_LENGTH if key in item}
-        super().__init__(item if isinstance(item, str) else next(key for key in ASKED_AT_LENGTH if key in item)
+        self.records = {key: item for item in items if not isinstance(item, str) for key in AT_LENGTH if key in item}
+        super().__init__(item if isinstance(item, str) else next(key for key in AT_LENGTH if key in item)
                          for item in items)
 
     @property
@@ -109,13 +119,7 @@ class _Question(OneOf):
     def read(self, node, reader):
         if isinstance(node, Scalar) and node.text == SEARCH:
             return reader.expected(node, self.wants, f"write {{{SEARCH}: all}}")
-        if isinstance(node, Mapping):
-            kind = next((kind for key, kind in ASKED_AT_LENGTH.items() if key in node.entries), ELEMENT)
-            return kind.read(node, reader)
         return super().read(node, reader)
-
-    def schema(self):
-        return {"anyOf": [self.kinds[Scalar].schema(), *(kind.schema() for kind in ASKED_AT_LENGTH.values())]}
 
 
 class _Find(OneOf):
@@ -131,7 +135,7 @@ class _Find(OneOf):
         items = super().read(node, reader)
         if items is None:
             return None
-        for word in ASKED_AT_LENGTH:
+        for word in AT_LENGTH:
             again = [item for item in node.items if isinstance(item, Mapping) and word in item.entries] if isinstance(
                 node, Sequence) else ()
             if len(again) > 1:

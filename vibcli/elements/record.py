@@ -52,9 +52,9 @@ ELEMENT = _Record(
     "`ag(t)` stands in loads and driven motions, `ag(t - t0)` later. It is linear between its samples, and zero "
     "before the first and after the last.",
     {
-        "file": Field(_FileName(), "the file, in the folder of the scene or below: columns of numbers, apart by commas, "
-                      "semicolons, tabs or blanks; the first line may name them, lines that start with # are skipped",
-                      required=True),
+        "file": Field(_FileName(), "the file, in the folder of the scene or below: columns of numbers, apart by "
+                      "commas, semicolons, tabs or blanks; the first line may name them, lines that start with # are "
+                      "skipped", required=True),
         "time": Field(COLUMN, "the column of the times, ascending: its name or its number (default: the first)"),
         "every": Field(Quantity("s"), "the time from one row to the next, where no column holds it: `every: 0.02 s`"),
         "value": Field(COLUMN, "the column of the values (default: the second; the first beside `every`)"),
@@ -109,10 +109,10 @@ def _times(record, reader, columns):
     times = _scaled(record, reader, "time_unit", found)
     if times is None:
         return None
-    for row, (before, after) in enumerate(zip(times, times[1:], strict=False), 1):
-        if not after > before:
-            return reader.report(columns.place(row, found[2]), "the times must ascend: this one is not later than the "
-                                 "one before", "sort the rows, and leave out what stands twice")
+    late = next((row for row in range(1, len(times)) if times[row] <= times[row - 1]), None)
+    if late is not None:
+        return reader.report(columns.place(late, found[2]), "the times must ascend: this one is not later than the one "
+                             "before", "sort the rows, and leave out what stands twice")
     return times
 
 

@@ -1,11 +1,13 @@
-"""Linear springs between two ends: V = N d + ½ k d², d being the stretch from the drawn length.
+"""Springs between two ends: V = N d + ½ k d², or the integral of a law, d being the stretch from the drawn length.
 
 With a free length ℓ₀, or a `stretch` written out, d is what it says and N = 0, or with a preload the tension as drawn
-counts: N + k (d − d_drawn). Stretch, tension and preload are positive in lengthening.
+counts: N + k (d − d_drawn). Stretch, tension and preload are positive in lengthening. One-sided springs and stops act
+beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0) where they push.
 """
 
-from vibcli import units
-from vibcli.fields import ENDS, Choice, Element, Expression, Field, Kind, OneOf, Quantity
+from vibcli.algebra.rationals import HALF
+from vibcli.elements.torsion import Torsion, settle_torsion
+from vibcli.fields import ENDS, Choice, Element, Field, Kind, OneOf, Quantity
 
 
 class _Preload(Kind):
@@ -23,35 +25,38 @@ class _Preload(Kind):
             "string", "number"]}]}
 
 
-
 def _settle(record, reader):
-    torsion = "torsion" in record
-    if "stretch" in record:
-        record["stretch"].dimension = units.NONE if torsion else units.LENGTH
-    if isinstance(record.get("preload"), Expression):
-        record["preload"].dimension = units.parse_unit("N*m" if torsion else "N").dimension
+    settle_torsion(record, reader, ("preload", "law"), "d", rate=False)
+    if "acts" in record and record.get("preload") == "static":
+        reader.report(record.place("preload"), "a one-sided spring has no static preload", "give its tension as drawn")
 
 
 ELEMENT = Element(
     "spring",
-    "A linear spring between two ends: places, points, bodies, or `ground`. It is undeformed as drawn unless "
+    "A spring between two ends: places, points, bodies, or `ground`. It is undeformed as drawn unless "
     "`free_length` or `preload` says otherwise. `torsion` turns between two bodies; `stretch` gives the deflection "
-    "outright where no geometry is at hand.",
+    "outright where no geometry is at hand. A `law` makes it nonlinear; `acts` and `gap` make it a stop, or a cable "
+    "that goes slack.",
     {
         "k": Field(Quantity("N/m"), "its stiffness, force per length"),
-        "torsion": Field(Quantity("N*m"), "its torsional stiffness, moment per radian"),
+        "torsion": Field(Torsion("N*m"), "its torsional stiffness, moment per radian; `true` beside a law"),
+        "law": Field(Quantity(), "its tension as a function of the deflection d, as in k*d + k3*d^3; d means this only "
+                     "inside a law"),
         "between": Field(ENDS, "its two ends [A, B]; the stretch grows as B leaves A"),
         "stretch": Field(Quantity(), "the deflection as an expression of the coordinates, instead of two ends"),
         "free_length": Field(Quantity("m"), "its length when undeformed"),
         "preload": Field(_Preload(), "its tension as drawn; `static`: just what makes the drawn position the "
                          "equilibrium"),
+        "acts": Field(Choice("tension", "compression"), "it only pulls (`tension`: a cable, slack when shorter), or it "
+                      "only pushes (`compression`: a stop)"),
+        "gap": Field(Quantity(), "how far the stretch goes before it acts; without `acts`, that much play to both "
+                     "sides"),
     },
-    exclusive=(("k", "torsion"), ("between", "stretch"), ("free_length", "preload"),
-               ("free_length", "stretch"), ("free_length", "torsion")),
-    needs=(("k", "torsion"), ("between", "stretch")),
+    exclusive=(("k", "torsion"), ("k", "law"), ("between", "stretch"), ("free_length", "preload"),
+               ("free_length", "stretch"), ("free_length", "torsion"), ("law", "preload"), ("gap", "preload")),
+    needs=(("k", "torsion", "law"), ("between", "stretch")),
     settle=_settle,
-    instead={"law": "a nonlinear law is written as its potential under energies", "series": "k: k1*k2/(k1 + k2)",
-             "parallel": "write two springs with the same ends, or k: k1 + k2"},
+    instead={"series": "k: k1*k2/(k1 + k2)", "parallel": "write two springs with the same ends, or k: k1 + k2"},
     example="preloaded_spring",
 )
 
@@ -59,25 +64,59 @@ ELEMENT = Element(
 def build(record, scene):
     """Add the potential energy of a spring to the scene."""
     torsion = "torsion" in record
-    k = scene.lower(record["torsion" if torsion else "k"])
+    nonlinear = any(key in record for key in ("law", "acts", "gap"))
+    k = None if "law" in record else scene.lower(record["torsion" if torsion else "k"])
     preload = _preload(record, scene)
     if "free_length" in record and "between" in record:
         free = scene.positive(record["free_length"], "the free length", zero=True)
         dx, dy = scene.span(record)
         if dx is None or scene.moving(record, dx if dx.mask else dy) is None:
             return
-        if free.is_zero:
+        if free.is_zero and not nonlinear:
             scene.add_spring(k, preload, dx)
             scene.add_spring(k, preload, dy)
         elif (length := scene.length(record, dx, dy)) is not None:
-            scene.add_spring(k, preload, length - free)
+            _add(record, scene, k, preload, length - free)
         return
     stretch = scene.stretch(record, torsion)
     if stretch is None:
         return
     if "preload" in record and "stretch" in record:
         preload = preload - k * scene.at_drawn(stretch)[0]  # the tension as drawn, where the stretch need not be zero
-    scene.add_spring(k, preload, stretch)
+    _add(record, scene, k, preload, stretch)
+
+
+def _add(record, scene, k, preload, stretch):
+    if k is not None and "acts" not in record and "gap" not in record:
+        scene.add_spring(k, preload, stretch)
+        return
+    d, zero = scene.law_variable(), scene.table.zero
+    if k is not None:
+        energy = k * d * d * HALF
+        stretch = stretch + preload / k     # of a cable or stop under load: where its tension would vanish
+    else:
+        law = scene.lower(record["law"], ("d", d))
+        energy = scene.integrated(law, d, record["law"].where)
+        if energy is None:
+            return
+        if ("acts" in record or "gap" in record) and scene.number(scene.value_at(law, d)):
+            scene.report(record["law"].where, f"the law of '{record.name}' begins with a force at d = 0",
+                         "a one-sided law starts from zero force; a cable under load has a `preload`")
+            return
+    if "acts" in record or "gap" in record:
+        energy = sum((scene.value_at(energy, d, u) for u in _beyond_the_gap(record, scene, d)), zero)
+    scene.add_law(stretch, d, energy)
+
+
+def _beyond_the_gap(record, scene, d):
+    """[max(d − g, 0)] where it pulls, [min(d + g, 0)] where it pushes, both where it does either."""
+    gap = scene.positive(record["gap"], "the gap", zero=True) if "gap" in record else scene.table.zero
+    found = []
+    if record.get("acts") != "compression":
+        found.append(scene.table.call("max", d - gap, scene.table.zero))
+    if record.get("acts") != "tension":
+        found.append(scene.table.call("min", d + gap, scene.table.zero))
+    return found
 
 
 def _preload(record, scene):

@@ -1,5 +1,6 @@
 """Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
+from vibcli import units
 from vibcli.fields import BODY, Choice, Element, Field, Many, NewName, Quantity, vector
 
 
@@ -9,7 +10,7 @@ def _settle(record, reader):
     if "curve" in record and "in" not in record:
         reader.report(record.where, "a curve needs 'in': the name of its abscissa", "as in {curve: x^2/(2*p), in: x}")
     elif "curve" in record:
-        reader.local_names[id(record["curve"])] = record["in"]
+        reader.local_names[id(record["curve"])] = record["in"], units.LENGTH
 
 
 ELEMENT = Element(

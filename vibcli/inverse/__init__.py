@@ -71,7 +71,8 @@ def _in_numbers(problem, rest, thorough):
 
 
 def _chosen(found, problem, solutions):
-    found.costs, found.chosen = problem.costs, Chosen(problem.spec.choices, solutions)
+    found.costs, found.end = problem.costs, problem.end
+    found.chosen = Chosen(problem.spec.choices, solutions)
     return found
 
 

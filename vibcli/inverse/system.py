@@ -46,22 +46,22 @@ class System:
     def _measure(self, numeric):
         import numpy as np
 
-        numeric.signed = True
         try:
             with np.errstate(all="ignore"):
                 if any(condition.word != BALANCE for condition in self.conditions):
                     _roughly(numeric)
-                found = [self._pairs(numeric, condition) for condition in self.conditions]
+                found = [self._pairs(numeric, condition, True) for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
 
-    def _pairs(self, numeric, condition):
+    def _pairs(self, numeric, condition, searching=False):
         if condition.word == BALANCE:
             return balance(numeric)
         if condition.word:
             return [self._slowest(numeric)]
+        numeric.signed = searching and any(is_nothing(side.tree) for side in condition.sides)
         return [(value_of(numeric, condition.left)[0], value_of(numeric, condition.right)[0])]
 
     def _slowest(self, numeric):
@@ -129,6 +129,11 @@ class System:
 
     def admits(self, values):
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
+
+
+def is_nothing(tree):
+    """Is this side of an equation written as 0?"""
+    return tree[0] == "number" and not tree[3]
 
 
 def _roughly(numeric):

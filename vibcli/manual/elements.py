@@ -128,7 +128,7 @@ def section_page(catalogue, section):
         page = element_page(catalogue, inner)
         return page if inner == section else blocks(head, [page])
     if section == "find":
-        return blocks(head, about, table(topics.FIND.items()), ["More: `vibcli explain search`."],
+        return blocks(head, about, table(topics.FIND.items()), ["More: `vibcli explain request`."],
                       _scene(scenes.using(catalogue, section)))
     if section == "cases":
         about = [line for text in topics.CASES for line in paragraph(text)]

@@ -3,6 +3,7 @@
 from vibcli.algebra.parse import plain_name
 from vibcli.elements.shapes import NEEDS
 from vibcli.manual import elements, subjects, topics
+from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
 from vibcli.questions import ASKED
@@ -25,7 +26,7 @@ class Index:
                 self._add(word, "element", elements.element_page, word)
         for word, key in self.catalogue.pairs():
             self._add(f"{word}.{key}", "key", elements.key_page, word, key)
-            if key not in self.catalogue.elements or word != "body":
+            if key not in self.catalogue.elements or word not in ("body", "request"):
                 self._add(key, "key", elements.key_page, word, key)
         subjects_of = (("find", subjects.find_page, topics.FIND), ("quantity", subjects.quantity_page, ASKED),
                        ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, topics.FUNCTIONS),
@@ -46,7 +47,7 @@ class Index:
         head, dot, key = plain_name(word.strip("`'\" ")).replace(" ", ".").partition(".")
         spellings = [word, plain_name(word), text, text.replace(" ", "_"), singular.get(head, head) + dot + key]
         for spelling in [*spellings, *(spelling.lower() for spelling in spellings)]:
-            spelling = topics.ALIASES.get(spelling, spelling)
+            spelling = ALIASES.get(spelling, spelling)
             if spelling in self.entries:
                 return spelling
         return None
@@ -75,7 +76,7 @@ def page(word):
 
 def words():
     """Every word that has a page."""
-    return sorted({*Index().entries, *topics.ALIASES})
+    return sorted({*Index().entries, *ALIASES})
 
 
 def nearest_words(word):

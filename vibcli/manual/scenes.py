@@ -31,6 +31,13 @@ def text(name):
         return file.read()
 
 
+def beside(name):
+    """Paths of the files that a template or example reads."""
+    found = document(name).entries.get("records")
+    files = [value.entries["file"][1].text for _, value in found[1].entries.values()] if found else []
+    return [os.path.join(os.path.dirname(path(name)), file) for file in files]
+
+
 def title(name):
     """The title of a template or example."""
     return document(name).entries["title"][1].text
@@ -53,7 +60,7 @@ def asking(head):
     """The name of an example whose answers ask for a quantity."""
     for name in names("examples"):
         for asked in _asked(document(name)):
-            if re.match(rf"{head}([\[(]|$)", asked):
+            if re.search(rf"(?<![\w.]){head}[\[(]|^{head}$", asked):
                 return name
     return None
 

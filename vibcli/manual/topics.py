@@ -3,7 +3,8 @@
 A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMARKS are such parts for elements.
 """
 
-from vibcli import signals
+from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
+from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.questions import SEVERAL as HEADS
 
 EXIT_CODES = [
@@ -133,7 +134,13 @@ CONVENTIONS = [
          "the decay, omega_d = omega·√(1 − zeta²). The logarithmic decrement is 2 pi zeta/√(1 − zeta²). Damped "
          "modes are numbered by ascending |λ|. Two real eigenvalues of an over-damped mode share its number: "
          "omega = √(λ₁λ₂), zeta = −(λ₁ + λ₂)/(2 omega) ≥ 1."),
-        ("amplitudes", "From rest to peak, not from peak to peak."),
+        ("time", "Motions start at t = 0; that is also the t of loads and driven motions."),
+        ("free", "A free vibration of one frequency is A e^(−δt) cos(omega_d t − φ): `amplitude(x)` is A, `phase(x)` "
+         "is φ."),
+        ("steady", "A steady state of one frequency is X sin(Omega t − θ): `amplitude(x)` is X, from the mean to the "
+         "peak, `phase(x)` is θ, from −pi to pi, whatever phase the load has. `--phase cosine` prints θ of "
+         "X cos(Omega t − θ), `--phase lead` α of X sin(Omega t + α)."),
+        ("lag", "The phase of a frequency response is the lag of the signal behind the input, `phase` = −`arg`."),
         ("units", "Any of the list in, SI out; angles in radians."),
     ],
 ]
@@ -186,17 +193,23 @@ TIME = [
         ("energies", "`V: -F0*sin(Omega*t)*x`"),
         ("answers", "in energies and equations: `equation[x]: m*x'' + k*x = F0*sin(Omega*t)`"),
     ],
+    "Pulses, waves and blows are made of",
+    [
+        ("step", "`F0*(step(t) - step(t - t1))`, a rectangular pulse; `H*sin(pi*t/T)*(step(t) - step(t - T))`, half a "
+         "sine. What begins at t = 0 has not begun in the drawn position."),
+        ("ramp", "`F0*(ramp(t) - ramp(t - t1))/t1` rises in t1 and stays"),
+        ("impulse", "`P*impulse(t - t1)`, a blow of the momentum P"),
+        ("square", "`F0*square(Omega*t)`; `F0*(1 + sawtooth(Omega*t))/2` rises from 0 to F0 in each period; "
+         "`abs(sin(Omega*t))` and `max(0, sin(Omega*t))` are rectified waves"),
+        ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
+    ],
+    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
+    "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
     "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
-    "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so, `vibcli equations` works.",
-    "Responses in time do not work yet.",
-]
-
-SIGNALS = [
-    "Beside coordinates these can be asked for, as in `equilibrium[hoist.force]` or `mode[1][P.y]`. Forces are those "
-    "in equilibrium: only `equilibrium` takes them.",
-    list(signals.ABOUT),
+    "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so; `vibcli equations` works, and so "
+    "do motions in time with `motion: full`.",
 ]
 
 SHAPES = [
@@ -238,6 +251,13 @@ REMARKS = {
         "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
         "coordinates, shift it. A load of velocities damps: `value: -c*x'`.",
     ],
+    "record": [
+        "The file is plain text of at most 5 MB and 200000 rows, in UTF-8, with decimal points. Names lead down from "
+        "the folder of the scene, never out of it. Its numbers are read as double precision. What is measured in units "
+        "of g has no unit: write `g*ag(t)`.",
+        "Responses of small motions are exact for the straight lines between the samples. The rate of a record is a "
+        "staircase, and its second rate, where something is carried by what moves so, holds an impulse at each sample.",
+    ],
     "point": ["A driven point is one that bodies can be pinned at, and springs, ropes and links can end at."],
 }
 
@@ -255,25 +275,20 @@ TOPICS = {
     "expressions": ("how numbers, units, names and derivatives are written", EXPRESSIONS),
     "units": ("the units that are known", None),
     "functions": ("the functions that are known", None),
-    "conventions": ("signs, coordinates, numbering and normalisation of modes, damping", CONVENTIONS),
+    "conventions": ("signs, coordinates, numbering of modes, damping, amplitudes and phases", CONVENTIONS),
     "motions": ("how bodies may move", MOTIONS),
     "shapes": ("the shapes of bodies, with their moments of inertia", SHAPES),
     "lumped": ("bodies without a place", LUMPED),
     "time": ("driven motion, loads that depend on time, and what becomes of them", TIME),
+    "response": ("motions in time", RESPONSE),
+    "frequency_response": ("amplitude and phase over the frequency", FREQUENCY_RESPONSE),
     "signals": ("places, turns, stretches and forces that can be asked for", SIGNALS),
     "ground": ("the fixed end of springs and dampers", GROUND),
     "quantities": ("what `answers` may ask for, and how it is compared", None),
     "exit": ("exit codes", None),
+    "pictures": ("figures of scenes, moving modes, plots of responses", PICTURES),
+    "reports": ("text, Markdown, LaTeX, HTML", REPORTS),
+    "data": ("responses as numbers for other programs", DATA),
     "json": ("the keys of --json", None),
     "editors": ("completion and checking in an editor", EDITORS),
 }
-ALIASES = {"expression": "expressions", "unit": "units", "function": "functions", "convention": "conventions",
-           "quantity": "quantities", "exit codes": "exit",
-           "exit code": "exit", "json keys": "json", "derivatives": "expressions", "derivative": "expressions",
-           "names": "expressions", "numbers": "expressions", "signs": "conventions", "coordinate system": "conventions",
-           "axes": "conventions", "normalisation": "conventions", "normalise": "conventions", "phase": "conventions",
-           "delta": "conventions", "lambda": "conventions", "damping ratio": "conventions",
-           "schema": "editors", "mode shapes": "conventions", "inertias": "shapes", "x'": "expressions",
-           "case": "cases", "tolerance": "quantities", "t": "time", "excitation": "time", "driven": "time",
-           "signal": "signals", "pulley": "pulley of a rope", "drum": "pulley of a rope", "ropes": "rope",
-           "unbalanced": "unbalance", "follower": "force.carrier", "multiplier": "constraint"}

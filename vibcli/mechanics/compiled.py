@@ -2,31 +2,34 @@
 
 The source is made of our own slot names and the repr of floats alone: no name and no text of a file gets into it. Parts
 that depend on the time alone are a function of their own, so that an iteration at fixed instants computes them once.
-|u|, sign u, min, max and the pieces of functions of the time are smooth while their switches stay as they are:
+What bends or jumps with the motion is smooth while its switches σ stay as they are:
 
     sign u = σ      |u| = σ u      min(a, b) = (a + b − σ (a − b))/2      max(a, b) = (a + b + σ (a − b))/2
+    step u = (1 + σ)/2             ramp u = (1 + σ) u/2
 """
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
+from vibcli.algebra.pulses import PULSES
 from vibcli.algebra.rationals import HALF
+from vibcli.errors import PhysicsError
 
-SWITCHED = ("abs", "sign", "min", "max")
-NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "abs": "abs", "sign": "sign",
-         "min": "minimum", "max": "maximum"}
-PLAIN = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "power")
+SWITCHED = ("abs", "sign", "min", "max", "step", "ramp")
+NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "min": "minimum", "max": "maximum"}
+PLAIN = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "power", "abs",
+         "sign", "min", "max")
 LONGEST = 40            # terms on one line
 
 
 class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
 
-    switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min
-    and max are what they are."""
+    switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
+    max and pulses are what they are. records: {name: slot} of the sampled functions that are called."""
 
     def __init__(self, slots, floats, switches):
         self.slots, self.floats, self.switches = dict(slots), floats, switches
-        self.lines, self.constants = [], {}
+        self.lines, self.constants, self.records = [], {}, {}
 
     def add(self, nodes):
         """Write what computes the nodes; their slots or constants are returned as texts."""
@@ -78,21 +81,24 @@ class Source:
 
     def _call(self, node):
         args = [self.text(arg) for arg in node.args]
-        if node.name in PLAIN:
-            return f"{NUMPY.get(node.name, node.name)}({','.join(args)})"
-        if node.name not in SWITCHED:
-            raise KeyError(node.name)
-        if self.switches is None:
-            return f"{NUMPY[node.name]}({','.join(args)})"
-        if node.name in ("sign", "abs"):
-            sense = self._switch(node.args[0])
-            return sense if node.name == "sign" else f"{sense}*{args[0]}"
-        a, b = node.args
-        difference = a - b
-        if not difference.mask:
-            return args[0] if (self._constant(difference) > 0) == (node.name == "max") else args[1]
-        sense, sign = self._switch(difference), "+" if node.name == "max" else "-"
-        return f"0.5*({args[0]}+{args[1]}{sign}{sense}*({args[0]}-{args[1]}))"
+        if self.switches is not None and node.name in SWITCHED:
+            return self._bent(node, args)
+        if node.name in node.table.records:
+            record = self.records.setdefault(node.name, f"r{len(self.records)}")
+            return f"{record}({','.join(args)})"
+        return f"{NUMPY.get(node.name, node.name)}({','.join(args)})"
+
+    def _bent(self, node, args):
+        """A function that bends or jumps, by its switch."""
+        if node.name in ("min", "max"):
+            a, b = node.args
+            if not (a - b).mask:
+                return args[0] if (self._constant(a - b) > 0) == (node.name == "max") else args[1]
+            sense, sign = self._switch(a - b), "+" if node.name == "max" else "-"
+            return f"0.5*({args[0]}+{args[1]}{sign}{sense}*({args[0]}-{args[1]}))"
+        sense = self._switch(node.args[0])
+        return {"sign": sense, "abs": f"{sense}*{args[0]}", "step": f"0.5*(1.0+{sense})",
+                "ramp": f"0.5*(1.0+{sense})*{args[0]}"}[node.name]
 
     def _constant(self, node):
         return evaluate([node], Floats, self.floats)[0]
@@ -135,13 +141,15 @@ def _powers(slot, exponent):
     return [f"{slot}**{float(exponent)!r}"]
 
 
-def function(head, lines, result):
-    """The function of a text made of slots; NumPy's functions act on floats and arrays."""
+def function(head, lines, result, records=()):
+    """The function of a text made of slots; NumPy's functions act on floats and arrays. `records`: (slot, function)."""
     import numpy as np
 
+    from vibcli.algebra.pulses import on_arrays
+
+    space = {NUMPY.get(name, name): getattr(np, NUMPY.get(name, name)) for name in (*PLAIN, "sqrt", "nan")}
+    space.update(on_arrays(), **dict(records))
     body = "".join(f"    {line}\n" for line in lines)
-    names = [NUMPY.get(name, name) for name in (*PLAIN, *SWITCHED)]
-    space = {name: getattr(np, name) for name in (*names, "sqrt", "nan")}
     exec(compile(f"def f({head}):\n{body}    return {result}\n", "<motion>", "exec"), space)  # slots and floats only
     return space["f"]
 
@@ -154,12 +162,12 @@ class Compiled:
 
     def __init__(self, scene, floats, switches, nodes):
         time = scene.time
-        driven = [part for part in reachable(nodes) if part.mask == time.mask and part is not time
-                  and (switches is None or not _switched(part))]
-        outer = _outermost(driven, nodes)
-        early = Source({time: "t"}, floats, switches)
+        below = reachable(nodes)
+        _require_known(below, time)
+        outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
+        early = Source({time: "t"}, floats, None)
         prepared = early.add(outer)
-        self._prepare = function("t", early.lines, _tuple(prepared))
+        self._prepare = function("t", early.lines, _tuple(prepared), _called(scene, early))
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
@@ -172,7 +180,6 @@ class Compiled:
         if switches:
             head.append(f"{_tuple(switches.values())}=g[:{len(switches)}]")
         self.count, self.work = len(nodes), len(late.lines)
-        self.constant = [not node.mask for node in nodes]
         self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
 
     def prepared(self, t):
@@ -188,14 +195,23 @@ def _tuple(texts):
     return "(" + "".join(text + "," for text in texts) + ")"
 
 
-def _switched(node):
-    return any(part.name in SWITCHED and part.mask for part in reachable([node]))
+def _called(scene, source):
+    return [(slot, scene.table.records[name].on_arrays) for name, slot in source.records.items()]
 
 
-def _outermost(driven, nodes):
+def _require_known(below, time):
+    """Pulses that repeat, impulses and records are functions of the time."""
+    for part in below:
+        if part.mask & ~time.mask and (part.name in part.table.records or
+                                       (part.name in PULSES and part.name not in SWITCHED)):
+            raise PhysicsError(f"{part.name} of what moves is not defined: it is a function of the time",
+                               "write it of t, as in square(Omega*t)")
+
+
+def _outermost(driven, below, nodes):
     """Those of `driven` which something that is not driven is made of, or which are wanted themselves."""
     kept, inner = set(driven), set()
-    for part in reachable(nodes):
+    for part in below:
         if part not in kept and part.mask:
             args = (arg for arg, _ in part.args) if part.op in ("sum", "product") else part.args
             inner.update(arg for arg in args if arg in kept)

@@ -21,16 +21,20 @@ class Dynamics:
 
     __slots__ = ("M", "bends", "gaps", "h", "names", "rates", "slopes")
 
+    def nodes(self):
+        """All expressions that the accelerations are made of."""
+        return [*self.M.values(), *self.h, *self.slopes.values(), *self.bends]
+
 
 def dynamics(scene, redundant=()):
     """The Dynamics of a scene; `redundant`: names of constraints which follow from the others."""
     found = Dynamics()
     M, h = _from_terms(scene)
-    if len(scene.q) <= SIMPLIFIED:
+    if len(scene.q) <= SIMPLIFIED and not scene.laws:
         shorter = {pair: textbook(node) for pair, node in M.items()}, [textbook(node) for node in h]
         M, h = min((M, h), shorter, key=lambda form: len(reachable([*form[0].values(), *form[1]])))
     found.M, found.h = {pair: node for pair, node in M.items() if not node.is_zero}, h
-    ties = [tie for tie in scene.constraints if tie.name not in redundant] if scene.loops is None else []
+    ties = [] if scene.dependent else [tie for tie in scene.constraints if tie.name not in redundant]
     number = {q: i for i, q in enumerate(scene.q)}
     found.names = [tie.name for tie in ties]
     found.gaps = [tie.node for tie in ties]

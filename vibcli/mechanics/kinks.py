@@ -16,11 +16,14 @@ def require_smooth(problem):
     if not scene.table.called.intersection(KINKED):
         return
     terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)
+    V = scene.energies["V"]
+    bends = [second for slope in gradient(V).values() for second in gradient(slope).values()]
     for node in [term.s for term in terms] + [term.weight for term in scene.forces] + list(scene.energies.values()):
-        for part in (node, *gradient(node).values()):
+        for part in (node, *gradient(node).values(), *(bends if node is V else ())):
             if _jumps(problem, part):
                 raise PhysicsError("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no "
-                                   "small oscillations about it", "the full equations are those of `vibcli equations`")
+                                   "small oscillations about it", "the full equations are those of `vibcli equations`, "
+                                   "their motion that of motion: full")
 
 
 def _jumps(problem, node):

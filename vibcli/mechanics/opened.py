@@ -9,12 +9,12 @@ from fractions import Fraction
 from functools import cached_property
 
 from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.copied import copied
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.linearise import linearise
+from vibcli.mechanics.preload import take_over
 from vibcli.mechanics.rows import Row
 from vibcli.mechanics.steady import INSTANTS, SAME, matrices_at, steady, without_time
 from vibcli.scene.build import build_scene
@@ -28,10 +28,9 @@ class Opened:
     def __init__(self, problem, releasing=False):
         self.problem = problem
         self.scene = scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=releasing,
-                                         releasing=releasing, opened=True, holding=problem.holding)
+                                         releasing=releasing, opened=True, holding=problem.holding is not None)
         if scene.static_preloads:
-            tensions = copied([problem.preloads[record.name] for _, record in scene.static_preloads], scene.table)
-            scene.replace({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})
+            take_over(scene, problem.preloads)
         scene.rename([q for q in scene.q if q not in scene.inputs] + list(scene.inputs))
         self.n = len(scene.q) - len(scene.inputs)
         self.timed = linearise(scene)

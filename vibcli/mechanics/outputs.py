@@ -41,13 +41,15 @@ def _row(problem, text):
     if name in (problem.spec.get("springs") or {}):
         return opened.rows([tension(scene, name)])[0]
     if name in (problem.spec.get("dampers") or {}):
-        return combined((c, row) for c, row in _rates(opened, name))
+        laws = scene.law_forces(name)
+        return opened.rows(laws)[0] if laws else combined((c, row) for c, row in _rates(opened, name))
     return problem.moving_reactions.row(text)
 
 
 def tension(scene, name):
     """The tension of a spring as an expression; of one without free length its magnitude."""
     forces = [term.force + term.weight * term.s for term in scene.springs if term.owner == name]
+    forces = forces or scene.law_forces(name)
     if len(forces) == 1:
         return forces[0]
     return scene.table.sqrt(scene.table.sum(*((force * force, ONE) for force in forces)))
@@ -65,6 +67,8 @@ def squares(problem, text):
     """[(weight, Row)] of a signal that is a sum of squares."""
     opened = problem.opened
     name, _, part = text.partition(".")
+    if opened.scene.law_forces(name):
+        raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
     if part == "power":
         return _rates(opened, name)
     terms = [term for term in opened.scene.springs if term.owner == name]

@@ -132,3 +132,11 @@ def _harmless(scene, form, unknowns, columns, rows, picked, free):
 
 def _listed(names):
     return " and ".join(f"'{name}'" for name in names)
+
+
+def take_over(scene, preloads):
+    """Give a variant of a scene the static preloads {name: node} of the scene itself."""
+    from vibcli.algebra.copied import copied
+
+    tensions = copied([preloads[record.name] for _, record in scene.static_preloads], scene.table)
+    scene.replace({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})

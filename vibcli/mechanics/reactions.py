@@ -39,7 +39,7 @@ class Released:
 
         self.problem = problem
         self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True,
-                                 holding=problem.holding)
+                                 holding=problem.holding is not None)
         if self.scene.static_preloads and not problem.symbolic:
             nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
                      in self.scene.static_preloads}

@@ -33,7 +33,7 @@ def _along_the_axis(body):
 
 
 def _stretch(scene, name):
-    terms = [term for term in (*scene.springs, *scene.dampers) if term.owner == name]
+    terms = [term for term in (*scene.springs, *scene.dampers, *scene.laws) if term.owner == name]
     if len(terms) == 1:
         return terms[0].s
     square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length
@@ -51,7 +51,7 @@ def moving(problem, text, primes=0):
         node = _along(scene, name, part)
     if node is None:
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations",
-                           "ask for it with motion: small, or see `find: [reactions]`")
+                           "ask for forces of springs and dampers, as in s.force + d.force, or write motion: small")
     for _ in range(primes):
         node = scene.rate(node)
     return node
@@ -59,6 +59,9 @@ def moving(problem, text, primes=0):
 
 def _along(scene, name, part):
     """The tension or energy of a spring, the force or power of a damper; None of another force."""
+    for law in scene.laws:
+        if law.owner == name:
+            return _of_law(scene, law, part)
     springs = [term for term in scene.springs if term.owner == name]
     rates = [(term.weight, scene.rate(term.s)) for term in scene.dampers if term.owner == name]
     table = scene.table
@@ -70,6 +73,16 @@ def _along(scene, name, part):
     if part != "force" or not forces:
         return None
     return forces[0] if len(forces) == 1 else table.sqrt(table.sum(*((force * force, ONE) for force in forces)))
+
+
+def _of_law(scene, law, part):
+    """The force of a nonlinear element, the energy of a spring, the power of a damper; None of what it has not."""
+    force = scene.law_at(law, law.force)
+    if part == "force":
+        return force
+    if part == "energy" and not law.damper:
+        return scene.law_at(law, law.energy)
+    return force * scene.rate(law.s) if part == "power" and law.damper else None
 
 
 def force(problem, text):
@@ -107,7 +120,7 @@ def _of_outputs(problem, text):
 
 def _tension(problem, name):
     terms = [term for term in problem.scene.springs if term.owner == name]
-    nodes = [term.force + term.weight * term.s for term in terms]
+    nodes = [term.force + term.weight * term.s for term in terms] or problem.scene.law_forces(name)
     values = evaluate(nodes, Floats, problem.at_rest)
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 

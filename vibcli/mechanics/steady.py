@@ -8,6 +8,7 @@ coefficients (a shaken pivot) are refused by name.
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
+from vibcli.algebra.jumps import at_impulses
 from vibcli.algebra.normal import TooLong, collected, expanded, reduced
 from vibcli.algebra.rationals import ONE
 from vibcli.algebra.stand_ins import SmoothFloats
@@ -118,7 +119,8 @@ def _compare(scene, key, wanted, found, size):
         if not abs(found.get(pair, 0.0) - wanted.get(pair, 0.0)) <= SAME * scale:
             raise PhysicsError(f"{WORDS[key]} of '{scene.coordinates[pair[0]]}' depends on the time: there are no "
                                "natural frequencies", "such a motion is excited through its parameters; its full "
-                               "equations are those of `vibcli equations`")
+                               "equations are those of `vibcli equations`, its motion from `initial` that of motion: "
+                               "full")
 
 
 def excitation(scene, form, position):
@@ -130,6 +132,8 @@ def excitation(scene, form, position):
     found = {}
     for i, terms in enumerate(rows):
         total = scene.table.sum(*((term, -ONE) for term in terms))
+        if "impulse" in scene.table.called:
+            total = at_impulses(total, scene.time)
         if total.mask & scene.time.mask:
             parts = {monomial: value for monomial, value in _terms(scene, total).items()
                      if any(atom.mask & scene.time.mask for atom, _ in monomial)}

@@ -8,6 +8,7 @@ Up to DIRECT coordinates without constraints M q̈ = −h is solved in the expre
 
 import numpy as np
 
+from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import ONE
 from vibcli.errors import PhysicsError
@@ -15,7 +16,7 @@ from vibcli.mechanics.compiled import Compiled
 from vibcli.mechanics.dynamics import drift, dynamics
 
 DIRECT = 3
-SINGULAR = 1e-13
+PROJECTIONS = 4
 
 
 class System:
@@ -40,7 +41,7 @@ class System:
             entries = [*parts.M.values(), *parts.slopes.values(), *parts.h, *parts.bends]
             self._compiled = self.compiled(entries)
             self._inverse = self._factors() if self.still else None
-        self.closing = self.compiled([*parts.gaps, *parts.rates, *parts.slopes.values()]) if self.m else None
+        self._closing = self.compiled([*parts.gaps, *parts.rates]) if self.m else None
 
     def _require_inertia(self):
         for i, name in enumerate(self.scene.coordinates):
@@ -60,39 +61,30 @@ class System:
 
     def accelerations(self, t, q, v, g=(), c=None):
         """q̈ of shape (n, instants)."""
-        return self.solved(t, q, v, g, c)[0]
+        if not self.direct:
+            return self.solved(t, q, v, g, c)[0]
+        a = np.empty(q.shape)
+        for i, value in enumerate(self._compiled(t, q, v, g, c)):
+            a[i] = value
+        return a
 
     def solved(self, t, q, v, g=(), c=None):
         """(q̈, λ) of shapes (n, instants) and (m, instants)."""
-        values = self._compiled(t, q, v, g, c)
-        shape = q.shape[1]
         if self.direct:
-            a = np.empty((self.n, shape))
-            for i, value in enumerate(values):
-                a[i] = value
-            return a, None
+            return self.accelerations(t, q, v, g, c), None
+        values, shape = self._compiled(t, q, v, g, c), q.shape[1]
         n, m = self.n, self.m
         right = np.empty((n + m, shape))
         for i, value in enumerate(values[len(self._pairs) + len(self._ties):]):
             right[i] = value
         if self._inverse is not None:
             return (-right / self._inverse if self._inverse.ndim == 2 else -(self._inverse @ right)), None
-        A = self.matrices(values, shape)
+        A = _bordered(values, self._pairs, self._ties, self.n, self.m, shape)
         try:
             x = np.linalg.solve(A, -right.T[:, :, None])[:, :, 0].T
         except np.linalg.LinAlgError:
             return np.full((n, shape), np.nan), np.full((m, shape), np.nan)
         return x[:n], x[n:]
-
-    def matrices(self, values, instants):
-        """[M Gᵀ; G 0] at each instant, of shape (instants, n + m, n + m)."""
-        n = self.n
-        A = np.zeros((n + self.m, n + self.m, instants))
-        for (i, j), value in zip(self._pairs, values, strict=False):
-            A[i, j] = A[j, i] = value
-        for (k, i), value in zip(self._ties, values[len(self._pairs):], strict=False):
-            A[n + k, i] = A[i, n + k] = value
-        return A.transpose(2, 0, 1)
 
     def _factors(self):
         """The inverse of a constant M, as a column where it is diagonal."""
@@ -122,16 +114,65 @@ class System:
             found[i] += factor * abs(float(np.max(value)))
         return found
 
-    def jumps(self):
-        """Not smooth in anything but the time: the switches that hang on the motion."""
-        return [bool(node.mask & ~self.scene.time.mask) for node in self.switches]
+    def gaps(self, t, q, v):
+        """(G, Ġ) of shapes (m, instants)."""
+        found = np.empty((2 * self.m, q.shape[1]))
+        for k, value in enumerate(self._closing(t, q, v)):
+            found[k] = value
+        return found[:self.m], found[self.m:]
+
+    def slopes(self, t, q, v, g=()):
+        """∂G/∂q of shape (m, n, instants)."""
+        values = self._compiled(t, q, v, g or (1.0,) * len(self._slots))
+        A = _bordered(values, self._pairs, self._ties, self.n, self.m, q.shape[1])
+        return A[:, self.n:, :self.n].transpose(1, 2, 0)
+
+    def projected(self, t, q, v, g):
+        """The nearest (q, q̇) at an instant that close the loops, distances being measured by M."""
+        for _ in range(PROJECTIONS):
+            step = self._projection(t, q, v, g, 0)
+            q = q + step
+            if (np.abs(step) <= 4e-16 * np.abs(q)).all():
+                break
+        return q, v + self._projection(t, q, v, g, 1)
+
+    def _projection(self, t, q, v, g, which):
+        t, q, v = np.array([t]), q[:, None], v[:, None]
+        A = _bordered(self._compiled(t, q, v, g), self._pairs, self._ties, self.n, self.m, 1)[0]
+        right = np.concatenate([np.zeros(self.n), -self.gaps(t, q, v)[which][:, 0]])
+        return np.linalg.solve(A, right)[:self.n]
+
+    def struck(self, t, q, v, g, blows):
+        """q̇ after impulses of the sizes {impulse node: N·s} at an instant: M Δq̇ + Gᵀ Λ = Σ size ∂(−h)/∂δ, G Δq̇ = 0."""
+        table = self.scene.table
+        stand_in = {node: table.variable(f"impulse {i}") for i, node in enumerate(blows)}
+        h = substitute(self.parts.h, stand_in)
+        slopes = [gradient(node).get(symbol, table.zero) for symbol in stand_in.values() for node in h]
+        if any(symbol in gradient(slope) for slope in slopes for symbol in stand_in.values()):
+            raise PhysicsError("a force of this scene is no linear function of an impulse",
+                               "let the impulse stand alone, as in P*impulse(t - t1)")
+        point = np.array([t]), q[:, None], v[:, None], g
+        sizes = np.array([float(np.max(value)) for value in self.compiled(slopes)(*point)]).reshape(len(blows), self.n)
+        entries = [*self.parts.M.values(), *self.parts.slopes.values()]
+        values = [float(np.max(value)) for value in self.compiled(entries)(*point)]
+        A = _bordered(values, list(self.parts.M), list(self.parts.slopes), self.n, self.m, 1)[0]
+        right = np.concatenate([-np.array(list(blows.values())) @ sizes, np.zeros(self.m)])
+        return v + np.linalg.solve(A, right)[:self.n]
 
     def rate_of(self, node):
         """(dnode/dt without accelerations, {i: its slope by q̈ᵢ}) of an expression of q, q̇ and t."""
-        from vibcli.algebra.calculus import gradient
-
         speeds = {v: i for i, v in enumerate(self.scene.v)}
         return drift(self.scene, node), {speeds[v]: x for v, x in gradient(node).items() if v in speeds}
+
+
+def _bordered(values, pairs, ties, n, m, instants):
+    """[M Gᵀ; G 0] at each instant, of shape (instants, n + m, n + m)."""
+    A = np.zeros((n + m, n + m, instants))
+    for (i, j), value in zip(pairs, values, strict=False):
+        A[i, j] = A[j, i] = value
+    for (k, i), value in zip(ties, values[len(pairs):], strict=False):
+        A[n + k, i] = A[i, n + k] = value
+    return A.transpose(2, 0, 1)
 
 
 def massless(name):

@@ -1,8 +1,9 @@
 """The mathematics of blocks in a notation: as text, LaTeX or MathML, piece by piece where a line may end."""
 
 import re
+from itertools import groupby
 
-from vibcli.report.blocks import Either, Factor, Name, Terms, Words
+from vibcli.report.blocks import Either, Factor, Maths, Name, Terms, Words
 from vibcli.report.figures import width
 from vibcli.report.notation import plain
 
@@ -24,6 +25,19 @@ def pieces(parts, write):
     return found
 
 
+def without_words(parts):
+    """Running text in which the words within formulas stand outside of them, and the space that ends one too."""
+    for part in parts:
+        if not isinstance(part, Maths):
+            yield part
+            continue
+        for are_words, group in groupby(part.parts, lambda one: isinstance(one, Words)):
+            found = tuple(group)
+            yield "".join(one.text for one in found) if are_words else Maths(found)
+            if isinstance(found[-1], str) and found[-1].endswith(" "):
+                yield " "
+
+
 def rows(parts, write, columns):
     """A formula broken into rows of about so many columns of plain text, before a relation or a term."""
     found, size = [[]], 0
@@ -38,7 +52,7 @@ def rows(parts, write, columns):
 
 def _pieces(part, write):
     if isinstance(part, str):
-        return [write.notation(text) for text in (BREAK.split(part) if "(" not in part else [part])]
+        return [write.notation(text) for text in _split(part)]
     if isinstance(part, Words):
         return [write.words(part.text)]
     if isinstance(part, Name):
@@ -51,3 +65,10 @@ def _pieces(part, write):
     nodes = part.nodes if isinstance(part, Terms) else (part,)
     terms = [term for node in nodes for term in write.terms(node)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _split(text):
+    """A text in notation before each relation or sign that stands in no bracket."""
+    places = [found.start() for found in BREAK.finditer(text)
+              if text.count("(", 0, found.start()) == text.count(")", 0, found.start())]
+    return [text[start:end] for start, end in zip([0, *places], [*places, len(text)], strict=True)]

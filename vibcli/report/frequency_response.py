@@ -6,7 +6,7 @@ from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.report import blocks
 from vibcli.report.blocks import Table, line, paragraph, section
 from vibcli.report.figures import figure
-from vibcli.report.responses import curves_asked
+from vibcli.report.responses import curves_asked, symbol
 
 TURN = 6.283185307179586
 LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
@@ -15,30 +15,34 @@ LETTERS = 2     # most degrees of freedom whose amplitudes are written in letter
 def frequency_response(problem, report):
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
-        title = f"Frequency response H of {name} to {driver} [{unit}], lag θ = −arg H"
-        blocks_of = [_in_letters(problem, name, driver)]
+        title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
+        blocks_of = list(_in_letters(problem, name, driver))
         if not problem.symbolic:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
 
 
 def _in_letters(problem, name, driver):
-    """The amplitude and tan θ, or nothing where they are too long or not known."""
+    """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
         if problem.symbolic:
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
-        return None
+        return
     from vibcli.analyses.frequency.in_letters import formula
+    from vibcli.report.response_letters import conditions
 
     try:
         found = formula(problem, name, driver)
     except (NotInLetters, PhysicsError):
         if problem.symbolic:
             raise
-        return None
-    lines = [line("H = " if found.undamped else "|H| = ", found.amplitude)]
-    return blocks.equations(lines if found.undamped else [*lines, line("tan θ = ", found.tangent)])
+        return
+    tangent, heads = found.tangent, ("H = ", "H = i·", "|H| = ")
+    head = heads[0 if found.undamped else 1 if found.ahead else 2]
+    lag = line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)
+    yield blocks.equations([line(head, found.amplitude), *([lag] if head == heads[2] else ())])
+    yield from conditions(found)
 
 
 def _in_numbers(problem, name, driver, unit):
@@ -47,8 +51,8 @@ def _in_numbers(problem, name, driver, unit):
         rows.append((f"peak {number}", figure(Omega), figure(Omega / TURN), figure(value) if isfinite(value) else "∞",
                      *_bandwidth(curve, number)))
     for number, Omega in enumerate(curve.antiresonances, 1):
-        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / TURN), figure(abs(curve.at(Omega)[0])),
-                     "", "", ""))
+        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / TURN),
+                     "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield Table(head, tuple(rows)) if rows else paragraph("no resonance")
@@ -66,6 +70,6 @@ def _bandwidth(curve, number):
 
 def _static(curve, unit):
     try:
-        return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)} {unit}")
+        return paragraph(f"at rest (Ω → 0): {figure(curve.at(0.0)[0].real)}{f' {unit}' * (unit != '1')}")
     except PhysicsError:
         return paragraph("at rest (Ω → 0) it has no bound: the scene moves off freely")

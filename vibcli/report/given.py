@@ -1,6 +1,7 @@
 """What is given, and the coordinates."""
 
 from vibcli import units
+from vibcli.recorded import own
 from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, maths, section, separated
 from vibcli.report.statics import tied
 
@@ -19,7 +20,17 @@ def given(problem, _):
             letters.append(maths(Name(name)))
     known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
     free = Paragraph((*separated(letters), "  (in letters)"), None) if letters else None
-    yield from section("Given", known, free)
+    records = problem.scene.table.records
+    measured = [Definition((f"{name}(t)",), _record(problem, name, records[name])) for name in records]
+    yield from section("Given", known, free, Definitions(tuple(measured)) if measured else None)
+
+
+def _record(problem, name, samples):
+    """A record in words: its samples, their span and the largest of them."""
+    peak = max(samples.values, key=abs)
+    found = f"{len(samples.times)} samples of {problem.spec.get('records')[name]['file'].text}, from " \
+        f"{samples.times[0]:.6g} s to {samples.times[-1]:.6g} s, the largest {peak:.6g}"
+    return f"{found} {units.text(problem.spec.dimensions.of(own(name)))}".rstrip()
 
 
 def coordinates(problem, _):

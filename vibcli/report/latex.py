@@ -6,12 +6,8 @@ from vibcli.report.stacked import Stacked
 COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}
 NAMES = {letter: name for name, letter in GREEK.items()}
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}
-OPERATORS = {"−": "-", "·": r"\,", "≤": r"\le", "≥": r"\ge", "∓": r"\mp", "±": r"\pm", "∞": r"\infty", "Σ": r"\sum",
+OPERATORS = {"−": "-", "≤": r"\le", "≥": r"\ge", "∓": r"\mp", "±": r"\pm", "∞": r"\infty", "Σ": r"\sum",
              "…": r"\ldots", "∠": r"\angle"}
-
-
-def _word(text):
-    return rf"\mathrm{{{_escaped(text)}}}"
 
 
 def _escaped(name):
@@ -21,7 +17,7 @@ def _escaped(name):
 class Latex(Stacked):
     """LaTeX, for math mode."""
 
-    minus = "-"
+    minus, thin, thick = "-", r"\,", r"\;"
 
     def numeral(self, text):
         text, _, power = text.replace("−", "-").partition("e")
@@ -36,13 +32,20 @@ class Latex(Stacked):
         elif letter in GREEK:
             letter = "\\" + COMMANDS.get(letter, letter)
         elif len(letter) > 1:
-            letter = _word(letter)
+            letter = self.word(letter)
         accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]
         if below and not below.isascii():
             below = self.notation(below)
         elif len(below) > 1 and not below.replace(",", "").isdigit():
-            below = _word(below)
-        return accent.format(letter) + (f"_{{{below}}}" if below else "")
+            below = self.word(below)
+        letter = accent.format(letter)
+        return self.indexed(letter, below) if below else letter
+
+    def word(self, text):
+        return rf"\mathrm{{{_escaped(text)}}}"
+
+    def indexed(self, letter, below):
+        return f"{letter}_{{{below}}}"
 
     def brackets(self, text):
         return rf"\left({text}\right)"
@@ -63,7 +66,7 @@ class Latex(Stacked):
         return head + " " * bare + text
 
     def times(self, texts):
-        return r" \, ".join(texts)
+        return f" {self.thin} ".join(texts)
 
     def fraction(self, above, below):
         return rf"\frac{{{above}}}{{{below}}}"
@@ -72,18 +75,18 @@ class Latex(Stacked):
         return rf"\sqrt{{{text}}}"
 
     def operator(self, symbol):
-        return OPERATORS.get(symbol, symbol)
+        return self.thin if symbol == "·" else OPERATORS.get(symbol, symbol)
 
     def gap(self, columns):
-        return r"\quad" if columns > 1 else r"\;"
+        return r"\quad" if columns > 1 else self.thick
 
     def words(self, text):
         from vibcli.report.tex import escaped
 
-        return rf"\text{{{escaped(text)}}}"
+        return rf"\text{{{escaped(text)}}}" if text else ""
 
     def beside(self, *texts):
-        return " ".join(filter(None, texts))
+        return " ".join(filter(None, map(str.strip, texts)))
 
 
 latex = Latex()

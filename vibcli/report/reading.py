@@ -8,6 +8,7 @@ _TOKEN = re.compile(
     r"|(?P<gap>\s+)|(?P<operator>.)", re.DOTALL)
 _RAISED = re.compile("[⁰¹²³⁴-⁹⁻]+")
 _DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "01234567890123456789-")
+FUNCTIONS = {"sin", "cos", "tan", "exp"}
 _RELATION = re.compile(r"\s*([+−=<>≤≥∓±])\s*")
 
 
@@ -22,24 +23,34 @@ def _read(text, write):
         found, at = _one(text, at, write)
         if raised := _RAISED.match(text, at):
             found, at = write.power(found, write.numeral(raised.group().translate(_DIGITS))), raised.end()
+        elif text.startswith("^", at):
+            power, at = _argument(text, at + 1, write)
+            found = write.power(found, power)
         yield found
 
 
 def _one(text, at, write):
-    """(what stands at a place, the place after it)"""
+    """(what stands at a place, the place after it)."""
     token = _TOKEN.match(text, at)
     kind, at = token.lastgroup, token.end()
     if token["number"]:
         return write.numeral(token["number"]), at
+    if token["letter"] in FUNCTIONS:
+        return write.functional(token["letter"]), at
     if token["letter"]:
         return write.lettered(token["letter"], token["word"] or (token["digits"] or "").translate(_DIGITS), ""), at
     if kind == "root":
-        end = _closing(text, at)
-        if end is not None:
-            return write.sqrt(read(text[at + 1:end], write)), end + 1
-        found, at = _one(text, at, write)
+        found, at = _argument(text, at, write)
         return write.sqrt(found), at
     return (write.gap(len(token["gap"])) if kind == "gap" else write.operator(token["operator"])), at
+
+
+def _argument(text, at, write):
+    """What stands in the brackets that open at a place, or the one piece there."""
+    end = _closing(text, at)
+    if end is not None:
+        return read(text[at + 1:end], write), end + 1
+    return _one(text, at, write) if at < len(text) else ("", at)
 
 
 def _closing(text, at):

@@ -3,7 +3,7 @@
 import re
 
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
-from vibcli.report.formula import formula, rows
+from vibcli.report.formula import formula, rows, without_words
 from vibcli.report.mathml import mathml, row
 from vibcli.report.notation import plain
 from vibcli.report.page import page, words
@@ -50,7 +50,7 @@ def _said(parts):
 
 def _running(parts):
     return "".join(_math(row(formula(part.parts, mathml)), _said(part.parts)) if isinstance(part, Maths)
-                   else words(part) for part in parts)
+                   else words(part) for part in without_words(parts))
 
 
 def _equations(block, _):
@@ -76,7 +76,7 @@ def _paragraph(block, _):
 
 
 def _heading(block, level):
-    return f"<h{level}>{words(block.text)}</h{level}>"
+    return f"<h{level}>{words(block.text.rstrip(':'))}</h{level}>"
 
 
 def _table(block, _):

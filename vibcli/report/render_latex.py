@@ -3,7 +3,7 @@
 import re
 
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
-from vibcli.report.formula import formula, rows
+from vibcli.report.formula import formula, rows, without_words
 from vibcli.report.latex import latex
 from vibcli.report.tex import escaped
 
@@ -43,22 +43,24 @@ def _document(document, place):
 
 
 def _running(parts):
-    return "".join(f"${formula(part.parts, latex)}$" if isinstance(part, Maths) else escaped(part) for part in parts)
+    return "".join(f"${formula(part.parts, latex)}$" if isinstance(part, Maths) else escaped(part)
+                   for part in without_words(parts))
 
 
 def _equations(block):
-    return f"\\begin{{align*}}\n{aligned(block)}\n\\end{{align*}}"
+    lines = " \\\\\n".join(aligned(block, latex))
+    return f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"
 
 
-def aligned(block):
+def aligned(block, write):
     """Rows of an alignment: labels, then formulas, broken where they are long."""
-    found, labelled = [], any(line.label for line in block.lines)
+    found = []
     for line in block.lines:
-        first, *others = rows(line.parts, latex, COLUMNS)
-        label = formula(line.label, latex) + r":\quad" if line.label else ""
-        head = f"{label} & {{}}" if labelled else "& {}"
+        first, *others = rows(line.parts, write, COLUMNS)
+        label = formula(line.label, write) + r":\quad" if line.label else ""
+        head = f"{label} & {{}}".lstrip()
         found += [f"{head} {first}", *(rf"& {{}}\qquad {other}" for other in others)]
-    return " \\\\\n".join(found)
+    return found
 
 
 def _paragraph(block):
@@ -66,7 +68,7 @@ def _paragraph(block):
 
 
 def _heading(block):
-    return rf"\subsubsection*{{{escaped(block.text)}}}"
+    return rf"\subsubsection*{{{escaped(block.text.rstrip(':'))}}}"
 
 
 def _table(block):

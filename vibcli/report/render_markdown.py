@@ -4,13 +4,36 @@ import re
 
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
 from vibcli.report.clean import on_one_line
-from vibcli.report.formula import formula
-from vibcli.report.latex import latex
+from vibcli.report.formula import formula, without_words
+from vibcli.report.latex import Latex
 from vibcli.report.render_latex import aligned, is_signed
 
 _SPECIAL = re.compile(r"[\\`*_#|~]|\](?=[(\[:])")
 _OTHERS = {"&": "&amp;", "<": "&lt;", ">": "&gt;", "$": r"<span>\$</span>", "://": r":\//", "www.": r"www\."}
 _OTHER = re.compile("|".join(map(re.escape, _OTHERS)), re.IGNORECASE)
+
+
+_WIDE = {letter: chr(ord(letter) + 0xFEE0) for letter in r"\${}%&#_^~<>`"}
+
+
+class Protected(Latex):
+    """LaTeX that Markdown leaves as it is, should it look into formulas: no backslash before a sign, no index that
+    could begin emphasis. Web pages read words within it as they stand: what is special is written as a wide letter."""
+
+    thin, thick = r"\mkern3mu", r"\mkern5mu"
+
+    def word(self, text):
+        first, _, rest = text.partition("_")
+        return self.indexed(rf"\mathrm{{{first}}}", self.word(rest)) if rest else rf"\mathrm{{{first}}}"
+
+    def indexed(self, letter, below):
+        return f"{letter} _ {{{below}}}"
+
+    def words(self, text):
+        return rf"\text{{{on_one_line(text).translate(str.maketrans(_WIDE))}}}" if text else ""
+
+
+latex = Protected()
 
 
 def escaped(text):
@@ -46,15 +69,17 @@ def _document(document, place):
         yield _refusal(document.refusal)
 
 
-def _running(parts):
-    return "".join(f"${formula(part.parts, latex)}$" if isinstance(part, Maths) else escaped(part) for part in parts)
+def _running(parts, bar="|"):
+    return "".join(f"${formula(part.parts, latex).replace('|', bar)}$" if isinstance(part, Maths) else escaped(part)
+                   for part in without_words(parts))
 
 
 def _equations(block):
     """A display each, in an alignment where a formula has a label or is broken."""
-    text = aligned(block)
-    if "\\\\\n" not in text and not block.lines[0].label:
-        return f"$$\n{text.removeprefix('& {} ')}\n$$"
+    found = aligned(block, latex)
+    if len(found) == 1 and not block.lines[0].label:
+        return f"$$\n{re.sub(r'& {} (?![-+=])|& ', '', found[0], count=1)}\n$$"
+    text = " \\cr\n".join(found)
     return f"$$\n\\begin{{aligned}}\n{text}\n\\end{{aligned}}\n$$"
 
 
@@ -63,7 +88,7 @@ def _paragraph(block):
 
 
 def _heading(block):
-    return f"### {escaped(block.text)}"
+    return f"### {escaped(block.text.rstrip(':'))}"
 
 
 def _table(block):
@@ -72,8 +97,7 @@ def _table(block):
 
 
 def _cell(cell):
-    text = f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,))
-    return text.replace("|", r"\vert ") if isinstance(cell, Maths) else text
+    return f"${latex.numeral(cell)}$" if is_signed(cell) else _running((cell,), r"\vert ")
 
 
 def _definitions(block):

@@ -1,6 +1,7 @@
 """A report as plain text: sections under their titles, formulas on one line as far as they fit."""
 
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Table
+from vibcli.report.clean import cleaned
 from vibcli.report.figures import table, width, wrapped
 from vibcli.report.formula import formula
 from vibcli.report.notation import plain
@@ -27,7 +28,7 @@ def section_lines(sections):
 
 
 def shown(lines):
-    return "\n".join(lines).replace("\u00a0", " ")
+    return cleaned("\n".join(lines)).replace("\u00a0", " ")
 
 
 def running(parts):

@@ -2,13 +2,18 @@
 
 from math import degrees
 
+from vibcli.elements.find import RESPONSE
+from vibcli.elements.initial import let_go
+from vibcli.errors import NotInLetters
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, with_unit
-from vibcli.report.responses import extremes, signals_asked
+from vibcli.report.responses import extremes, names_asked, signals_asked
+from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
+FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
@@ -16,26 +21,65 @@ PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t �
 def response(problem, report):
     """The sections of a motion in time."""
     if problem.symbolic:
-        from vibcli.errors import NotInLetters
+        from vibcli.report.response_letters import response_in_letters
 
-        raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
+        if report.wanted.at:
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
+        yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
+        return
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
-    yield from _start(problem, motion)
-    if problem.spec.get("motion") == "full":
+    full = problem.spec.get("motion") == "full"
+    yield from _start(problem, motion, None if full else _drive(problem, motion))
+    if full:
         yield from _integration(motion.trajectory())
+    else:
+        from vibcli.report.formulas import formulas, free_vibration, steady_state
+
+        yield from free_vibration(problem, asked)
+        yield from formulas(asked)
+        if motion.drive:
+            yield from steady_state(asked, report.wanted.phase)
+    yield from _at_instants(problem, asked, report.wanted)
     yield from _extremes(asked, motion)
 
 
-def _start(problem, motion):
+def _at_instants(problem, asked, wanted):
+    """The values at the instants asked for."""
+    if wanted.at:
+        rows = tuple((f"{one.label} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
+                     for one in asked)
+        yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
+
+
+def value_at(problem, one, t, digits=None):
+    """A signal at an instant, as text."""
+    if digits is None:
+        import numpy as np
+
+        return figure(float(one.signal.values(np.array([float(t)]))[0]), digits=12)
+    import mpmath
+
+    from vibcli.errors import PhysicsError
+    from vibcli.precise_motion import precise_value
+
+    if one.tree[0] != "name" or problem.spec.get("motion") == "full":
+        raise PhysicsError("--digits is for coordinates of small motions",
+                           "ask for --of " + problem.scene.coordinates[0])
+    return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
+
+
+def _start(problem, motion, drive):
     places, speeds = problem.start
     parts = []
     for name, value in places.items():
         dimension = problem.dimension(name)
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
-            parts += [", ", maths(Name(name + "'"), f"(0) = {figure(speeds[name])}")]
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
-                       _drive(problem, motion))
+            parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    force = let_go(problem.spec)
+    parts += [f", where {force} lets go"] if force else []
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), drive)
 
 
 def _drive(problem, motion):
@@ -67,7 +111,7 @@ def _integration(trajectory):
 def _extremes(asked, motion):
     rows = []
     for one, (late, most), (early, least) in extremes(asked, motion.until):
-        rows.append((f"{one.text} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
+        rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
                      figure(early)))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(motion.until)} s",
                        Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
@@ -83,11 +127,25 @@ def phase_in(convention, X):
     return wrapped(sign * (-cmath.phase(X) + turn * TURN))
 
 
+def harmonics_of(signal):
+    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+    from vibcli.read_off import fundamental, harmonic
+
+    if not hasattr(signal, "output"):
+        return []
+    if signal.motion.steady.period is None:
+        return signal.phasors
+    Omega = fundamental(signal)
+    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X in found)
+    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+
+
 def steady_rows(asked, convention):
     """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
     for one in asked:
-        for Omega, X in one.signal.phasors:
+        for Omega, X in harmonics_of(one.signal):
             if Omega:
                 theta = phase_in(convention, X)
-                yield (f"{one.text} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
                        figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vibcli.errors import PhysicsError
-from vibcli.report.responses import curves_asked, signals_asked
+from vibcli.report.responses import curves_asked, signals_asked, symbol
 
 
 class Series(NamedTuple):
@@ -48,10 +48,10 @@ def response_figure(problem, series):
 
     lines, steady = [], []
     for one in series:
-        lines.append((one.name, one.unit, one.values))
+        lines.append((symbol(one.name), one.unit, one.values))
         steady.append(one.parts.get("steady"))
         if "transient" in one.parts:
-            lines.append((f"{one.name}, transient", one.unit, one.parts["transient"]))
+            lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
     return of_response(series[0].times, lines, steady, title=problem.spec.get("title") or "")
 
@@ -95,15 +95,17 @@ def frequency_figure(problem, curves, nyquist=False):
     """The frequency responses as a Figure: magnitude and phase, or in the complex plane."""
     from vibcli.report.plots import frequency
 
-    Omega, values = curves[0].Omega, {curve.name: curve.values for curve in curves}
-    marks = {name: sorted({x for curve in curves for x in getattr(curve, name)}) for name in ("peaks",
-                                                                                           "antiresonances")}
+    Omega, values = curves[0].Omega, {symbol(curve.name): curve.values for curve in curves}
+    if len(curves) == 1:
+        peaks, dips = curves[0].peaks, curves[0].antiresonances
+    else:
+        natural = [float(mode.omega) for mode in problem.modes if mode.omega]
+        peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
     title = problem.spec.get("title") or ""
     if nyquist:
-        return frequency.nyquist(Omega, values, _unit(curves), at=marks["peaks"], title=title)
+        return frequency.nyquist(Omega, values, _unit(curves), at=peaks, title=title)
     kind = f"H to {curves[0].driver}"
-    return frequency.of_frequency_response(Omega, values, kind, _unit(curves), marks["peaks"],
-                                           marks["antiresonances"], title=title)
+    return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
 
 
 def _unit(curves):

@@ -41,7 +41,7 @@ def escaped(text):
             found[-1] = _accented(found[-1], letter)
         else:
             found.append(_character(letter))
-    text = re.sub(r"([-,?!])(?=[-,`])", r"\1{}", "".join(found))      # no ligatures
+    text = re.sub(r"([-,])(?=\1)", r"\1{}", "".join(found))      # no ligatures
     return LONG.sub(r"\g<0>\\allowbreak{}", text)
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 class Wanted(NamedTuple):
     """signals: Expressions, those of the file if empty; driver: the Expression of an input, or None; phase: sine,
     cosine or lead; low, high: angular frequencies or None; parts: steady, transient, to be shown apart; points: how
-    many instants are sampled."""
+    many instants are sampled; at: instants as (text, Fraction of a second), to so many digits."""
 
     signals: tuple = ()
     driver: object = None
@@ -15,3 +15,5 @@ class Wanted(NamedTuple):
     high: float | None = None
     parts: tuple = ()
     points: int = 1001
+    at: tuple = ()
+    digits: int | None = None

@@ -19,6 +19,7 @@ from vibcli.scene.ends import Ends
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
+from vibcli.scene.laws import Laws
 from vibcli.scene.motion import Motion
 from vibcli.scene.order import carriers_first
 from vibcli.scene.terms import SHAKEN, Terms
@@ -57,7 +58,7 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False, opened=
     return scene
 
 
-class Scene(Terms, Ends, Motion, Geometry, Expressions):
+class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
     """The scalar functions of a scene, and the services by which elements make them."""
 
     def __init__(self, spec, attempt, given, releasing=False, opened=False, holding=False):
@@ -122,6 +123,7 @@ class Scene(Terms, Ends, Motion, Geometry, Expressions):
             self.shaken = shaken
         if self.opened:
             self.open_loads()
+        self.settle_laws()
         if self.constraints and not loose and not self.diagnostics:
             self.dependent = close(self)
         self.timed = self.depends_on_time()

@@ -96,8 +96,13 @@ class Motion:
 
     def rate(self, node):
         """dnode/dt = Σ (∂node/∂x) ẋ over coordinates, velocities and the time."""
-        return self.table.sum(*((slope * self.speeds[x], ONE) for x, slope in gradient(node).items()
-                                if x in self.speeds))
+        found = self.table.sum(*((slope * self.speeds[x], ONE) for x, slope in gradient(node).items()
+                                 if x in self.speeds))
+        if "impulse" in self.table.called and found.mask & self.time.mask:
+            from vibcli.algebra.jumps import at_impulses
+
+            return at_impulses(found, self.time)
+        return found
 
     @property
     def drawn_position(self):

@@ -26,7 +26,7 @@ class Terms:
         self.inertias, self.springs, self.dampers, self.weights, self.forces = [], [], [], [], []
         self.energies = {"T": self.table.zero, "V": self.table.zero, "Phi": self.table.zero}
         self.matrices = {}
-        self.static_preloads = []
+        self.static_preloads, self.laws = [], []
         self.owner, self.shaken = None, {}
 
     def add_inertia(self, weight, s):
@@ -69,7 +69,7 @@ class Terms:
         nodes = [node for term in terms for node in term[:3] if node is not None]
         nodes += [node for frame in frames for node in (*frame.place, frame.angle)]
         nodes += [body.lumped[1] for body in lumps] + list(self.energies.values())
-        nodes += [constraint.node for constraint in self.constraints]
+        nodes += [constraint.node for constraint in self.constraints] + [law.s for law in self.laws]
         touching = [body for body in self.bodies.values() if body.normal is not None]
         nodes += [node for body in touching for node in body.normal]
         nodes += [node for _, place in self.points.values() for node in place]
@@ -86,6 +86,7 @@ class Terms:
         self.points = {name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place)
                        in self.points.items()}
         self.energies = {key: new[node] for key, node in self.energies.items()}
+        self.laws = [law._replace(s=new[law.s]) for law in self.laws]
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
 
     def at_still(self, kind):

@@ -5,7 +5,7 @@ from fractions import Fraction
 from vibcli.algebra.evaluate import evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.analyses.forcing.assemble import assembled
-from vibcli.analyses.forcing.functions import NotSaid, called
+from vibcli.analyses.forcing.functions import ORDERED, NotSaid, called
 from vibcli.analyses.forcing.numbers import Floating, multiprecise
 from vibcli.analyses.forcing.sums import TooMany, added, constant, linear, multiplied, raised
 from vibcli.errors import PhysicsError
@@ -76,10 +76,10 @@ def _sum_of(node, found, numbers):
         return total
     if node.name == "power":
         raise NotSaid("a power is a whole number")
-    *args, order = [*map(found.get, node.args), None]
-    if node.name in ("impulse", "square", "sawtooth") or node.name in node.table.records:
-        args, order = args[:1], node.args[1].coefficient if len(args) > 1 else 0
-    return called(node.name, args, order, numbers, node.table.records.get(node.name))
+    args, order, record = node.args, 0, node.table.records.get(node.name)
+    if (record is not None or node.name in ORDERED) and len(args) > 1:
+        args, order = args[:1], args[1].coefficient
+    return called(node.name, [found[arg] for arg in args], order, numbers, record)
 
 
 def _power(base, exponent, numbers):

@@ -40,8 +40,8 @@ def called(name, args, order, numbers, record=None):
         return multiplied(args[0], by_line(args[0], partial(_step, numbers=numbers)))
     if record is not None:
         return by_line(args[0], partial(_record, samples=record, order=order, numbers=numbers))
-    if name in _ORDERED:
-        return by_line(args[0], partial(_ORDERED[name], order=order, numbers=numbers))
+    if name in ORDERED:
+        return by_line(args[0], partial(ORDERED[name], order=order, numbers=numbers))
     if name in _PLAIN:
         return by_line(args[0], partial(_PLAIN[name], numbers=numbers))
     raise NotSaid(f"{name} of what changes in time has no closed form here")
@@ -179,5 +179,5 @@ _PLAIN = {
     "cosh": partial(_exponential, parts=((1, HALF), (-1, HALF))),
     "step": _step, "sign": _sign,
 }
-_ORDERED = {"impulse": _impulse, "square": partial(_wave_form, name="square"),
+ORDERED = {"impulse": _impulse, "square": partial(_wave_form, name="square"),
             "sawtooth": partial(_wave_form, name="sawtooth")}

@@ -1,7 +1,7 @@
 """Maxima and minima of |H(iΩ)| over Ω > 0: zeros of d log|H|/dΩ = Re(i H′/H), bracketed near poles and zeros of H.
 
-Each is narrowed down to rounding. A maximum where H has no bound is that of an undamped mode; a minimum where H is zero,
-an antiresonance without damping.
+Each is narrowed down to rounding. A maximum where H has no bound is that of an undamped mode; a minimum where H is
+zero, an antiresonance without damping.
 """
 
 from itertools import pairwise
@@ -13,6 +13,7 @@ from vibcli.analyses.frequency.poles import pace, poles, zeros
 from vibcli.analyses.frequency.response import sloped
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
+COARSE, FEW = np.array([0.0, 0.25, 1.0, 5.0]), 40                       # where there are more poles and zeros
 NARROWEST, WIDE, ROUNDS, SAME = 1e-9, 1e4, 150, 2.0**-51
 BESIDE, ENDLESS = 1e-9, 3e3     # a peak that is so much higher than beside it has a damping ratio below 3e-13: none
 
@@ -61,7 +62,8 @@ def places(system, low=None, high=None):
     marks = np.concatenate([poles(system), zeros(system)])
     marks = marks[(marks.imag > 0) & np.isfinite(marks)]
     middle, width = marks.imag, np.maximum(np.abs(marks.real), NARROWEST * marks.imag)
-    near = (middle[:, None] + width[:, None] * np.concatenate([SPREAD, -SPREAD])).ravel()
+    spread = SPREAD if len(marks) <= FEW else COARSE
+    near = (middle[:, None] + width[:, None] * np.concatenate([spread, -spread])).ravel()
     near = np.concatenate([near, np.abs(marks)])
     between = np.sort(middle)
     near = np.concatenate([near, (between[1:] + between[:-1]) / 2, between * 0.9, between * 1.1])

@@ -8,7 +8,7 @@ import numpy as np
 from vibcli.analyses.frequency.extremes import extremes, places
 from vibcli.analyses.frequency.response import sampled
 
-TOLERANCE, ROUNDS, MOST, EVEN = 0.02, 12, 4000, 41
+TOLERANCE, ROUNDS, MOST, EVEN = 0.004, 12, 4000, 61
 CLOSEST, NARROW = 1e-5, 1e-13       # nearest place to where H is zero or unbounded, and to each other, relative to Ω
 LEAST = 1e-14                       # of the largest value, where a curve ends
 

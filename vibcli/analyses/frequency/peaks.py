@@ -27,8 +27,8 @@ def antiresonances(system, known=None):
 
 
 def _made_by(marks, found, between):
-    """Those in whose interval between others there is a mark close to the imaginary axis."""
-    marks = marks[np.abs(marks.real) <= np.abs(marks)].imag
+    """Those in whose interval between others there is a pole or zero that is not real."""
+    marks = marks.imag[marks.imag > 0]
     edges = np.array([0.0, *between, np.inf])
     kept = []
     for one in found:

@@ -9,7 +9,10 @@ at infinity goes to μ = 0. They are starting values: what is told of H is locat
 
 import numpy as np
 
+from vibcli.analyses.frequency.response import undifferentiated
+
 FAR = 1e-7      # |μ| of what counts as infinite
+STEPS, NEAR, STILL = 6, 0.03, 1e-6
 
 
 def poles(system):
@@ -18,14 +21,27 @@ def poles(system):
 
 
 def zeros(system):
-    """The zeros with Im s ≥ 0, and what the zeros at infinity scatter to."""
+    """The zeros with Im s ≥ 0."""
     parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
              zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
     if np.iscomplexobj(parts[0]) and not any(part.imag.any() for part in parts):
         parts = [part.real for part in parts]
     if system.undamped:
-        return np.sqrt(np.maximum(-_squares(parts[0].real, parts[2].real, pace(system)), 0)) * 1j
-    return _roots(parts, pace(system))
+        return _kept(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
+    return _kept(system, _roots(parts, pace(system)))
+
+
+def _kept(system, places):
+    """Those to which Newton's method on H converges: rounding scatters zeros at infinity anywhere."""
+    at = places
+    for _ in range(STEPS):
+        values, slopes, _ = undifferentiated(system, at, True) if len(at) else (at, at, None)
+        with np.errstate(all="ignore"):
+            step = np.where(values == 0, 0.0, values / slopes)
+        step = np.where(np.isfinite(step), step, np.inf)
+        at = np.where(np.abs(step) <= NEAR * np.abs(at), at - step, at)
+    return places[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))] if len(
+        places) else places
 
 
 def pace(system):

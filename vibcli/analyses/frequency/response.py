@@ -1,7 +1,7 @@
 """H(iΩ) at many frequencies, each to the rounding that the condition of K − Ω²M + iΩC allows.
 
-Few degrees of freedom, or few frequencies: LU of every matrix, rows and columns scaled by powers of two; else one of the
-methods of many.py. A frequency at which the matrix is singular but for rounding is a pole, unless the input does not
+Few degrees of freedom, or few frequencies: LU of every matrix, rows and columns scaled by powers of two; else a method
+of many.py. A frequency at which the matrix is singular but for rounding is a pole, unless the input does not
 excite that mode or the output does not see it: then that mode is left out.
 
 With x = D⁻¹b and y = D⁻ᵀc the slope is dH/ds = c′ᵀx + yᵀ(b′ − D′x) + d′.
@@ -47,7 +47,7 @@ def phase_lag(values):
 def _at(system, Omega, steep):
     shape = np.shape(Omega)
     s = 1j * np.atleast_1d(np.asarray(Omega, dtype=float)).ravel()
-    values, slopes, resonant = _method(system, len(s))(system, s, steep)
+    values, slopes, resonant = undifferentiated(system, s, steep)
     if system.order:
         power = s**(system.order - 1)
         values, slopes = values * power * s, slopes * power * s + system.order * power * values if steep else None
@@ -55,12 +55,20 @@ def _at(system, Omega, steep):
     return *parts, resonant.reshape(shape)
 
 
-def _method(system, count):
-    if count * system.n**3 <= WORK:
-        return direct
-    from vibcli.analyses.frequency.many import chosen
+def undifferentiated(system, s, steep=False):
+    """(H, dH/ds or None, whether there is a pole) of the output itself at complex s."""
+    return _method(system, len(s))(system, s, steep)
 
-    return chosen(system) or direct
+
+def _method(system, count):
+    """The method for so many frequencies; that of many is found once and kept with the system."""
+    if system.method is None:
+        if count * system.n**3 <= WORK:
+            return direct
+        from vibcli.analyses.frequency.many import chosen
+
+        system.method = chosen(system) or direct
+    return system.method
 
 
 def direct(system, s, steep=False):

@@ -11,14 +11,15 @@ from vibcli.mechanics.outputs import linear_row
 
 class Transfer:
     """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); `order`:
-    how often the output is differentiated (receptance 0, mobility 1, accelerance 2)."""
+    how often the output is differentiated (receptance 0, mobility 1, accelerance 2); `method`: how it is evaluated at
+    many frequencies, once that is decided."""
 
-    __slots__ = ("C", "K", "M", "b", "c", "d", "order")
+    __slots__ = ("C", "K", "M", "b", "c", "d", "method", "order")
 
     def __init__(self, M, C, K, b, c, d=(0.0, 0.0, 0.0), order=0):
         self.M, self.C, self.K = (np.asarray(matrix, dtype=float) for matrix in (M, C, K))
         self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
-        self.order = order
+        self.order, self.method = order, None
 
     @property
     def n(self):

@@ -31,7 +31,7 @@ def precise_values(M, C, K, forcing, q0, v0, outputs, time, digits, order=0):
         with mp.workprec(bits + GUARD):
             found = _values(M, C, K, forcing, q0, v0, outputs, time, order, bits)
             small = mp.mpf(10) ** (-digits - 1)
-            if before is not None and all(abs(x - y) <= abs(x) * small for x, y in zip(found, before, strict=True)):
+            if before is not None and all(abs(x - y) < abs(x) * small for x, y in zip(found, before, strict=True)):
                 break
         before, bits = found, bits + max(MORE, bits // 3)
     return found

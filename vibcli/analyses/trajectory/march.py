@@ -1,4 +1,4 @@
-"""The march through time: windows as long as their polynomials resolve the motion, cut at breakpoints and events."""
+"""The march through time: windows as long as their polynomials resolve the motion, none beyond a given instant."""
 
 import numpy as np
 
@@ -9,9 +9,11 @@ from vibcli.errors import PhysicsError
 
 POINTS, STIFF_POINTS = 40, 24
 TAIL = 3                    # coefficients which must be small
+LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
 MOST_TRIES = 100_000
 SHORTEST = 1e-13            # of the time gone
+SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
 STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
@@ -22,21 +24,34 @@ CALM = 6                    # windows without a failure before they grow by much
 class March:
     """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
 
-    def __init__(self, system, t, q, v, rtol, progress=None):
-        self.system, self.t, self.q, self.v, self.rtol, self.progress = system, t, q, v, rtol, progress
-        self.rule, self.windows, self.ends, self.g, self.slides = rule(POINTS), [], [], (), None
-        self.stiff, self.held, self.calm, self.tries = False, 0, CALM, 0
+    def __init__(self, system, switching, q, v, rtol, progress=None):
+        self.system, self.switching, self.rtol, self.progress = system, switching, rtol, progress
+        self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
+        self.rule, self.windows, self.ends, self.struck = rule(POINTS), [], [], []
+        self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H = Sizes(q), None, None
 
-    def begin(self):
-        """Look at the system as it is now: at the start, and after an event."""
-        self.sizes.measure(self.system, self.t, self.q, self.v, self.g)
+    def begin(self, limit, zero=()):
+        """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
+        arguments vanish now."""
+        soon = self._soon(limit)
+        self.g, self.slides = self.switching.settled(soon, self.q, self.v, self.g, zero, self.slides)
+        self.sizes.measure(self.system, self._accelerations, soon, self.q, self.v, self.g)
         self.H = min(self.H or np.inf, RADIANS * self.sizes.radian)
         self.guess = None
 
+    def _soon(self, limit):
+        """An instant shortly after the present one, at which what begins now has begun."""
+        return self.t + min(SOON * (limit - self.t), SOON * max(self.t, limit - self.t))
+
+    def _accelerations(self, t, q, v, c=None):
+        if self.slides:
+            return self.switching.sliding(self.slides, t, q, v, self.g, c)[0]
+        return self.system.accelerations(t, q, v, self.g, c)
+
     def advance(self, limit):
         """The next Window, at most up to the instant `limit`."""
-        a = self.system.accelerations(np.array([self.t]), self.q[:, None], self.v[:, None], self.g)
+        a = self._accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
         if not np.isfinite(a).all():
             raise self.undefined()
         left = limit - self.t
@@ -61,7 +76,6 @@ class March:
                 raise self.singular()
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
-        self.windows.append(window)
         return window
 
     def _attempt(self, H, guess, a):
@@ -71,7 +85,7 @@ class March:
         solve, part = (newton, 1e-4) if self.stiff else (iterated, 1e-2)
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
-                         part * self.rtol * scale + 0.5 * EPSILON * np.abs(self.q)[:, None])
+                         part * self.rtol * scale + 0.5 * EPSILON * np.abs(self.q)[:, None], self.unseen)
         if done.A is None:
             return None, np.inf, 1.0
         self.sizes.meet(done.A)
@@ -90,23 +104,26 @@ class March:
         if self.stiff:
             return self.rtol * scale
         from_q = 0.1 * self.rtol * scale * (2 * self.rule.points / H) ** 2
-        return np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
+        allowed = np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
+        return np.maximum(allowed, TINY)
 
     def force(self, times):
         """q̈ at the points as a function of (q, q̇, copies of the points)."""
-        system, g = self.system, self.g
-        c = system.prepared(times)
+        c = self.system.prepared(times)
+        if not self.slides and not self.stiff:
+            accelerations, g = self.system.accelerations, self.g
+            return lambda Q, V: accelerations(times, Q, V, g, c)
 
         def force(Q, V, copies=1):
             if copies == 1:
-                return system.accelerations(times, Q, V, g, c)
+                return self._accelerations(times, Q, V, c)
             many = np.tile(times, copies)
-            return system.accelerations(many, Q, V, g, system.prepared(many))
+            return self._accelerations(many, Q, V, self.system.prepared(many))
         return force
 
     def _steer(self, H, iterations, used, failed, unresolved):
         """The length of the next window, and whether the scene is stiff."""
-        self.calm = 0 if failed else self.calm + 1
+        self.calm, self.unseen = 0 if failed else self.calm + 1, max(iterations - LOOKS, 0)
         grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.03
         if not self.stiff:
             grown = min(grown, STRAINED / iterations)
@@ -117,22 +134,29 @@ class March:
             self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(STIFF_POINTS, radau=True), None
 
     def finish(self, window, end=None):
-        """Move to the end of a window, or to an earlier instant `end` of it."""
+        """Keep a window and move to its end, or keep it up to an earlier instant `end` of it alone."""
         self.sizes.move(window.q)
-        if end is None or end >= window.length:
+        if end is None:
             H, A = window.length, window.values
             self.q = self.q + (H * self.v + H * H * (A @ window.rule.b2))
             self.v = self.v + H * (A @ window.rule.w)
             self.guess = np.repeat(window.series.sum(axis=1)[:, None], self.rule.points, 1)
             self.t = window.start + H
         else:
-            window.end = end
             self.q, self.v, _ = window.state(end)
-            self.t, self.guess = window.start + end, None
+            self.t, self.guess, window.end = window.start + end, None, end
+        self.close()
         self.sizes.move(self.q)
-        self.ends.append((self.q, self.v))
+        if window.end:
+            self.windows.append(window)
+            self.ends.append((self.q, self.v))
         if self.progress is not None:
             self.progress(self.t)
+
+    def close(self):
+        """Put the state on the constraints, from which it drifts by rounding."""
+        if self.system.m:
+            self.q, self.v = self.system.projected(self.t, self.q, self.v, self.g)
 
     def undefined(self):
         return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "

@@ -5,9 +5,11 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.analyses.trajectory.collocation import rule
+from vibcli.errors import PhysicsError
 from vibcli.mechanics.compiled import Compiled
 
 POINTS = 40             # at most in a window
+LATE = 1e-12
 
 
 class Event(NamedTuple):
@@ -33,19 +35,21 @@ class Balance(NamedTuple):
 
 
 class Trajectory:
-    """names: the coordinates; windows: their polynomials; events; balance; drift: the largest gaps of the constraints
+    """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
+    earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops."""
 
     def __init__(self, system, windows, until, events, balance, drift):
         self.system, self.names = system, list(system.scene.coordinates)
-        self.windows, self.until, self.events = windows, until, tuple(events)
-        self.balance, self.drift = balance, drift
+        self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
+        self.balance, self.drift, self.reason = balance, drift, None
         self.lengths = np.array([window.length for window in windows])
         self.starts = np.array([window.start for window in windows])
 
     def at(self, times):
         """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
         times = np.atleast_1d(np.asarray(times, dtype=float))
+        self._require(times)
         found = np.empty((3, len(self.names), len(times)))
         number = np.clip(np.searchsorted(self.starts, times, side="right") - 1, 0, len(self.windows) - 1)
         P = rule(POINTS).basis(2 * (times - self.starts[number]) / self.lengths[number] - 1)
@@ -57,6 +61,19 @@ class Trajectory:
                 found[:, :, group] = window.summed(times[group] - window.start,
                                                          P[:window.rule.points + 2, group])
         return found[0], found[1], found[2]
+
+    def cut(self, instant, name):
+        """End at the instant at which a rope goes slack."""
+        self.end, self.reason = instant, f"the rope '{name}' goes slack at t = {instant:.6g} s"
+        self.events = (*(event for event in self.events if event.time <= instant), Event(instant, "slack", name))
+
+    def _require(self, times):
+        late = times.max(initial=0.0)
+        if late > self.end * (1 + LATE):
+            reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
+            hint = "let the rope be an elastic one: a spring that `acts: tension`"
+            raise PhysicsError(f"{reason}: its motion is not known at t = {late:.6g} s",
+                               hint if self.reason else "follow it for longer")
 
     def values(self, nodes, times):
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""

@@ -1,13 +1,23 @@
 """The motion of a scene from its start up to an instant."""
 
+from fractions import Fraction
+
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.analyses.trajectory.breaks import breaks
+from vibcli.analyses.trajectory.drift import drift
 from vibcli.analyses.trajectory.energy import balance
+from vibcli.analyses.trajectory.events import first_event
 from vibcli.analyses.trajectory.march import March
-from vibcli.analyses.trajectory.result import Trajectory
+from vibcli.analyses.trajectory.result import Event, Trajectory
+from vibcli.analyses.trajectory.ropes import slack
 from vibcli.analyses.trajectory.start import start, vectors
 from vibcli.errors import PhysicsError
+from vibcli.mechanics.switching import Switching
 from vibcli.mechanics.system import System
 
 ACCURACY = 1e-12
+LONGEST = 1e12
+MOST_AT_ONCE = 20       # events at one instant
 
 
 def simulate(problem, until, rtol=ACCURACY, initial=None, progress=None):
@@ -16,16 +26,100 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, progress=None):
     rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
     starts at rest in equilibrium. progress(t) is called after each step.
     """
-    if not 0 < until < 1e12:
+    if not 0 < until < LONGEST:
         raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
     places, speeds = start(problem, initial)
-    scene = problem.scene
-    system = System(scene, problem.floats)
-    q, v = vectors(scene, places, speeds)
-    march = March(system, 0.0, q, v, rtol, progress)
-    march.begin()
+    scene = equations_of(problem)
+    system = System(scene, problem.floats, problem.scene.freedom.redundant)
+    owners, bounds = scene.law_switches()
+    march = March(system, Switching(system, bounds, owners), *vectors(scene, places, speeds), rtol, progress)
+    stops = breaks(scene, system.parts.nodes(), problem.floats, until)
+    events = _marched(march, stops, until)
+    energies = balance(system, march.switching, march.windows, march.ends, march.struck)
+    found = Trajectory(system, march.windows, until, events, energies, drift(system, march.windows))
+    if any(tie.form == "rope" for tie in problem.scene.constraints):
+        all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
+        gone = slack(problem, all_of_it, found)
+        if gone is not None:
+            found.cut(*gone)
+    return found
+
+
+def equations_of(problem):
+    """The scene whose equations are integrated: that with all its coordinates where loops are closed."""
+    return problem.scene if problem.scene.loops is None else _loose(problem)
+
+
+def _loose(problem):
+    """The scene with all its coordinates, its static preloads in numbers."""
+    from vibcli.scene.build import build_scene
+
+    loose = problem.loose
+    if loose is problem.scene:
+        loose = build_scene(problem.spec, problem.given, loose.attempt, loose=True,
+                            holding=problem.holding is not None)
+    if loose.static_preloads:
+        number, floats = loose.table.number, problem.floats
+        loose.replace({node: number(Fraction(evaluate([problem.preloads[record.name]], Floats, floats)[0]))
+                       for node, record in loose.static_preloads})
+        loose.static_preloads = []
+    return loose
+
+
+def _marched(march, stops, until):
+    """March to the end; the events on the way."""
+    events, at_once = [], 0
+    _strike(march, stops, until, events)
+    march.begin(stops.after(0.0, until))
     while march.t < until:
-        march.finish(march.advance(until))
-        if until - march.t < 1e-14 * until:
-            break
-    return Trajectory(system, march.windows, until, (), balance(system, march.windows, march.ends), None)
+        limit = stops.after(march.t, until)
+        window = march.advance(limit)
+        instant, which = _event(march, window)
+        march.finish(window, instant)
+        if instant is None:
+            at_once = 0
+            if limit - march.t <= 1e-15 * limit:
+                march.t = limit
+                if limit < until:
+                    _strike(march, stops, until, events)
+                    march.begin(stops.after(limit, until))
+            continue
+        at_once = at_once + 1 if instant <= 1e-14 * march.t else 0
+        if at_once > MOST_AT_ONCE:
+            raise PhysicsError(f"at t = {march.t:.9g} s forces that bend or jump switch without end",
+                               "mind what acts when they change their sense")
+        before = march.g, march.slides
+        march.begin(limit, which)
+        events += _named(march, before)
+    return events
+
+
+def _event(march, window):
+    if not march.switching.count:
+        return None, ()
+    slack = 1e-12 * march.switching.sizes(window.start, window.q, window.v, window.g)
+    return first_event(march.switching, window, slack)
+
+
+def _strike(march, stops, until, events):
+    """The impulses that act now."""
+    blows = stops.blows.get(march.t)
+    if blows:
+        soon = march.t + 1e-10 * (stops.after(march.t, until) - march.t)
+        g, _ = march.switching.settled(soon, march.q, march.v, march.g)
+        before, march.v = march.v, march.system.struck(soon, march.q, march.v, g, blows)
+        march.struck.append((march.t, march.q, before, march.v))
+        events.append(Event(march.t, "impulse", ""))
+
+
+def _named(march, before):
+    """The Events that have just happened: what has changed."""
+    g, slides = before
+    found = []
+    for k in range(march.switching.count):
+        was, now = k in slides, k in march.slides
+        if was != now:
+            found.append(Event(march.t, "sticks" if now else "slips", march.switching.names[k]))
+        elif not now and g[k] != march.g[k]:
+            found.append(Event(march.t, "switches", march.switching.names[k]))
+    return found

@@ -9,6 +9,7 @@ import numpy as np
 LEAST = 1e-3
 EPSILON = 2.0**-52
 STEP = 1e-6
+FEW = 20                # coordinates for which eigenvalues are found
 
 
 class Sizes:
@@ -20,16 +21,15 @@ class Sizes:
     def __init__(self, q):
         self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
 
-    def measure(self, system, t, q, v, g):
+    def measure(self, system, accelerations, t, q, v, g):
         """Take weight, radian and noise from the system as it is at t."""
         values = system.inertia(np.array([t]), q[:, None], v[:, None], g)
         self.weight = np.sqrt(np.maximum([float(np.max(value)) for value in values], 1e-300))
-        a, J = jacobian(system, t, q, v, g)
+        a, J = jacobian(accelerations, t, q, v)
         n = len(q)
         self.radian, self.noise = np.inf, 4 * EPSILON * system.sizes(t, q, v, g) / self.weight**2
         if np.isfinite(J).all():
-            state = np.block([[np.zeros((n, n)), np.eye(n)], [J[:, :n], J[:, n:]]])
-            fastest = np.abs(np.linalg.eigvals(state)).max()
+            fastest = _fastest(J[:, :n], J[:, n:], self.weight)
             self.radian = 1.0 / fastest if fastest > 0 else np.inf
             self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
         self.meet(a[:, None])
@@ -55,10 +55,19 @@ class Sizes:
         return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
 
 
-def jacobian(system, t, q, v, g):
+def _fastest(K, C, weight):
+    """The largest |λ| of δ̈ = K δ + C δ̇; of many coordinates a bound, √‖K‖ + ‖C‖ with the coordinates weighted."""
+    n = len(K)
+    if n <= FEW:
+        return np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [K, C]]))).max()
+    rows = [np.abs(weight[:, None] * matrix / weight).sum(axis=1).max() for matrix in (K, C)]
+    return np.sqrt(rows[0]) + rows[1]
+
+
+def jacobian(accelerations, t, q, v):
     """(q̈, [∂q̈/∂q, ∂q̈/∂q̇]) by differences."""
     n = len(q)
-    a = system.accelerations(np.array([t]), q[:, None], v[:, None], g)[:, 0]
+    a = accelerations(np.array([t]), q[:, None], v[:, None])[:, 0]
     span = np.max(np.abs(q), initial=0.0), np.max(np.abs(v), initial=0.0)
     size = np.concatenate([np.where(np.abs(q) > 0, np.abs(q), span[0] or 1e-3),
                            np.where(np.abs(v) > 0, np.abs(v), span[1] or 1e-3)])
@@ -67,4 +76,4 @@ def jacobian(system, t, q, v, g):
     Q[range(n), range(n)] += step[:n]
     V[range(n), range(n, 2 * n)] += step[n:]
     with np.errstate(all="ignore"):
-        return a, (system.accelerations(np.full(2 * n, t), Q, V, g) - a[:, None]) / step
+        return a, (accelerations(np.full(2 * n, t), Q, V) - a[:, None]) / step

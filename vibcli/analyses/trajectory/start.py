@@ -2,28 +2,45 @@
 
 import numpy as np
 
+from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 
 
 def start(problem, initial):
-    """({coordinate: float} positions, {coordinate: float} velocities) of all coordinates of the scene."""
+    """({coordinate: float} positions, {coordinate: float} velocities) of all coordinates, those that follow from the
+    constraints included."""
     given = {name: float(value) for name, value in (initial or {}).items()}
-    known = [*problem.drawn_floats]
+    known = problem.scene.coordinates
     for name in given:
         if name.removesuffix("'") not in known:
-            raise PhysicsError(f"'{name}' is no coordinate of this scene", "its coordinates are " + ", ".join(known))
+            raise PhysicsError(f"'{name}' is no coordinate that this scene can start from",
+                               "it can start from " + ", ".join(known))
+    drawn = problem.drawn_floats
     places = {name: value for name, value in given.items() if not name.endswith("'")}
-    rest = problem.drawn_floats if set(places) >= set(problem.scene.coordinates) else _rest(problem)
-    return {**rest, **places}, {name: given.get(name + "'", 0.0) for name in known}
+    rest = drawn if set(places) >= set(known) else _rest(problem)
+    q = problem.closed(rest, {**rest, **places})
+    v = {name: given.get(name + "'", 0.0) for name in known}
+    return _with_dependent(problem, q, v)
 
 
 def _rest(problem):
     try:
         return problem.equilibrium.values
     except PhysicsError as error:
-        names = ", ".join(problem.scene.coordinates)
-        error.hint = f"give the start of every coordinate under `initial`: {names}"
+        error.hint = "give the start of every coordinate under `initial`: " + ", ".join(problem.scene.coordinates)
         raise
+
+
+def _with_dependent(problem, q, v):
+    """The same with what follows from the constraints."""
+    scene = problem.scene
+    values = {**problem.floats, scene.time.name: 0.0, **q, **{name + "'": speed for name, speed in v.items()}}
+    nodes = list(scene.dependent.values())
+    places = evaluate(nodes, Floats, values)
+    values |= dict(zip(scene.dependent, places, strict=True))
+    speeds = evaluate([scene.rate(node) for node in nodes], Floats, values)
+    return ({**q, **dict(zip(scene.dependent, places, strict=True))},
+            {**v, **dict(zip(scene.dependent, speeds, strict=True))})
 
 
 def vectors(scene, places, speeds):

@@ -9,12 +9,13 @@ from vibcli.report.drawing.primitives import BODY, Circle, Hatch, Line
 RAIL, WOUND = 17.0, 18.0
 
 
-def draw(sketch, looks, ties):
-    """All bodies with their pins and floors, large ones first."""
+def draw(sketch, looks, room):
+    """All bodies with their pins and floors, large ones first; `room`: {body: (how far back, how far on)} that it
+    slides, in points."""
     found = []
     for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
-        found += _floor(name, look, sketch, ties)
+        found += _floor(name, look, sketch, room.get(name, (0.0, 0.0)))
     return found + _pins(sketch, looks)
 
 
@@ -74,7 +75,7 @@ def fixed_pivots(sketch, looks):
     return {_rounded(pivot.drawn) for pivot in pivots if pivot and sketch.is_fixed(pivot.carrier)}
 
 
-def _floor(name, look, sketch, ties):
+def _floor(name, look, sketch, room):
     """The ground, and rollers, under a box that slides on it; guides beside one that slides upright."""
     slide = sketch.scene.bodies[name].record.get("slide")
     if slide is None or look.kind not in ("block", "platform", "ramp") or "surface" in slide:
@@ -96,12 +97,13 @@ def _floor(name, look, sketch, ties):
     else:
         middle = sketch.centre(name)
         under, half, wheels, found = plane.plus(middle, down, look.height / 2), look.width / 2, 0.0, []
+    back, on = half + RAIL - room[0], half + RAIL + room[1]
     floor = plane.plus(under, down, wheels)
-    if _hangs(name, sketch):
+    if _hangs(name, sketch) and room == (0.0, 0.0):
         for side in (-1, 1):
             found += support.floor(plane.plus(floor, e, side * (half + 2)), e, RAIL / 2 + 2)
         return found
-    return [*found, *support.floor(floor, e, half + RAIL)]
+    return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
 
 
 def _hangs(name, sketch):

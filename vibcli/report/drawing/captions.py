@@ -19,7 +19,7 @@ def expression(field, sketch, longest=SHORT):
     text = field.text.strip()
     if field.tree[0] == "name":
         return lettering.named(field.tree[3] + "'" * field.tree[4])
-    node = sketch.scene.lower(field)
+    node = raw(field, sketch.scene)
     if node.op == "number" or not any(letter.isalpha() for letter in text):
         return lettering.words(text) if len(text) <= longest else None
     runs = lettering.written(node)

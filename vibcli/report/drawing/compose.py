@@ -1,27 +1,23 @@
 """A scene as a drawing: everything that has a place, in one position."""
 
-from math import hypot
-
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 from vibcli.report.drawing import bodies, connection, joint, lumped, plane, rope, rows, support, tracks
-from vibcli.report.drawing.look import looks as looks_of
+from vibcli.report.drawing.appearance import looks
 from vibcli.report.drawing.primitives import BODY, Circle, Line, extent
-from vibcli.report.drawing.shape import outline
+from vibcli.report.drawing.scale import scale_of
 from vibcli.report.drawing.sketch import Sketch
 from vibcli.report.drawing.ties import Ties
 from vibcli.scene.loops import drawn_values
-from vibcli.units import LENGTH
 
-WIDE, HIGH, SHORT, GROWTH, ALONE, BELOW = 300.0, 210.0, 46.0, 1.8, 90.0, 40.0
-MOST = 80       # bodies
-FINE = 1e9       # points per metre at which what has a size on paper alone has none
+BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
+FINE = 1e9                  # points per metre at which what has a size on paper alone has none
 
 
 def values_at(scene, position=None, time=0.0):
     """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
     loops of the scene cannot follow."""
-    values = {**drawn_values(scene), **{v.name: 0.0 for v in scene.v}}
+    values = drawn_values(scene)
     target = {**values, **(position or {}), scene.time.name: time}
     if scene.loops is not None and (position or time):
         target = scene.loops.followed(values, target)
@@ -42,7 +38,8 @@ class Stage:
         self.sketch = Sketch(scene, plain.values, scale_of(plain) * FINE)
         self.sketch.numbers["size"] = plain.numbers["size"] / FINE
         self.ties = Ties(self.sketch)
-        self.looks = looks_of(self.sketch, self.ties)
+        self.looks = looks(self.sketch, self.ties)
+        self.room = {}
         self.bunches = connection.bunches(self.sketch, self.looks)
         self.ropes = {name: rope.stops(record, self.sketch, self.looks)
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
@@ -56,64 +53,6 @@ class Stage:
         """The Sketch in another position; None where its loops cannot follow."""
         values = values_at(self.scene, position, time)
         return None if values is None else self.sketch.at(values)
-
-
-def key_points(sketch):
-    """All places of a scene as drawn, in the unit of the sketch."""
-    found = []
-    for body in sketch.scene.bodies.values():
-        if body.name in sketch.frames:
-            for part in body.record.get("parts", (body.record,)):
-                if part.get("shape", "particle") == "particle":
-                    found.append(sketch.centre(body.name) if part is body.record else sketch.pair(part["at"]))
-                else:
-                    found += outline(part, sketch).points
-            if (pivot := sketch.pivot(body.name)) is not None:
-                found.append(pivot.drawn)
-    found += [sketch.pair(record["at"]) for record in (sketch.spec.get("points") or {}).values()]
-    return found
-
-
-def scale_of(sketch):
-    """How much smaller than a FINE sketch the drawing is to be."""
-    found = key_points(sketch)
-    ties = Ties(sketch)
-    for pair in ties.ends:
-        found += [end.drawn for end in pair]
-    for record in (sketch.spec.get("constraints") or {}).values():
-        found += [sketch.attachment(stop).drawn for stop in record.get("rope", ()) if not hasattr(stop, "values")]
-    for at, radius in ties.pegs:
-        found += plane.circle(at.drawn, radius) if radius else [at.drawn]
-    for name, radii in ties.radii.items():
-        if name in sketch.frames:
-            found += plane.circle(sketch.centre(name), max(radii))
-    for name, record in (sketch.spec.get("surfaces") or {}).items():
-        if "circle" in record:
-            places = [place for place, room in tracks.contacts(name, sketch) if room is not None]
-            found += tracks.visible(record, places, sketch)
-    left, bottom, right, top = plane.bounds(found) if found else (0.0, 0.0, 0.0, 0.0)
-    size = sketch.numbers["size"] = hypot(right - left, top - bottom)
-    if size < 100.0:
-        size = sketch.numbers["size"] = 0.0
-        halves = [tracks.half_width(record, sketch) for record in (sketch.spec.get("surfaces") or {}).values()
-                  if "curve" in record]
-        sizes = halves or _given_lengths(sketch)
-        return ALONE / (sizes[0] * sketch.scale) if sizes else 1.0 / sketch.scale
-    much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "springs", "dampers", "points", "forces"))
-    share = min(1.5, max(0.62, 0.5 + 0.12 * much))
-    wide, high = share * WIDE, min(share, 1.15) * HIGH
-    scale = min(wide / max(right - left, 1e-9 * size), high / max(top - bottom, 1e-9 * size))
-    short = min((d for one, two in ties.ends if (d := plane.distance(one.drawn, two.drawn)) > 1e-9 * size),
-                default=size) * scale
-    return scale * min(GROWTH, max(1.0, SHORT / short))
-
-
-def _given_lengths(sketch):
-    """The largest length among the parameters, in a list; empty where there is none."""
-    dimensions = sketch.spec.dimensions
-    found = [abs(sketch.values[name]) for name in sketch.spec.parameters
-             if name in sketch.values and dimensions.of(name) == LENGTH]
-    return [max(found)] if any(found) else []
 
 
 def figure(stage, sketch, unit=1.0):
@@ -132,7 +71,7 @@ def primitives(stage, sketch):
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)
-    found += bodies.draw(sketch, looks, ties)
+    found += bodies.draw(sketch, looks, stage.room)
     where = {}
     for bunch in stage.bunches:
         lines, places = connection.draw(bunch, sketch)

@@ -80,7 +80,7 @@ def wanted(sketch):
         if bare is not None:
             found.append((lettering.named(name), "coordinate", bare))
     for motion in known:
-        node = sketch.scene.lower(motion.field)
+        node = captions.raw(motion.field, sketch.scene)
         if node.mask and node.mask == sketch.scene.time.mask:
             runs = captions.expression(motion.field, sketch, 18) or lettering.words("driven")
             found.append((runs, "driven", motion))
@@ -142,7 +142,7 @@ def _straight(motion, sketch, looks):
 def _ticked(start, e, n):
     tip = plane.plus(start, e, LENGTH)
     ends = plane.plus(start, n, -TICK), plane.plus(start, n, TICK)
-    path = [ends[0], ends[1], start, plane.plus(tip, e, 4)]
+    path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]
 
     def make(role):
         return [arrow.Line(ends, role, 0.9, layer=arrow.ARROW), *arrow.straight(start, tip, role)]

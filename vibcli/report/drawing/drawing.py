@@ -84,7 +84,7 @@ def _shaken(stage):
     found, named = [], set()
     for name, record in stage.sketch.moving_points.items():
         at = stage.sketch.frames[name].place
-        fields = [field for field in record["moves"] if stage.scene.lower(field).mask]
+        fields = [field for field in record["moves"] if captions.raw(field, stage.scene).mask]
         direction = (1.0, 0.0) if fields and fields[0] is record["moves"][0] else (0.0, 1.0)
         start = plane.plus(at, plane.left(direction), -20.0)
         ends = [plane.plus(start, direction, side * 13.0) for side in (-1, 1)]

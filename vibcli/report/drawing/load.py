@@ -20,7 +20,7 @@ def draw(record, sketch, looks, space):
 
 def _force(record, at, sketch, looks, space):
     fields = record["force"]
-    direction = _direction([sketch.scene.lower(field) for field in fields], sketch)
+    direction = _direction([captions.raw(field, sketch.scene) for field in fields], sketch)
     if "carrier" in record:
         direction = sketch.frames[record["carrier"].text].turned(direction)
     place = sketch.now(at)
@@ -49,11 +49,22 @@ def _unsigned(field):
     return Expression(shorter, field.tree[3][0][1], field.unit, field.dimension)
 
 
+class _Rates(dict):
+    """Values of symbols, the rates of coordinates being all the same."""
+
+    def __init__(self, rate, values):
+        super().__init__(values)
+        self.rate = rate
+
+    def __missing__(self, name):
+        return self.rate
+
+
 def _direction(nodes, sketch):
     """The direction of a force as drawn, or at the first instant and rate at which it acts."""
     for instant in INSTANTS:
-        rates = {v.name: float(bool(instant)) for v in sketch.scene.v}
-        x, y = evaluate(nodes, Floats, {**sketch.values, **rates, sketch.scene.time.name: instant})
+        values = _Rates(float(bool(instant)), {**sketch.values, sketch.scene.time.name: instant})
+        x, y = evaluate(nodes, Floats, values)
         size = hypot(x, y)
         if 1e-12 < size < float("inf"):
             return x / size, y / size

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from vibcli.report.drawing import arrow, captions, damper, lettering, plane, spring, support
 from vibcli.report.drawing.primitives import BODY, ELEMENT, Circle, Hatch, Line, Polygon
+from vibcli.report.drawing.rows import motion
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
 HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
@@ -153,12 +154,12 @@ def _walls(layout):
 
 def arrows(layout, scene, sketch):
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
-    found, named = [], set()
+    found = []
     for name, place in layout.places.items():
         body = scene.bodies[name]
-        field = body.record["turn"] if place.turns else body.record["slide"]["by"]
+        field = motion(body)
         x, y = place.middle[0], place.middle[1] + place.height + 9
-        driven = bool(body.lumped[1].mask) and body.lumped[1].mask == scene.time.mask
+        driven = captions.raw(field, scene).mask == scene.time.mask
         runs = captions.expression(field, sketch, 18) or lettering.words(field.text)
         role = "driven" if driven else "coordinate"
         tip = (x + 26, y)
@@ -166,7 +167,6 @@ def arrows(layout, scene, sketch):
             parts, tip = arrow.over((x, y), role), (x + 8, y + 6)
         else:
             parts = [Line(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW), *arrow.straight((x, y), tip, role)]
-        named.add(field.text.strip())
         found.append((parts, runs, [tip], role))
     for record in (scene.spec.get("forces") or {}).values():
         found += _load(record, layout, sketch)

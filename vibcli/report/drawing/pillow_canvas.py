@@ -7,7 +7,7 @@ from vibcli.report.drawing.palette import COLOURS
 from vibcli.report.drawing.primitives import Circle, Polygon, Text, extent
 
 WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
-SHADES, FOOT, NARROW = 256, 26.0, 230.0
+SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes
 
 
 def gif(frames, caption, milliseconds=40):
@@ -25,9 +25,17 @@ def gif(frames, caption, milliseconds=40):
     pages = [_page(frame, caption, box, scale, size) for frame in frames]
     palette = _palette(frames)
     indexed = [page.quantize(palette=palette, dither=Image.Dither.NONE) for page in pages]
+    data = _animated(indexed, milliseconds)
+    while len(data) > LARGEST and len(indexed) > 8:
+        indexed, milliseconds = indexed[::2], 2 * milliseconds
+        data = _animated(indexed, milliseconds)
+    return data
+
+
+def _animated(pages, milliseconds):
     data = io.BytesIO()
-    indexed[0].save(data, format="GIF", save_all=True, append_images=indexed[1:], duration=milliseconds, loop=0,
-                    optimize=False, disposal=1)
+    pages[0].save(data, format="GIF", save_all=True, append_images=pages[1:], duration=milliseconds, loop=0,
+                  optimize=False, disposal=1)
     return data.getvalue()
 
 

@@ -2,7 +2,7 @@
 
 from math import acos, atan2, cos, hypot, pi, sin
 
-FLAT = 0.06     # points by which a polyline may leave its arc
+FLAT, FINEST = 0.06, 0.01       # points by which a polyline may leave its arc; radians
 
 
 def plus(a, b, factor=1.0):
@@ -73,7 +73,7 @@ def around(centre, radius, start, sense=1):
 
 def arc(centre, radius, start, end):
     """Points on an arc from one angle to another, dense enough to look round."""
-    step = 2 * acos(max(0.0, 1 - FLAT / max(radius, 2 * FLAT)))
+    step = max(FINEST, 2 * acos(max(0.0, 1 - FLAT / max(radius, 2 * FLAT))))
     count = max(2, min(200, int(abs(end - start) / step) + 1))
     return [polar(centre, radius, start + (end - start) * i / count) for i in range(count + 1)]
 

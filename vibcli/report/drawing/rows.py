@@ -3,6 +3,8 @@
 from itertools import permutations
 from typing import NamedTuple
 
+from vibcli.report.drawing.captions import raw
+
 BRUTE = 6       # bodies of a row up to which every order is tried
 
 
@@ -44,12 +46,17 @@ def _ends(record, scene):
         if not lumped or not all(name in lumped or name == "ground" for name in names):
             return None
         return tuple(name if name in lumped else None for name in names)
-    stretch = scene.lower(record["stretch"])
-    moving = [name for name, body in scene.bodies.items() if body.lumped is not None and body.lumped[1].mask
-              and body.lumped[1].mask & stretch.mask]
+    stretch = raw(record["stretch"], scene).mask
+    moving = [name for name, body in scene.bodies.items() if body.lumped is not None
+              and raw(motion(body), scene).mask & stretch]
     if not moving or len(moving) > 2:
         return None
     return (None, moving[0]) if len(moving) == 1 else (moving[0], moving[1])
+
+
+def motion(body):
+    """The field that moves a lumped body."""
+    return body.record["turn"] if body.lumped[0] == "turn" else body.record["slide"]["by"]
 
 
 def rows(scene):

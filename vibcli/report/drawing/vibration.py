@@ -11,8 +11,8 @@ from vibcli.errors import PhysicsError
 from vibcli.report.drawing import plane
 from vibcli.report.figures import figure as printed
 
-READABLE, LUMPED, SWING, SMALL, FARTHEST = 30.0, 22.0, 0.7, 1e-4, 0.9
-HALVINGS = 12
+READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4, 0.9
+SQUEEZED, ROUNDS = 0.4, 24
 
 
 def mode(problem, index):
@@ -41,6 +41,9 @@ class Vibration:
     bodies, `rest` the equilibrium."""
 
     def __init__(self, problem, index, stage):
+        if not stage.scene.bodies:
+            raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
+                               "`vibcli frequencies` prints the shapes in numbers")
         self.stage, self.names = stage, problem.scene.coordinates
         self.base = problem.equilibrium.values
         shape = [complex(value) for value in mode(problem, index).shape]
@@ -79,10 +82,12 @@ class Vibration:
         limits = [limit for limit in limits if limit] or [1.0]
         self.amplitude = min([*limits, FARTHEST / angles] if angles else limits)
         self.unit = LUMPED / (slides * self.amplitude) if slides else 1.0
-        for _ in range(HALVINGS):
-            if all(self._sketch(sign * self.amplitude, 0.0) is not None for sign in (1, -1)):
+        for _ in range(ROUNDS):
+            both = [self._sketch(sign * self.amplitude, 0.0) for sign in (1, -1)]
+            if None not in both and shortest(self.rest, both, self.stage) > SQUEEZED:
+                self.stage.room = room(self.stage, [self.rest, *both])
                 return
-            self.amplitude /= 2
+            self.amplitude *= 0.7
         raise PhysicsError("the loops of this scene cannot follow this mode", "ask for another mode")
 
 
@@ -101,19 +106,49 @@ def lumped_displacements(rest, moved, stage):
     return found
 
 
+def shortest(rest, sketches, stage):
+    """The least part of its length at rest that a spring or damper keeps."""
+    parts = [plane.distance(sketch.now(bunch.one), sketch.now(bunch.two)) / length for bunch in stage.bunches
+             if (length := plane.distance(rest.now(bunch.one), rest.now(bunch.two))) > 1.0 for sketch in sketches]
+    return min(parts, default=1.0)
+
+
+def room(stage, sketches):
+    """{body: (how far back, how far on)} of what slides on the ground, from the drawn position."""
+    found = {}
+    for name in stage.looks:
+        moves = [plane.minus(sketch.frames[name].place, sketch.frames[name].drawn) for sketch in sketches]
+        along = [plane.distance(move, (0.0, 0.0)) * (1 if move[0] >= 0 else -1) for move in moves]
+        found[name] = min(0.0, *along), max(0.0, *along)
+    return found
+
+
 def phases(count):
     """Phases of one period from rest on: 0 the largest displacement."""
     return [2 * pi * i / count - pi / 2 for i in range(count)]
 
 
-def response(stage, positions, unit=None):
+def response(stage, positions, times=None, unit=None):
     """(Sketches, unit) of a motion: `positions` are {coordinate: value} of all or only the independent coordinates, one
-    for each frame; PhysicsError where the loops of the scene cannot follow."""
+    for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene cannot follow."""
+    positions = list(positions)
     sketches = []
-    for position in positions:
-        found = stage.at(dict(position))
+    for position, time in zip(positions, times or [0.0] * len(positions), strict=True):
+        found = stage.at(dict(position), time)
         if found is None:
             raise PhysicsError("the loops of this scene cannot follow this motion", "ask for a smaller one")
         sketches.append(found)
+    stage.room = room(stage, [stage.sketch, *sketches])
     slides = max((lumped_displacements(stage.sketch, sketch, stage)[0] for sketch in sketches), default=0.0)
     return sketches, unit or (LUMPED / slides if slides else 1.0)
+
+
+def magnification(stage, middle, sketches):
+    """1, or a round number by which a motion about the Sketch `middle` is to be magnified so that it can be seen."""
+    size = max((largest_displacement(middle, sketch, stage) for sketch in sketches if middle), default=0.0)
+    if not 0 < size < VISIBLE:
+        return 1.0
+    factor, power = READABLE / size, 1.0
+    while power * 10 <= factor:
+        power *= 10
+    return max(part * power for part in (1.0, 2.0, 5.0) if part * power <= factor)

@@ -20,11 +20,12 @@ def braille(figure, width=80, height=20, ascii=False):
     ascii: for a terminal that cannot show braille.
     """
     columns = min(max(width, NARROWEST), WIDEST)
-    found = [(sheet, max(FEWEST_ROWS, round(height * sheet.panel.tall))) for sheet in sheets(figure)]
+    said = ascii_text if ascii else str
+    found = [(sheet, max(FEWEST_ROWS, round(height * sheet.panel.tall))) for sheet in sheets(_in_words(figure, said))]
     found = [(_equal(sheet, columns, rows), rows) for sheet, rows in found]
-    labels = [_y_ticks(sheet.y, Canvas(columns, rows)) for sheet, rows in found]
+    labels = [_y_ticks(sheet.y, Canvas(columns, rows), said) for sheet, rows in found]
     margin = max((columns_of(label) for ticks in labels for label in ticks.values()), default=0) + 2
-    lines = _wrapped(figure.title, columns)
+    lines = _wrapped(said(printable(figure.title)), columns)
     for i, (sheet, rows) in enumerate(found):
         below = found[i + 1][0].panel if i + 1 < len(found) else None
         canvas = Canvas(columns - margin, rows)
@@ -35,11 +36,24 @@ def braille(figure, width=80, height=20, ascii=False):
         for row, line in enumerate(canvas.lines(ascii)):
             label = labels[i].get(row, "")
             lines.append(" " * (margin - 2 - columns_of(label)) + label + (" ┤" if label else " │") + line)
-        lines += _x_axis(sheet, canvas, margin, below is None or not shares_x(sheet.panel, below))
-    lines += _wrapped(figure.note, columns)
-    if ascii:
-        lines = [shortened(ascii_text(line), columns).replace("…", "~") for line in lines]
-    return "\n".join(line.rstrip() for line in lines)
+        lines += _x_axis(sheet, canvas, margin, below is None or not shares_x(sheet.panel, below), said)
+    lines += _wrapped(said(printable(figure.note)), columns)
+    return "\n".join(said(line.rstrip()) for line in lines)
+
+
+def _in_words(figure, said):
+    """The figure with all its texts as they are to be shown."""
+    def text(value):
+        return said(printable(value))
+
+    def curve(one):
+        return one._replace(label=text(one.label), names=tuple(map(text, one.names)))
+
+    return figure._replace(panels=tuple(panel._replace(
+        title=text(panel.title), x_label=text(panel.x_label), y_label=text(panel.y_label),
+        curves=tuple(map(curve, panel.curves)), marks=tuple(mark._replace(label=text(mark.label))
+                                                            for mark in panel.marks),
+        names=tuple((at, text(name)) for at, name in panel.names)) for panel in figure.panels))
 
 
 def _equal(sheet, columns, rows):
@@ -53,14 +67,14 @@ def _equal(sheet, columns, rows):
 def _above(sheet, canvas, margin, legend):
     """The lines over a canvas: title, label of y with the legend, labels of marks."""
     columns = margin + canvas.columns
-    return [*_wrapped(sheet.panel.title, columns), *_heading(printable(sheet.panel.y_label), legend, columns),
+    return [*_wrapped(sheet.panel.title, columns), *_heading(sheet.panel.y_label, legend, columns),
             *_mark_labels(sheet, canvas, margin)]
 
 
 def _wrapped(text, columns):
     """The text in lines of that width; a word that is longer is cut."""
     lines, line = [], ""
-    for word in printable(text).split(" "):
+    for word in text.split(" "):
         if line and columns_of(line) + 1 + columns_of(word) > columns:
             lines.append(line)
             line = word
@@ -86,7 +100,7 @@ def _heading(label, legend, columns):
     return [*lines, line]
 
 
-def _y_ticks(axis, canvas):
+def _y_ticks(axis, canvas, said):
     """{row: label}"""
     apart = 3 if canvas.rows >= 9 else 2
 
@@ -98,21 +112,21 @@ def _y_ticks(axis, canvas):
 
     half = (axis.high - axis.low) / (8 * canvas.rows)      # of a dot: a tick just beyond the end is at the end
     found = ticks(axis.low - half, axis.high + half, fits, axis.log, axis.degrees)
-    return dict(zip(rows(found), (label for _, label in found), strict=True))
+    return dict(zip(rows(found), (said(label) for _, label in found), strict=True))
 
 
-def _x_axis(sheet, canvas, margin, last):
+def _x_axis(sheet, canvas, margin, last, said):
     """The line of the axis with its ticks; below the last panel of a group the numbers and the label."""
     panel, axis = sheet.panel, sheet.x
 
     def placed(found):
-        return [(canvas.column(axis.part(place)), label) for place, label in found]
+        return [(canvas.column(axis.part(place)), said(label)) for place, label in found]
 
     def fits(found):
         return _row(placed(found), canvas, margin, gap=3) is not None
 
     if panel.names:
-        found = [(axis.place(place), shortened(printable(label), 12)) for place, label in panel.names]
+        found = [(axis.place(place), shortened(label, 12)) for place, label in panel.names]
         found = found[::next(n for n in range(1, len(found) + 1) if n == len(found) or fits(found[::n]))]
     else:
         found = ticks(axis.low, axis.high, fits, axis.log)
@@ -120,7 +134,7 @@ def _x_axis(sheet, canvas, margin, last):
     lines = [" " * (margin - 1) + "└" + "".join("┬" if column in at else "─" for column in range(canvas.columns))]
     if not last:
         return lines
-    label = shortened(printable(panel.x_label), canvas.columns)
+    label = shortened(panel.x_label, canvas.columns)
     row = _row(placed(found), canvas, margin, gap=1) or ""
     return [*lines, row, " " * (margin + (canvas.columns - columns_of(label)) // 2) + label]
 
@@ -139,7 +153,7 @@ def _row(placed, canvas, margin, gap):
 
 def _mark_labels(sheet, canvas, margin):
     """The labels of vertical marks above the canvas, in two lines where they crowd; what finds no room is left out."""
-    places = [(sheet.x.place(mark.at), printable(mark.label)) for mark in sheet.panel.marks if mark.axis == "x"]
+    places = [(sheet.x.place(mark.at), mark.label) for mark in sheet.panel.marks if mark.axis == "x"]
     placed = sorted((canvas.column(sheet.x.part(place)), label) for place, label in places
                     if label and place is not None and sheet.x.low <= place <= sheet.x.high)
     lines = [[], []]

@@ -4,7 +4,6 @@ from itertools import pairwise
 
 _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 _UPPER, _LOWER = 0x1B, 0xE4
-MARKS = "*+=~%&"
 
 
 class Canvas:
@@ -12,7 +11,7 @@ class Canvas:
 
     def __init__(self, columns, rows):
         self.columns, self.rows = columns, rows
-        self.layers, self.letters, self.behind = [], {}, {}
+        self.layers, self.marks, self.letters, self.behind = [], [], {}, {}
 
     def dots(self, across, up):
         """(x, y) in dots, not rounded, of a place given as parts of the width and height; one far outside is brought
@@ -26,11 +25,9 @@ class Canvas:
     def row(self, up):
         return rounded(self.dots(0.0, up)[1]) // 4
 
-    def holds(self, row, column):
-        return 0 <= row < self.rows and 0 <= column < self.columns
-
-    def layer(self):
-        """A new layer of dots, one byte a cell."""
+    def layer(self, mark=""):
+        """A new layer of dots, one byte a cell; `mark`: what stands for it in ASCII, strokes if empty."""
+        self.marks.append(mark)
         self.layers.append(bytearray(self.columns * self.rows))
         return self.layers[-1]
 
@@ -62,12 +59,13 @@ class Canvas:
         return not any((row, c) in self.letters or self.used(row, c) for c in range(column, column + length))
 
     def write(self, row, column, cells):
-        """Put cells of text, over dots where they are."""
+        """Put cells of text, over dots where they are; what lies outside is left out."""
         for i, cell in enumerate(cells):
-            self.letters[row, column + i] = cell
+            if 0 <= row < self.rows and 0 <= column + i < self.columns:
+                self.letters[row, column + i] = cell
 
     def lines(self, ascii=False):
-        """The rows as text; in ASCII one curve is drawn by strokes, several each by a character of its own."""
+        """The rows as text, in braille or ASCII."""
         cell = self._ascii if ascii else self._braille
         return ["".join(self.letters.get((row, column)) or cell(row, column) or self.behind.get((row, column), " ")
                         for column in range(self.columns)) for row in range(self.rows)]
@@ -83,9 +81,9 @@ class Canvas:
         used = self.used(row, column)
         if not used:
             return ""
-        if len(self.layers) > 1:
-            return MARKS[used[0] % len(MARKS)]
-        dots = self.layers[0][row * self.columns + column]
+        if self.marks[used[0]]:
+            return self.marks[used[0]]
+        dots = self.layers[used[0]][row * self.columns + column]
         return "|" if dots & _UPPER and dots & _LOWER else "'" if dots & _UPPER else "."
 
 

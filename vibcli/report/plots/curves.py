@@ -1,12 +1,12 @@
 """The curves of a panel on a canvas: lines told apart by their dots, points by letters, each with its label beside."""
 
-from vibcli.report.plots.canvas import MARKS, Canvas
+from vibcli.report.plots.canvas import Canvas
 from vibcli.report.plots.paper import thinned
-from vibcli.report.plots.words import cells, printable, shortened
+from vibcli.report.plots.words import cells, shortened
 
 _PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
-_OF_KIND = {"envelope": "x   ", "guide": "x      "}
-_POINTS = "×o#@$"
+_OF_KIND = {"envelope": "x   ", "guide": "x    "}
+_POINTS, _MARKS = "×o#@$", "*+=~%&"
 _LONGEST = 14      # columns of a label beside its curve
 _APART = 3         # rows between such a label and any other line
 
@@ -14,28 +14,34 @@ _APART = 3         # rows between such a label and any other line
 def draw(canvas, sheet, ascii=False):
     """Draw everything within the axes; returns the legend, one entry a labelled curve where there are several."""
     _behind(canvas, sheet)
-    samples, lines, points = [], [], 0
-    for number, (curve, runs) in enumerate(zip(sheet.panel.curves, sheet.strokes, strict=True)):
-        layer, pattern = canvas.layer(), None
+    curves, samples, lines, points = sheet.panel.curves, [], [], 0
+    alone = sum(curve.kind in ("line", "steady") for curve in curves) == 1
+    for number, (curve, runs) in enumerate(zip(curves, sheet.strokes, strict=True)):
         if curve.kind in ("markers", "stem"):
             samples.append(_POINTS[points % len(_POINTS)])
             points += 1
-            _points(canvas, sheet, curve, runs, layer, samples[-1])
+            _points(canvas, sheet, curve, runs, canvas.layer("|"), samples[-1])
             continue
+        mark = "." if curve.kind in _OF_KIND else "" if alone else _MARKS[len(lines) % len(_MARKS)]
         pattern = _OF_KIND.get(curve.kind) or _PATTERNS[len(lines) % len(_PATTERNS)]
-        for run in runs:
-            canvas.polyline(layer, _dots(canvas, sheet, run), pattern)
-        samples.append(MARKS[number % len(MARKS)] if ascii else _sample(pattern))
-        lines += [number] if curve.kind in ("line", "steady") else []
+        _line(canvas, sheet, runs, canvas.layer(mark), pattern)
+        samples.append(mark or "--" if ascii else _sample(pattern))
+        lines += [] if curve.kind in _OF_KIND else [number]
     _names(canvas, sheet)
     if not any(sheet.strokes):
         canvas.write(canvas.rows // 2, canvas.columns // 2 - 4, "no values")
-    labels = [printable(curve.label) for curve in sheet.panel.curves]
     for number in lines if len(lines) > 1 else ():
-        _beside(canvas, number, cells(shortened(labels[number], _LONGEST)))
-    entries = [f"{sample} {label}" for sample, label, curve in zip(samples, labels, sheet.panel.curves, strict=True)
-               if label and curve.kind != "guide"]
+        _beside(canvas, number, cells(shortened(curves[number].label, _LONGEST)))
+    entries = [f"{sample} {curve.label}" for sample, curve in zip(samples, curves, strict=True)
+               if curve.label and curve.kind != "guide"]
     return entries if len(entries) > 1 else []
+
+
+def _line(canvas, sheet, runs, layer, pattern):
+    for run in runs:
+        canvas.polyline(layer, _dots(canvas, sheet, run), pattern)
+        if len(run) == 1:
+            canvas.write(*_cell(canvas, sheet, *run[0]), "o")
 
 
 def _sample(pattern):
@@ -60,9 +66,7 @@ def _points(canvas, sheet, curve, runs, layer, letter):
         for x, y in run:
             if curve.kind == "stem":
                 canvas.polyline(layer, _dots(canvas, sheet, [(x, max(0.0, sheet.y.low)), (x, y)]))
-            row, column = _cell(canvas, sheet, x, y)
-            if canvas.holds(row, column):
-                canvas.write(row, column, letter)
+            canvas.write(*_cell(canvas, sheet, x, y), letter)
 
 
 def _behind(canvas, sheet):
@@ -79,7 +83,7 @@ def _behind(canvas, sheet):
             canvas.behind.update({(row, column): "┊" for row in range(canvas.rows)})
         else:
             row = _across(canvas, sheet, place)
-            label = cells(shortened(printable(mark.label), canvas.columns))
+            label = cells(shortened(mark.label, canvas.columns))
             start = canvas.columns - len(label)
             canvas.behind.update({(row, start + i): cell for i, cell in enumerate(label)})
 
@@ -94,7 +98,7 @@ def _names(canvas, sheet):
     """The texts beside points: right of them, left, above or below, wherever there is room first."""
     for curve in sheet.panel.curves:
         for x, y, name in zip(curve.x, curve.y, curve.names, strict=False):
-            x, y, text = sheet.x.place(x), sheet.y.place(y), cells(shortened(printable(name), _LONGEST))
+            x, y, text = sheet.x.place(x), sheet.y.place(y), cells(shortened(name, _LONGEST))
             if not text or x is None or y is None:
                 continue
             row, column = _cell(canvas, sheet, x, y)

@@ -18,7 +18,8 @@ def argand(eigenvalues, labels=(), title="", note=""):
     high = 1.1 * max((abs(y) for _, y in points), default=0.0)
     left, right = max(left, 0.1 * right), max(right, 0.1 * left)
     crosses = Curve("", tuple(x for x, _ in points), tuple(y for _, y in points), "markers", tuple(labels))
-    panel = Panel("", labelled("Re λ", unit), labelled("Im λ", unit), curves=(*_rays(left, high), crosses),
+    panel = Panel("", labelled("Re λ", unit), labelled("Im λ", unit.replace("1/s", "rad/s")),
+                  curves=(*_rays(left, high), crosses),
                   equal=left + right > _ROUND_FROM * 2 * high, x_range=(-left, right) if left + right > 0 else None)
     return Figure(title, (panel,), note)
 

@@ -6,6 +6,8 @@ import math
 from vibcli.report.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.report.plots.prefixes import labelled, largest, readable, unit_text
 
+_SAME = 1.01
+
 
 def of_frequency_response(Omega, H, kind="", unit="", peaks=(), antiresonances=(), title="", note="", log=None):
     """`H`: {label: complex values} at the angular frequencies Omega [rad/s], in one unit (or dimension); `kind`: what
@@ -19,7 +21,7 @@ def of_frequency_response(Omega, H, kind="", unit="", peaks=(), antiresonances=(
     y_log = _spans(together, 100)
     factor, unit = (1.0, unit_text(unit)) if y_log else readable(largest(together), unit_text(unit))
     name = f"|{next(iter(H))}|" if len(H) == 1 else kind
-    marks = [Mark(at, _short(at)) for at in peaks] + [Mark(at, _short(at)) for at in antiresonances]
+    marks = [Mark(at, _short(at)) for at in (*_distinct(peaks), *_distinct(antiresonances))]
     upper = Panel("", "Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
         Curve(label, tuple(Omega), tuple(size * factor for size in values)) for label, values in magnitudes.items()))
     lags = {label: lag(values) for label, values in H.items()}
@@ -33,6 +35,15 @@ def _spans(values, ratio):
     """Do the positive values span more than that ratio?"""
     values = [value for value in values if 0 < value < math.inf]
     return bool(values) and max(values) > ratio * min(values)
+
+
+def _distinct(places):
+    """Peaks of several curves at nearly the same place are marked once."""
+    found = []
+    for place in sorted(places):
+        if not found or place > _SAME * found[-1]:
+            found.append(place)
+    return found
 
 
 def _short(value):
@@ -72,7 +83,7 @@ def nyquist(Omega, H, unit="", at=(), title="", note=""):
     for label, values in H.items():
         curves.append(Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values)))
     for values in H.values():
-        points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to) for to in at]
+        points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to) for to in _distinct(at)]
         curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
                             tuple(values[i].imag * factor for i, _ in points), "markers",
                             tuple(f"{_short(to)} rad/s" for _, to in points)))

@@ -1,6 +1,7 @@
 """Texts of a page by their measured size: broken into lines, cut off, put where nothing is yet."""
 
 MOST_LINES = 3
+_MOST_LETTERS = 600      # more than any of these lines can show: what lies beyond is not measured
 
 
 def measured(artist, text, renderer):
@@ -11,6 +12,8 @@ def measured(artist, text, renderer):
 
 def fitted(artist, text, limit, renderer, across=True):
     """Set the text, its end cut off as … where it is longer than `limit` pixels (of height where not across)."""
+    text = text[:_MOST_LETTERS]
+
     def length(end):
         artist.set_text(text if end == len(text) else text[:end].rstrip() + "…")
         extent = artist.get_window_extent(renderer)
@@ -28,7 +31,7 @@ def fitted(artist, text, limit, renderer, across=True):
 
 def wrapped(artist, text, limit, renderer):
     """Set the text in lines of at most `limit` pixels, a few of them at most."""
-    lines, rest = [], text.split(" ")
+    lines, rest = [], text[:_MOST_LETTERS].split(" ")
     while rest and len(lines) < MOST_LINES - 1:
         n = _words(artist, rest, limit, renderer)
         lines.append(fitted(artist, " ".join(rest[:n]), limit, renderer).get_text())

@@ -5,7 +5,8 @@ from vibcli.report.plots.lettering import fitted
 from vibcli.report.plots.paper import thinned
 from vibcli.report.plots.words import printable, shortened
 
-_LONGEST = 40
+_LONGEST, _MOST_ROWS = 40, 3
+_PAPER = {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "boxstyle": "square,pad=0.1"}
 
 
 def draw_marks(axes, sheet, renderer):
@@ -30,13 +31,16 @@ def draw_marks(axes, sheet, renderer):
 
 
 def _above(axes, place, label, rows, renderer):
-    """Write the label over its mark, within the width of the axes, in the lowest row that has room."""
+    """Write the label over its mark, within the width of the axes, in the lowest row that has room, if one has."""
     text = axes.annotate("", (place, 1), (0, 0), xycoords=("data", "axes fraction"), textcoords="offset points",
                          fontsize=style.SMALL, color=style.GREY, ha="center", va="bottom")
     inner = axes.get_window_extent(renderer)
     extent = fitted(text, label, inner.width, renderer).get_window_extent(renderer)
     shift = min(inner.x1 - extent.x1, 0.0) or max(inner.x0 - extent.x0, 0.0)
     row = next((i for i, end in enumerate(rows) if extent.x0 + shift > end + 6), len(rows))
+    if row == _MOST_ROWS:
+        text.remove()
+        return
     rows[row:row + 1] = [extent.x1 + shift]
     text.set_position((shift * 72 / style.DOTS, 3 + 1.25 * style.SMALL * row))
 
@@ -54,7 +58,7 @@ def draw_names(axes, sheet, renderer):
             continue
         guide = curve.kind == "guide"
         text = axes.annotate("", (x, y), (0, 0), textcoords="offset points", fontsize=style.SMALL, zorder=4,
-                             color=style.GREY if guide else style.BLACK)
+                             color=style.GREY if guide else style.BLACK, bbox=_PAPER)
         fitted(text, name, 0.4 * inner.width, renderer)
         sides = _AT_END if guide else _AT_POINT
         _, best = min((_covered(_moved(text, side, renderer), texts, points, inner), i)

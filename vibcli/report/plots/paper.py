@@ -3,8 +3,11 @@
 import math
 from typing import NamedTuple
 
+from vibcli.errors import PhysicsError
+
 LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
 MOST_DECADES = 12
+MOST_PANELS = 40
 
 
 class Axis(NamedTuple):
@@ -35,6 +38,9 @@ class Sheet(NamedTuple):
 
 def sheets(figure):
     """The sheets of a figure; neighbours with the same x share its range."""
+    if len(figure.panels) > MOST_PANELS:
+        raise PhysicsError(f"a figure of {len(figure.panels)} panels is too large, {MOST_PANELS} are the most",
+                           "show fewer signals or modes at once")
     drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in figure.panels]
     ranges = [_limits([x for runs in strokes for run in runs for x, _ in run], panel.x_log, panel.x_range)
               for panel, strokes in zip(figure.panels, drawn, strict=True)]
@@ -130,6 +136,17 @@ def thinned(run, axis, columns):
         column = here
         group.append(point)
     return found + _extremes(group)
+
+
+def fewer(x, y, most=20000):
+    """(x, y) as tuples, of very many points the first, lowest, highest and last of each few that follow each other."""
+    if len(x) > most:
+        size = -(-4 * len(x) // most)
+        parts = [list(zip(x[i:i + size], y[i:i + size], strict=True)) for i in range(0, len(x), size)]
+        kept = [point for part in parts for point in (_extremes(part) if math.isfinite(sum(y for _, y in part))
+                                                      else part)]
+        x, y = zip(*kept, strict=True)
+    return tuple(x), tuple(y)
 
 
 def _extremes(group):

@@ -49,4 +49,5 @@ def labelled(name, unit):
 
 def largest(values):
     """The largest magnitude of the finite ones among real or complex numbers; 0 where there is none."""
+    values = values.tolist() if hasattr(values, "tolist") else values
     return max((size for size in map(abs, values) if size < math.inf), default=0.0)

@@ -4,10 +4,12 @@ import math
 from itertools import pairwise
 
 from vibcli.report.plots.figure import Curve, Figure, Mark, Panel
+from vibcli.report.plots.paper import fewer
 from vibcli.report.plots.prefixes import labelled, largest, readable, unit_text
 
 _LONGEST = 30      # columns of a label that names every curve
 _MOST_TURNS = 24   # of signals that share a panel
+_MOST_APART = 6    # signals of a unit that get panels of their own
 
 
 def of_response(times, series, steady=None, envelope=None, marks=(), title="", note=""):
@@ -16,7 +18,7 @@ def of_response(times, series, steady=None, envelope=None, marks=(), title="", n
     `marks`: (time [s], label)."""
     steady, envelope = steady or [None] * len(series), envelope or [None] * len(series)
     factor, second = readable(largest(times), "s")
-    t = tuple(time * factor for time in times)
+    t = _listed(times, factor)
     groups = {}
     for (label, unit, values), stays, bounds in zip(series, steady, envelope, strict=True):
         groups.setdefault(unit_text(unit) or ("rad" if unit == {} else ""), []).append((label, values, stays, bounds))
@@ -24,6 +26,11 @@ def of_response(times, series, steady=None, envelope=None, marks=(), title="", n
     panels = [panel for unit, group in groups.items() for panel in _panels(t, labelled("t", second), unit, group)]
     panels = tuple(panel._replace(marks=lines if i == 0 else _silent(lines)) for i, panel in enumerate(panels))
     return Figure(title, panels, note)
+
+
+def _listed(values, factor):
+    """Floats of Python times the factor: an array's own are slow."""
+    return [value * factor for value in (values.tolist() if hasattr(values, "tolist") else values)]
 
 
 def _silent(marks):
@@ -34,7 +41,7 @@ def _panels(t, t_label, unit, group):
     """One panel for the signals of a unit, or one for each, in the same scale, where they turn too often."""
     factor, unit = readable(max(largest(values) for _, values, _, _ in group), unit)
     together = _panel(t, t_label, unit, factor, group)
-    if len(group) == 1 or max(_turns(values) for _, values, _, _ in group) <= _MOST_TURNS:
+    if not 1 < len(group) <= _MOST_APART or max(_turns(curve.y) for curve in together.curves) <= _MOST_TURNS:
         return [together]
     values = [y for curve in together.curves for y in curve.y if math.isfinite(y)]
     scale = (min(values), max(values)) if values and min(values) < max(values) else None
@@ -49,7 +56,7 @@ def _turns(values):
 
 def _panel(t, t_label, unit, factor, group):
     def curve(label, values, kind):
-        return Curve(label, t, tuple(value * factor for value in values), kind)
+        return Curve(label, *fewer(t, _listed(values, factor)), kind)
 
     several = len(group) > 1
     curves = [curve(label, values, "line") for label, values, _, _ in group]
@@ -60,6 +67,6 @@ def _panel(t, t_label, unit, factor, group):
         if bounds is not None:
             upper, lower = bounds if len(bounds) == 2 else (bounds, [-value for value in bounds])
             curves += [curve(f"{of}envelope", upper, "envelope"), curve("", lower, "envelope")]
-    names = ", ".join(label for label, *_ in group)
+    names = ", ".join(dict.fromkeys(label.removesuffix(", transient") for label, *_ in group))
     label = labelled(names if len(names) <= _LONGEST else "", unit)
     return Panel("", t_label, label, curves=tuple(curves))

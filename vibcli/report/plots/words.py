@@ -2,8 +2,8 @@
 
 import unicodedata
 
-_ASCII = {"−": "-", "·": "*", "°": "deg", "–": "-", "—": "-", "…": "...", "×": "x", "√": "sqrt", "∠": "angle ",
-          "┤": "+", "┬": "+", "│": "|", "─": "-", "└": "+", "┊": ":", "┈": ".", "○": "o", "△": "^", "µ": "u",
+_ASCII = {"−": "-", "·": "*", "°": "deg", "–": "-", "—": "-", "…": "~", "×": "x", "√": "sqrt", "∠": "angle ",
+          "┤": "+", "┬": "+", "│": "|", "─": "-", "└": "+", "┊": ":", "┈": "-", "µ": "u", "′": "'", "″": "''",
           "∞": "inf", "≤": "<=", "≥": ">=", "≈": "~", "\u0307": "'", "\u0308": "''", "‖": "||", "⁻": "-"}
 
 
@@ -59,6 +59,7 @@ def _in_ascii(letter):
     name = unicodedata.name(letter, "")
     if name.startswith("GREEK") and " LETTER " in name:
         word = name.partition(" LETTER ")[2].split(" WITH ")[0].lower()
+        word = "lambda" if word == "lamda" else word
         return word.capitalize() if "CAPITAL" in name else word
     return "".join(_ASCII.get(part, part if part.isascii() else "?") if part != letter else "?"
                    for part in unicodedata.normalize("NFKD", letter))

@@ -1,0 +1,74 @@
+"""Passages through a level, and extremes, of any signal along a trajectory: by the roots of its polynomial per window.
+
+A signal is a function of times, smooth within each window as the motion is. Its Legendre series there comes from its
+values at the Gauss points; the roots are those of that series (Boyd 2013), polished by Newton's method.
+"""
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from vibcli.analyses.trajectory.collocation import rule
+
+POINTS = 40
+NOTHING = 1e-15         # of the largest coefficient
+ALIKE = 4e-15           # of the range of a signal
+EDGE = 1e-12            # how far beyond the ends of a window a root may be, by rounding
+SAME = 1e-11            # of a window: roots closer than this are one
+
+
+def passages(trajectory, signal, start, end, level=0.0):
+    """Instants in [start, end] at which a signal passes the level, ascending."""
+    found = []
+    for window, t, series in _series(trajectory, signal, start, end):
+        if np.abs(series).max(initial=0.0):
+            shifted = series - level * np.eye(1, len(series))[0]
+            found += [(t(x), window.end) for x in _roots(shifted)]
+    times = []
+    for time, length in sorted(found):
+        if start <= time <= end and (not times or time - times[-1] > SAME * length + 4e-16 * time):
+            times.append(float(time))
+    return times
+
+
+def extreme(trajectory, signal, start, end, sense):
+    """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]."""
+    candidates = [start, end]
+    for window, t, series in _series(trajectory, signal, start, end):
+        candidates += [window.start, window.start + window.end]
+        slope = legendre.legder(series)
+        if np.abs(slope).max(initial=0.0) > NOTHING * np.abs(series).max(initial=0.0):
+            candidates += [t(x) for x in _roots(slope)]
+    times = np.array(sorted({float(time) for time in candidates if start <= time <= end}))
+    values = sense * signal(times)
+    best = int(np.argmax(values >= values.max() - ALIKE * np.ptp(values)))     # the first of those that are alike
+    return float(times[best]), float(sense * values[best])
+
+
+def _series(trajectory, signal, start, end):
+    """(window, map of [−1, 1] to its times, Legendre series of the signal on it) of the windows that [start, end]
+    meets."""
+    gauss = rule(POINTS)
+    windows = [window for window in trajectory.windows if window.start <= end and window.start + window.end >= start]
+    times = np.concatenate([window.start + gauss.c * window.end for window in windows])
+    values = np.asarray(signal(times), dtype=float).reshape(len(windows), POINTS)
+    for window, row in zip(windows, values @ gauss.to_series, strict=True):
+        yield window, (lambda x, window=window: window.start + 0.5 * (x + 1) * window.end), row
+
+
+def _roots(series):
+    """The real roots of a Legendre series in [−1, 1]."""
+    used = np.flatnonzero(np.abs(series) > NOTHING * np.abs(series).max(initial=0.0))
+    if not len(used) or used[-1] == 0:
+        return []
+    kept = series[:used[-1] + 1]
+    if np.abs(kept[1:]).sum() < abs(kept[0]):
+        return []
+    roots = legendre.legroots(kept)
+    real = roots[np.abs(roots.imag) <= 1e-7].real
+    real = np.clip(real[np.abs(real) <= 1 + 1e-6], -1.0, 1.0)
+    slope = legendre.legder(kept)
+    for _ in range(3):
+        bottom = legendre.legval(real, slope)
+        step = np.where(bottom == 0, 0.0, legendre.legval(real, kept) / np.where(bottom == 0, 1.0, bottom))
+        real = np.where(np.abs(step) < 1e-5, real - step, real)
+    return [x for x in real.tolist() if abs(x) <= 1 + EDGE]

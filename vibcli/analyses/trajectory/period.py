@@ -1,0 +1,142 @@
+"""The period of the actual motion of one conservative degree of freedom, by quadrature.
+
+½ m(q) q̇² + V(q) = E between the places q₁ < q₂ at which it comes to rest, so T = 2 ∫ √(m/(2(E − V))) dq. With
+q = (q₁ + q₂)/2 + (q₂ − q₁)/2 sin θ the integrand is smooth and periodic in θ, and the midpoint rule converges with
+every power; E − V is found as an integral of −V′ from the nearer end, where the difference would lose its digits.
+"""
+
+import math
+
+import numpy as np
+from numpy.polynomial.legendre import leggauss
+
+from vibcli.algebra.calculus import gradient
+from vibcli.errors import PhysicsError
+from vibcli.mechanics.compiled import SWITCHED, Compiled
+from vibcli.mechanics.dynamics import dynamics
+from vibcli.mechanics.energies import effective_potential
+
+FIRST, MOST = 16, 1 << 15
+ACCURACY, ENOUGH = 1e-14, 1e-9
+INNER = 40
+STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring would go
+
+
+def exact_period(scene, floats, q, v):
+    """The period [s] of the motion from (q, v); None where the scene has several coordinates, or is not conservative.
+
+    PhysicsError where the motion does not come back."""
+    if len(scene.q) != 1 or not _conservative(scene):
+        return None
+    slope, inertia = _functions(scene, floats)
+    speed = 0.5 * inertia(np.array([q]))[0] * v * v
+    ends = [_turn(slope, q, speed, side) for side in (-1, 1)]
+    middle, reach = 0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0])
+    if not reach:
+        raise PhysicsError("the scene is at rest: its motion has no period", "give it an `initial` state")
+    points, before, found, change = FIRST, np.inf, 0.0, np.inf
+    while points <= MOST:
+        theta = (np.arange(points) + 0.5) * (math.pi / points) - 0.5 * math.pi
+        drops = _drops(slope, middle, reach, theta)
+        q_theta = middle + reach * np.sin(theta)
+        with np.errstate(all="ignore"):
+            found = 2 * math.pi / points * np.sum(reach * np.cos(theta) * np.sqrt(inertia(q_theta) / (2 * drops)))
+        last, change = change, abs(found - before)
+        if change <= ACCURACY * found or (change <= ENOUGH * found and change > 0.25 * last):
+            return float(found)
+        points, before = 2 * points, found
+    if change <= ENOUGH * found:
+        return float(found)
+    raise PhysicsError("the period of this motion is not found: it comes to rest only in the limit",
+                       "start it a little off the unstable equilibrium")
+
+
+def _conservative(scene):
+    """Is the energy ½ m(q) q̇² + V(q) constant, with smooth forces?"""
+    lost = scene.dampers or "C" in scene.matrices or not scene.energies["Phi"].is_zero
+    return not (scene.timed or lost or scene.forces or scene.loops is not None
+                or scene.table.called.intersection(SWITCHED))
+
+
+def _functions(scene, floats):
+    """V′ and m as functions of arrays of places."""
+    force = gradient(effective_potential(scene)).get(scene.q[0], scene.table.zero)
+    compiled = Compiled(scene, floats, None, [force, dynamics(scene).M[0, 0]])
+
+    def part(number):
+        def values(q):
+            found = compiled(np.zeros(q.size), q.reshape(1, -1), np.zeros((1, q.size)))[number]
+            return np.broadcast_to(found, (q.size,)).reshape(q.shape)
+        return values
+    return part(0), part(1)
+
+
+def _gain(slope, start, end):
+    """V(end) − V(start) as ∫ V′, by Gauss's rule."""
+    x, w = leggauss(INNER)
+    half = 0.5 * (end - start)
+    return half * float(slope(0.5 * (start + end) + half * x) @ w)
+
+
+def _turn(slope, q, speed, side):
+    """Where the motion comes to rest on one side: V(q*) = V(q) + speed."""
+    force = float(slope(np.array([q]))[0])
+    if not speed and side * force >= 0 and force:
+        return q
+    scale = _scale(slope, q, speed)
+    low, high, gained, step = q, None, 0.0, scale
+    for _ in range(STEPS):
+        trial = _not_beyond_a_top(slope, low, low + side * step, side)
+        more = _gain(slope, low, trial)
+        if gained + more >= speed and (speed or gained + more > 0):
+            high = trial
+            break
+        low, gained, step = trial, gained + more, min(1.1 * step, WIDEST * scale)
+        if not math.isfinite(gained):
+            break
+    if high is None:
+        raise PhysicsError("this motion does not come back: nothing turns it round", "ask for x at a time")
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        more = _gain(slope, low, middle)
+        if gained + more >= speed:
+            high = middle
+        else:
+            low, gained = middle, gained + more
+    return high
+
+
+def _not_beyond_a_top(slope, low, trial, side):
+    """The trial, or the greatest V on the way to it where that lies between."""
+    def climbs(q):
+        return side * float(slope(np.array([q]))[0]) > 0
+
+    if climbs(trial) or not climbs(low):
+        return trial
+    for _ in range(200):
+        middle = 0.5 * (low + trial)
+        if middle in (low, trial):
+            break
+        low, trial = (middle, trial) if climbs(middle) else (low, middle)
+    return trial
+
+
+def _scale(slope, q, speed):
+    """A small part of how far the motion goes."""
+    step = 1e-6 * (abs(q) or 1.0)
+    stiffness = abs(float(np.diff(slope(np.array([q - step, q + step])))[0])) / (2 * step)
+    force = abs(float(slope(np.array([q]))[0]))
+    far = math.sqrt(2 * speed / stiffness) if speed and stiffness else force / stiffness if stiffness else abs(q) or 1.0
+    return 0.05 * far
+
+
+def _drops(slope, middle, reach, theta):
+    """E − V at the places, each integrated from the nearer end: with s = sin θ, the way to it is reach·(1 ∓ s)."""
+    x, w = leggauss(INNER)
+    side = np.where(theta >= 0, 1.0, -1.0)
+    gap = reach * 2 * np.sin(0.25 * math.pi - 0.5 * np.abs(theta)) ** 2       # 1 − sin|θ| without a difference
+    ends = middle + side * reach
+    places = ends[:, None] - (side * gap)[:, None] * (0.5 * (1 + x))[None, :]
+    return side * gap * (slope(places) @ (0.5 * w))

@@ -1,0 +1,46 @@
+"""Whether a spring or damper acts between rotations, and what that makes of its other keys."""
+
+from vibcli import units
+from vibcli.fields import Choice, Kind, OneOf, Quantity
+from vibcli.reading import Expression
+
+
+class Torsion(Kind):
+    """A torsional coefficient, or the word true where something else says how large the moment is."""
+
+    def __init__(self, unit):
+        self.kind = Quantity(unit)
+
+    @property
+    def wants(self):
+        return self.kind.wants + ", or the word true"
+
+    def read(self, node, reader):
+        return True if getattr(node, "text", None) == "true" else self.kind.read(node, reader)
+
+    def schema(self):
+        return {"anyOf": [{"const": True}, *OneOf(self.wants, scalar=Choice("true")).schema()["anyOf"],
+                          {"type": ["string", "number"]}]}
+
+
+def settle_torsion(record, reader, forces, local, rate):
+    """The dimensions of what is a force, or of torsion a moment; `forces`: such keys, the law included, in which
+    `local` is the deflection, or its rate."""
+    torsion = "torsion" in record
+    length = units.NONE if torsion else units.LENGTH
+    for key in ("stretch", "gap"):
+        if key in record:
+            record[key].dimension = length
+    for key in forces:
+        if isinstance(record.get(key), Expression):
+            record[key].unit = "N*m" if torsion else "N"
+            record[key].dimension = units.parse_unit(record[key].unit).dimension
+    if "law" in record:
+        reader.local_names[id(record["law"])] = local, units.times(length, units.TIME, -1) if rate else length
+    said = [key for key in ("law", "friction") if key in record]
+    if record.get("torsion") is True and not said:
+        reader.report(record.place("torsion"), "`torsion: true` stands beside what says how large the moment is",
+                      "write torsion: with its coefficient" + (", or a law" if not rate else ", a law or friction"))
+    if "law" in record and "torsion" in record and record["torsion"] is not True:
+        reader.report(record.place("torsion"), "'torsion' contradicts 'law' in one element",
+                      "write `torsion: true` beside a law")

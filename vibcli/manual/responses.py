@@ -1,0 +1,78 @@
+"""Texts of the manual on motions in time, frequency responses and signals. Data alone."""
+
+from vibcli import signals
+
+RESPONSE = [
+    "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "
+    "`answers`. It needs numbers for all parameters.",
+    [
+        ("start", "At t = 0, as `initial` says: `{x: 2 cm, x': 0.5 m/s}`, counted as in the drawn position. A "
+         "coordinate left out starts where the equilibrium has it, a velocity left out is 0. `{released: pull}` starts "
+         "at rest in the equilibrium under the force `pull`, which lets go at t = 0. Loads that depend on the time are "
+         "not there before t = 0."),
+        ("small", "`motion: small`, the default: small oscillations about the equilibrium, exact at any time."),
+        ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
+         "Events and the balance of the energies are printed. Values in time, `max`, `min`, `zero` and `period` can be "
+         "asked, no steady states."),
+        ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
+         "1/1000, or what grows fastest has grown to 1000 times, between 2 and 60 of the longest periods; without "
+         "either 10 periods, or two beats. That is counted from where the loads last change their form."),
+        ("extremes", "`max`, `min`, `argmax`, `argmin` and `zero[i]` look at 0 ≤ t ≤ end."),
+        ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
+         "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "
+         "resonance without damping there is none."),
+        ("formula", "Printed where it is short: decaying vibrations and waves, for each piece of the loads."),
+    ],
+    "What `answers` and `choose` may ask of a signal, such as `x`, `x'`, `P.y`, `s.force` or `s.force + d.force`:",
+    [
+        ("x(0.4 s)", "its value; `x'(0.4 s)` that of its rate; of a sum "
+         "`(s.force + d.force)(0.4 s)`; at a jump the value after it. `--at 0.4` prints "
+         "it, `--digits 30` exactly"),
+        ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
+        ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
+        ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load depends on the time of "
+         "the free vibration"),
+        ("mean(x)", "with `rms(x)`, `harmonic[3](x)`: of a periodic steady state"),
+        ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`, `envelope(x)`: of a free vibration of one "
+         "frequency"),
+        ("beat_period(x)", "of two neighbouring frequencies"),
+        ("steady(x)", "with `transient(x)`: signals again, as in `max(steady(x))`, `steady(x)(2 s)`"),
+    ],
+    "Loads in time: `vibcli explain time`. Signals: `vibcli explain signals`. Plots and files: `--plot`, `--save`, see "
+    "`vibcli explain pictures` and `vibcli explain data`.",
+]
+
+FREQUENCY_RESPONSE = [
+    "`vibcli frf FILE` finds H(Omega), the complex amplitude of a signal of small oscillations over that of an input "
+    "which vibrates with Omega; the signal lags behind the input by θ = −arg H. Without dampers peaks are infinite.",
+    [
+        ("input", "a force or moment by its name, 1 N or 1 N·m along the line in which the scene has it, whatever it "
+         "is there; an unbalance, 1 kg·m; a driven point, displaced by 1 m; a coordinate, the generalised force 1 on "
+         "it. The first of these in the file unless `--to` or `find` names one."),
+        ("output", "any signal and its rates: `x` (receptance), `x'` (mobility), `x''`, `P.y`, `s.force`, "
+         "`ground.force`"),
+        ("unit", "that of the output over that of the input: m/N, 1 of a force by a force"),
+        ("frequency", "rad/s, or Hz where the unit says so: `frf[x, drive](5 Hz)`"),
+    ],
+    "What `answers` and `choose` may ask:",
+    [
+        ("abs(frf[x, drive](5 Hz))", "amplitude for a unit of the input; also `phase`, `arg`, `re`, `im`"),
+        ("peak[1](frf[x, drive]).Omega", "its first resonance, `.value` the amplitude there"),
+        ("antiresonance[1](frf[x, drive])", "where it vanishes, or is least where it is damped"),
+        ("half_power[1](frf[x, drive])", "where it is 1/√2 of peak 1 below it, `half_power[2]` above it; 3 and 4 of "
+         "peak 2"),
+        ("quality[1](frf[x, drive])", "Q of peak 1: its Omega over the distance of its half-power points"),
+        ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point `base`"),
+        ("transmissibility[ground.force, F](Omega)", "the part of a force that reaches the ground"),
+    ],
+    "An isolator: `choose: {k: \"transmissibility[y, base](Omega) = 0.1\"}`. An absorber that holds a machine still: "
+    "`choose: {k2: amplitude(x1) = 0}`, as in `vibcli new tuned_absorber`.",
+]
+
+SIGNALS = [
+    "Beside coordinates these can be asked for: in equilibrium `equilibrium[hoist.force]`, in modes `mode[1][P.y]` "
+    "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
+    "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. Of "
+    "motions of the full equations forces are found of springs and dampers alone.",
+    list(signals.ABOUT),
+]

@@ -1,0 +1,165 @@
+"""What bends or jumps with the motion: the switches of a system, and which sense each has at an instant.
+
+A switch is the sign σ of an argument g(t, q, q̇). Where g vanishes, its sense follows from where g is going. Where both
+senses drive g back to zero, as dry friction does at rest, the switch slides: −σ₀ ≤ σ ≤ σ₀ is what keeps ġ = 0 (Filippov
+1988, §4); q̈ is linear in it. A switch leaves its slide where that σ passes the bound σ₀, 1 if nothing else is given.
+"""
+
+from itertools import product
+
+import numpy as np
+
+from vibcli.algebra.calculus import gradient
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.errors import PhysicsError
+
+NOTHING = 1e-12         # of what an argument is made of: zero but for rounding
+MOST_TOGETHER = 6
+
+
+class Switching:
+    """The arguments of a system's switches with their rates; bounds: σ₀ of each; names: of what bends with each."""
+
+    def __init__(self, system, bounds=None, names=None):
+        self.system, self.arguments = system, system.switches
+        self.names = [(names or {}).get(node, "") for node in self.arguments]
+        count = len(self.arguments)
+        self.count = count
+        if not count:
+            return
+        found = [system.rate_of(node) for node in self.arguments]
+        again = [system.rate_of(drift) for drift, _ in found]
+        self._at_speed = [bool(slopes) for _, slopes in found]
+        self._rates = [self._compiled(*rate) for rate in found]
+        self._seconds = [None if fast else self._compiled(*rate)
+                         for fast, rate in zip(self._at_speed, again, strict=True)]
+        self._values = system.compiled(self.arguments)
+        self._slopes = system.compiled([slope for node in self.arguments for slope in _slopes(system.scene, node)])
+        limits = bounds or {}
+        limits = dict(zip(limits, evaluate(list(limits.values()), Floats, system.floats), strict=True))
+        self.bounds = np.array([limits.get(node, 1.0) for node in self.arguments])
+        if len(system.switches) != count:
+            raise PhysicsError("a force of this scene bends where another one bends: its rate has kinks of its own",
+                               "write it with fewer of abs, sign, min and max")
+
+    def _compiled(self, drift, slopes):
+        return list(slopes), self.system.compiled([drift, *slopes.values()])
+
+    def values(self, t, q, v, g):
+        """The arguments at instants, of shape (count, instants)."""
+        found = np.empty((self.count, q.shape[1]))
+        for k, value in enumerate(self._values(t, q, v, g)):
+            found[k] = value
+        return found
+
+    def rates(self, which, t, q, v, a, g):
+        """ġ of the switches `which`, of shape (len(which), instants)."""
+        return np.array([_rate(*self._rates[k], t, q, v, a, g) for k in which]).reshape(len(which), q.shape[1])
+
+    def sizes(self, t, q, v, g):
+        """What each argument is made of: Σ |∂g/∂x|·|x| at one instant."""
+        n = len(q)
+        slopes = np.array([float(np.max(value)) for value in self._slopes(np.array([t]), q[:, None], v[:, None], g)])
+        return np.abs(slopes.reshape(self.count, 2 * n)) @ np.abs(np.concatenate([q, v]))
+
+    def sliding(self, which, t, q, v, g, c=None):
+        """(q̈, σ of the switches that slide) at instants: σ of shape (len(which), instants)."""
+        accelerations = self.system.accelerations
+        g = [np.zeros(q.shape[1]) if k in which else sense for k, sense in enumerate(g)]
+        a0 = accelerations(t, q, v, g, c)
+        turned = []
+        for k in which:
+            g[k] = np.ones(q.shape[1])
+            turned.append(accelerations(t, q, v, g, c) - a0)
+            g[k] = np.zeros(q.shape[1])
+        held = self.rates(which, t, q, v, a0, g)
+        slope = np.array([self.rates(which, t, q, v, a0 + turn, g) - held for turn in turned]).transpose(2, 1, 0)
+        sigma = np.linalg.solve(slope, -held.T[:, :, None])[:, :, 0].T
+        return a0 + sum(turn * s for turn, s in zip(turned, sigma, strict=True)), sigma
+
+    def settled(self, t, q, v, before=None, zero=(), slides=()):
+        """(senses, switches that slide) at an instant; `before`: senses until then, None at the start; `zero`: switches
+        whose argument is known to vanish, or which leave their slide, being among those that `slides` until then."""
+        if not self.count:
+            return (), ()
+        g = np.array(before if before is not None else np.ones(self.count))
+        q1, v1, t1 = q[:, None], v[:, None], np.array([t])
+        values = self.values(t1, q1, v1, g)[:, 0]
+        tiny = np.abs(values) <= NOTHING * self.sizes(t, q, v, g)
+        tiny[list(zero)] = True
+        g = np.where(tiny, g, np.where(values < 0, -1.0, 1.0))
+        slow = [k for k in np.flatnonzero(tiny) if not self._at_speed[k]]
+        for k in slow:
+            rate = _rate(*self._rates[k], t1, q1, v1, q1, g)[0]
+            g[k] = np.sign(rate) or g[k]
+        leaving = [k for k in zero if k in slides]
+        if leaving:
+            sigma = dict(zip(slides, self.sliding(slides, t1, q1, v1, g)[1][:, 0], strict=True))
+            g[leaving] = [np.sign(sigma[k]) for k in leaving]
+        fast = [k for k in np.flatnonzero(tiny) if self._at_speed[k]]
+        g, slides = self._released(fast, leaving, t1, q1, v1, g) if fast else (g, ())
+        for k in slow:
+            if not _rate(*self._rates[k], t1, q1, v1, q1, g)[0]:
+                a = self.sliding(slides, t1, q1, v1, g)[0] if slides else self.system.accelerations(t1, q1, v1, g)
+                g[k] = np.sign(_rate(*self._seconds[k], t1, q1, v1, a, g)[0]) or g[k]
+        return tuple(g), tuple(slides)
+
+    def _released(self, fast, leaving, t, q, v, g):
+        """Senses of switches of velocities that vanish, and which of them slide: as few are let go as can be, those
+        that leave their slide with the sense that they have."""
+        if len(fast) > MOST_TOGETHER:
+            raise PhysicsError(f"{len(fast)} elements with friction come to rest at the same instant",
+                               "friction is followed for at most six at once")
+        opposed = self._opposed(fast, t, q, v, g)
+        choices = [(g[k],) if k in leaving else (0, 1, -1) if k in opposed else (1, -1) for k in fast]
+        ranked = sorted(product(*choices), key=lambda senses: sum(map(abs, senses)))
+        for senses in ranked:
+            trial = g.copy()
+            trial[fast] = [sense or 1.0 for sense in senses]
+            slides = tuple(k for k, sense in zip(fast, senses, strict=True) if not sense)
+            if slides:
+                try:
+                    a, sigma = self.sliding(slides, t, q, v, trial)
+                except np.linalg.LinAlgError:
+                    continue
+                if (np.abs(sigma[:, 0]) > self.bounds[list(slides)] * (1 + NOTHING)).any():
+                    continue
+            else:
+                a = self.system.accelerations(t, q, v, trial)
+            if all(self._goes(k, t, q, v, a, trial) for k, sense in zip(fast, senses, strict=True)
+                   if sense and k not in leaving):
+                return trial, slides
+        raise PhysicsError(f"at t = {t[0]:.6g} s the forces of friction and what they hang on contradict each other",
+                           "mind the normal forces: friction that grows with itself locks")
+
+    def _goes(self, k, t, q, v, a, g):
+        """Does the argument of a switch go where its sense says, but for rounding?"""
+        places, compiled = self._rates[k]
+        drift, *slopes = compiled(t, q, v, g)
+        terms = [np.max(drift), *(np.max(slope * a[i]) for i, slope in zip(places, slopes, strict=True))]
+        return sum(terms) * g[k] >= -NOTHING * sum(map(abs, terms))
+
+    def _opposed(self, fast, t, q, v, g):
+        """The switches whose σ drives their own argument back."""
+        found = []
+        for k in fast:
+            up, down = g.copy(), g.copy()
+            up[k], down[k] = 1.0, -1.0
+            rates = [self.rates([k], t, q, v, self.system.accelerations(t, q, v, side), side)[0, 0]
+                     for side in (up, down)]
+            if rates[0] < rates[1]:
+                found.append(k)
+        return found
+
+
+def _rate(places, compiled, t, q, v, a, g):
+    drift, *slopes = compiled(t, q, v, g)
+    total = np.zeros(q.shape[1]) + drift
+    for i, slope in zip(places, slopes, strict=True):
+        total = total + slope * a[i]
+    return total
+
+
+def _slopes(scene, node):
+    found = gradient(node)
+    return [found.get(x, scene.table.zero) for x in (*scene.q, *scene.v)]

@@ -1,0 +1,50 @@
+"""Motions in time and frequency responses as data for --json, in SI units."""
+
+from math import isfinite
+
+from vibcli.errors import PhysicsError
+from vibcli.report.response import harmonics_of, phase_in
+from vibcli.report.responses import curves_asked, extremes, signals_asked
+
+
+def response_data(problem, wanted):
+    """{"until", "initial", "signals", "balance"} of a motion in time."""
+    motion, asked = problem.motion, signals_asked(problem, wanted.signals)
+    places, speeds = problem.start
+    found = {"until": motion.until, "initial": {**places, **{name + "'": v for name, v in speeds.items()}},
+             "signals": []}
+    for one, (late, most), (early, least) in extremes(asked, motion.until):
+        found["signals"].append({"signal": one.text, "unit": one.unit, "max": most, "argmax": late, "min": least,
+                                 "argmin": early, "steady": _steady(motion, one.signal, wanted.phase)})
+    full = problem.spec.get("motion") == "full"
+    return found | {"balance": float(motion.trajectory().balance.error) if full else None}
+
+
+def _steady(motion, signal, convention):
+    """The harmonics of the steady state; None where there is none."""
+    if not motion.drive or not hasattr(signal, "output"):
+        return None
+    try:
+        return [{"Omega": Omega, "amplitude": abs(X), "phase": phase_in(convention, X)}
+                for Omega, X in harmonics_of(signal)]
+    except PhysicsError:
+        return None
+
+
+def frequency_response_data(problem, wanted):
+    """[{"signal", "input", "unit", "peaks", "antiresonances"}] of the frequency responses asked for."""
+    return [{"signal": name, "input": driver, "unit": unit,
+             **_curve(problem.frequency_response(name, driver))}
+            for name, driver, unit in curves_asked(problem, wanted)]
+
+
+def _curve(curve):
+    return {"peaks": [{"Omega": Omega, "value": value if isfinite(value) else None, "quality": _quality(curve, i)}
+                      for i, (Omega, value) in enumerate(curve.peaks, 1)], "antiresonances": curve.antiresonances}
+
+
+def _quality(curve, number):
+    try:
+        return curve.quality(number)
+    except PhysicsError:
+        return None
