@@ -16,8 +16,11 @@ def within(seconds, work, otherwise, size=0):
     """What `work()` gives, or `otherwise` where it takes longer.
 
     Timers belong to the main thread. Elsewhere, and where the platform has none, the work is done without a bound if
-    its `size` (terms, say) is small. Within another call the nearer of the two ends counts.
+    its `size` (terms, say) is small. Within another call the nearer of the two ends counts. What the work imports is
+    imported before: an import that is broken off leaves modules half made.
     """
+    import sympy  # noqa: F401
+
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         return work() if size <= SMALL else otherwise
     left = signal.getitimer(signal.ITIMER_REAL)[0]
