@@ -100,7 +100,8 @@ def _refusal(refusal):
 
 
 def _picture(block, place):
-    return (f"\\begin{{center}}\n\\includegraphics[width=0.8\\linewidth]{{{place(block)}}}\\\\\n"
+    size = r"width=0.8\linewidth,height=0.4\textheight,keepaspectratio"
+    return (f"\\begin{{center}}\n\\includegraphics[{size}]{{{place(block)}}}\\\\\n"
             f"{{}}{escaped(block.caption)}\n\\end{{center}}")
 
 
