@@ -47,10 +47,11 @@ class Motion:
         return self.problem.excitation if self.problem.scene.timed else {}
 
 
-def nonlinear(owner):
+def nonlinear(spec, owner):
     """The refusal of a motion in time that nobody said to linearise."""
+    record = {**spec.get("springs", {}), **spec.get("dampers", {})}.get(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
-                        "write motion: full, or motion: small where the motion stays small")
+                        "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
 class SmallMotion(Motion):
