@@ -99,7 +99,8 @@ def _from_the_start(problem, steady):
     known = _known_regime(problem, m, c, k)
     blocks = [block for motion in found if known in (None, motion.regime)
               for block in _regime(name, motion, prefix, (m, c, k))]
-    yield from section(f"Motion of {symbol(name)} from the start" if steady else f"Free motion of {symbol(name)}", *blocks, meaning)
+    title = f"Motion of {symbol(name)} from the start" if steady else f"Free motion of {symbol(name)}"
+    yield from section(title, *blocks, meaning)
 
 
 def _about_steady(problem, table, start, steady):
