@@ -22,7 +22,7 @@ from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.index import Index
 from vibcli.problem import Problem
-from vibcli.questions import ASKED, FIND
+from vibcli.questions import ASKED, FIND, IN_FREQUENCY, IN_TIME
 from vibcli.report.json_keys import KEYS
 from vibcli.spec import SECTIONS, read_spec
 from vibcli.units import UNITS
@@ -75,7 +75,7 @@ def test_examples_say_what_they_are(path):
 
 
 def test_how_many_scenes_there_are():
-    assert len(EXAMPLES) >= 35 and len(TEMPLATES) >= 6
+    assert len(EXAMPLES) >= 55 and len(TEMPLATES) >= 10
     assert {path.stem for path in EXAMPLES} & {path.stem for path in TEMPLATES} == set()
 
 
@@ -159,6 +159,26 @@ def test_words_are_found_as_people_write_them(word, same):
     assert page(word) == page(same)
 
 
+@pytest.mark.parametrize(("word", "title"), [
+    ("response", "response — motions in time"), ("frf", "frf[x, F](5 Hz) — a quantity"),
+    ("frequency response", "frequency_response — amplitude and phase"), ("initial", "initial — a section"),
+    ("records", "records — a section"), ("earthquake", "record — an entry of `records`"),
+    ("phase", "phase(x) — a quantity"), ("amplitude", "amplitude(x) — a quantity"),
+    ("steady", "steady(x) — a quantity"), ("transmissibility", "transmissibility[x, F](5 Hz) — a quantity"),
+    ("resonance", "frequency_response — "), ("absorber", "frequency_response — "),
+    ("isolation", "frequency_response — "), ("shock", "time — "), ("until", "response.until — "),
+    ("draw", "pictures — "), ("animate", "pictures — "), ("plot", "pictures — "), ("html", "reports — "),
+    ("csv", "data — ")])
+def test_words_of_textbooks_lead_to_their_pages(word, title):
+    assert page(word).startswith(title)
+
+
+@pytest.mark.parametrize("head", [*IN_TIME, *IN_FREQUENCY])
+def test_quantities_of_responses_name_the_page_about_them(head):
+    topic = "response" if head in IN_TIME else "frequency_response"
+    assert f"More: vibcli explain {topic};" in page(head)
+
+
 def test_a_key_is_shown_in_every_element_that_has_it():
     text = page("torsion")
     assert "spring.torsion — " in text and "damper.torsion — " in text
@@ -195,7 +215,8 @@ def test_tables_of_texts_match_what_runs():
 def test_json_keys_are_those_that_are_printed(capsys):
     printed = set()
     for name, *options in (("mass_spring_damper", "--insight"), ("given_matrices",), ("bead_on_a_rail",),
-                           ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",), ("buckled_post",)):
+                           ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",), ("buckled_post",),
+                           ("forced_vibration",), ("frequency_response",)):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))
@@ -204,7 +225,7 @@ def test_json_keys_are_those_that_are_printed(capsys):
 
 
 NAMED_BY_THE_SCENE = ("reactions", "shape", "potential", "kinetic", "dissipation", "deflection", "alone", "bounds",
-                      "coordinates", "dependent")
+                      "coordinates", "dependent", "initial")
 
 
 def _paths(data, path=""):

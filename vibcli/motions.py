@@ -16,6 +16,7 @@ from vibcli.errors import PhysicsError
 from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
 
 PERIODIC = 1e-7     # how equal the periods of a periodic motion are
+LONGEST = 1e12      # seconds
 
 
 class Motion:
@@ -27,13 +28,18 @@ class Motion:
     @cached_property
     def until(self):
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
-        if self.problem.end is not None:
-            return self.problem.end
+        end, where = self.problem.end, None
         find = self.problem.spec.get("find")
         record = find.about(RESPONSE) if find is not None else None
-        if record is not None and "until" in record:
-            return evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)[0]
-        return self.lasting()
+        if end is None and record is not None and "until" in record:
+            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)
+            where = record["until"].where
+        if end is None:
+            return self.lasting()
+        if not 0 < end < LONGEST:
+            raise PhysicsError(f"a motion cannot end at t = {end:.6g} s",
+                               f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
+        return end
 
     @cached_property
     def drive(self):
@@ -82,7 +88,7 @@ class SmallMotion(Motion):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.response.motion import linear_motion
 
-        return linear_motion(*self.matrices, self.forcing(direct), *self.deviations)
+        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations)
 
     @cached_property
     def alone(self):

@@ -13,14 +13,14 @@ class OnRequest:
         """The modes to the digits that shares and derivatives need."""
         from vibcli.analyses.sharp import sharp_modes
 
-        return self._named(sharp_modes, self)
+        return self.named(sharp_modes, self)
 
     @cached_property
     def sharp_damped(self):
         """The damped modes to as many digits; asked for only where something damps."""
         from vibcli.analyses.sharp import sharp_damped
 
-        return self._named(sharp_damped, self)
+        return self.named(sharp_damped, self)
 
     @Stage
     def equilibria(self):

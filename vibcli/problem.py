@@ -165,7 +165,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """The modes of the system without its dampers."""
         from vibcli.analyses.spectrum import natural_modes
 
-        return self._named(natural_modes, self.elements, *self.sources)
+        return self.named(natural_modes, self.elements, *self.sources)
 
     @cached_property
     def zero_modes(self):
@@ -182,7 +182,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
             return None
         from vibcli.analyses.spectrum import damped_modes
 
-        return self._named(damped_modes, elements, lambda: self.modes, *self.sources)
+        return self.named(damped_modes, elements, lambda: self.modes, *self.sources)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
@@ -190,7 +190,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
         return normalised(mode.shape, how, weights(self.elements))
 
-    def _named(self, solve, *args, **options):
+    def named(self, solve, *args, **options):
         """Solve, and give a physical refusal the name of its coordinate."""
         from vibcli.errors import PhysicsError
 
@@ -208,5 +208,5 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        modes = self._named(natural_modes, self.elements, *self.sources, digits=digits)
-        return modes, self._named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)
+        modes = self.named(natural_modes, self.elements, *self.sources, digits=digits)
+        return modes, self.named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)

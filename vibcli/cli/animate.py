@@ -10,8 +10,8 @@ SUFFIXES = (".gif", ".html")
 
 @click.command("animate")
 @picture_options(SUFFIXES)
-@click.option("--mode", "index", type=click.IntRange(1), metavar="I", help="Which mode, by ascending frequency (1 "
-              "unless given).")
+@click.option("--mode", "index", type=click.IntRange(1), metavar="I",
+              help="Which mode, by ascending frequency (1 unless given).")
 @click.option("--response", is_flag=True, help="The motion in time instead of a mode.")
 @click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
 def command(file, settings, case, output, force, index, response, until):

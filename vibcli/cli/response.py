@@ -38,9 +38,8 @@ INSTANT = "a time, as in 2.5 or '40 ms'"
 @click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
-def command(file, settings, case, as_json, timings, signals, until, instants, digits, points,
-            phase, steady, transient, plot, saves,
-            **report):
+def command(file, settings, case, as_json, timings, signals, until, instants, digits, points, phase, steady, transient,
+            plot, saves, **report):
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.

@@ -4,7 +4,8 @@ PICTURES = [
     [
         ("vibcli draw FILE", "the scene as a figure, drawn to scale; lumped bodies in a row along their axis"),
         ("vibcli draw FILE --mode 1", "the shape of a mode over the scene at rest; `--both` the other way as well"),
-        ("vibcli animate FILE --mode 1", "the mode in motion: .gif, or .html with play, pause and a slider"),
+        ("vibcli animate FILE --mode 1", "the mode in motion: .gif, or .html with play, pause and a slider; "
+         "`--response` the motion in time, `--until 2` so long"),
         ("vibcli response FILE --plot", "the motion plotted in the terminal; `--of x` says which signals, `--until 2` "
          "how long, `--steady` and `--transient` add these parts"),
         ("vibcli frf FILE --plot", "amplitude and phase; `--from`, `--up-to` give the range, `--nyquist` the complex "

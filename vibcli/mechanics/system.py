@@ -61,17 +61,18 @@ class System:
 
     def accelerations(self, t, q, v, g=(), c=None):
         """q̈ of shape (n, instants)."""
-        return self.solved(t, q, v, g, c)[0]
+        if not self.direct:
+            return self.solved(t, q, v, g, c)[0]
+        a = np.empty(q.shape)
+        for i, value in enumerate(self._compiled(t, q, v, g, c)):
+            a[i] = value
+        return a
 
     def solved(self, t, q, v, g=(), c=None):
         """(q̈, λ) of shapes (n, instants) and (m, instants)."""
-        values = self._compiled(t, q, v, g, c)
-        shape = q.shape[1]
         if self.direct:
-            a = np.empty((self.n, shape))
-            for i, value in enumerate(values):
-                a[i] = value
-            return a, None
+            return self.accelerations(t, q, v, g, c), None
+        values, shape = self._compiled(t, q, v, g, c), q.shape[1]
         n, m = self.n, self.m
         right = np.empty((n + m, shape))
         for i, value in enumerate(values[len(self._pairs) + len(self._ties):]):

@@ -1,8 +1,8 @@
 """The keys of --json: what each means. Dots lead into objects, [] into lists."""
 
-ABOUT = ("What `vibcli solve`, `frequencies` and `equations` print with --json: one object in SI units, angles in "
-         "radians, null where there is nothing. Values are strings where the scene has symbols without value "
-         "(expressions of the scene language) or with --digits (decimals); else numbers.")
+ABOUT = ("What `vibcli solve`, `frequencies`, `equations`, `response` and `frf` print with --json: one object in SI "
+         "units, angles in radians, null where there is nothing. Values are strings where the scene has symbols "
+         "without value (expressions of the scene language) or with --digits (decimals); else numbers.")
 KEYS = {
     "title": "the title of the scene, or null",
     "coordinates": "names of the generalised coordinates, in the order of all rows and columns",
@@ -77,6 +77,33 @@ KEYS = {
     "damped[].growth_rate": "growth rate re where it grows; else null",
     "damped[].shape": "{coordinate: amplitude}, a number or [re, im]",
     "damped[].error": "bound of the relative error of the eigenvalue",
+    "response": "of `vibcli response`, and where `find` asks: the motion in time",
+    "response.until": "its end, in s",
+    "response.initial": "{coordinate, or velocity x': value at t = 0}",
+    "response.signals": "a list, one entry to each signal",
+    "response.signals[].signal": "the signal as written",
+    "response.signals[].unit": "its unit",
+    "response.signals[].max": "its largest value for 0 ≤ t ≤ until",
+    "response.signals[].argmax": "the instant of that, in s",
+    "response.signals[].min": "its smallest value",
+    "response.signals[].argmin": "the instant of that, in s",
+    "response.signals[].steady": "a list of the harmonics of the steady state, of a periodic load the first; null "
+                                 "where there is none",
+    "response.signals[].steady[].Omega": "angular frequency of a harmonic",
+    "response.signals[].steady[].amplitude": "its amplitude X",
+    "response.signals[].steady[].phase": "its θ in X sin(Omega t − θ), or as --phase says",
+    "response.balance": "what the energies of an integrated motion fail to balance by, relative to the largest; null "
+                        "of small oscillations",
+    "frequency_response": "of `vibcli frf`, and where `find` asks: a list, one entry to each signal",
+    "frequency_response[].signal": "the signal as written",
+    "frequency_response[].input": "the name of the input",
+    "frequency_response[].unit": "unit of the signal over that of the input",
+    "frequency_response[].peaks": "a list of its resonances, by ascending Omega",
+    "frequency_response[].peaks[].Omega": "where it is",
+    "frequency_response[].peaks[].value": "amplitude there; null where it has no bound",
+    "frequency_response[].peaks[].quality": "Omega over the distance of the half-power points; null where "
+                                            "one is missing",
+    "frequency_response[].antiresonances": "the Omega of zeros, or of minima where it is damped",
     "insight": "only where `find` or --insight asks for it",
     "insight.shares": "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",
     "insight.shares.modes": "a list, one entry to each mode",

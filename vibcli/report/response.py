@@ -24,12 +24,14 @@ def response(problem, report):
         from vibcli.report.response_letters import response_in_letters
 
         if report.wanted.at:
-            raise NotInLetters("values at instants are found in numbers", "give the parameters values with --set")
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
         yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
         return
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
-    yield from _start(problem, motion)
-    if problem.spec.get("motion") == "full":
+    full = problem.spec.get("motion") == "full"
+    yield from _start(problem, motion, None if full else _drive(problem, motion))
+    if full:
         yield from _integration(motion.trajectory())
     else:
         from vibcli.report.formulas import formulas, free_vibration, steady_state
@@ -67,7 +69,7 @@ def value_at(problem, one, t, digits=None):
     return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
 
 
-def _start(problem, motion):
+def _start(problem, motion, drive):
     places, speeds = problem.start
     parts = []
     for name, value in places.items():
@@ -77,8 +79,7 @@ def _start(problem, motion):
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
-                       _drive(problem, motion))
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), drive)
 
 
 def _drive(problem, motion):

@@ -59,7 +59,8 @@ def _steady_section(problem, name, steady, number):
              line(Name(X), " = ", formula.amplitude)]
     if lag:
         lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
-    yield from section(f"Steady state of {symbol(name)}", equations(lines), *conditions(formula))
+    told = () if problem.chosen is not None else conditions(formula)     # what is chosen holds at this Ω alone
+    yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
 
 
 def conditions(formula):

@@ -22,7 +22,8 @@ def groups(M, C, K):
     A = first_order(M, C, K)
     values, V = np.linalg.eig(A)
     values, V = values.astype(complex), V.astype(complex)
-    skew = condition(values, V)
+    with np.errstate(over="ignore"):
+        skew = condition(values, V)
     size, top = np.abs(values), np.abs(values).max(initial=0.0)
     gap = np.abs(np.subtract.outer(values, values))
     close = (gap <= CLOSE * np.maximum.outer(size, size)) | (np.maximum.outer(size, size) <= TINY * top)

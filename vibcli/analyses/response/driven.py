@@ -8,7 +8,7 @@ import numpy as np
 from vibcli.analyses.response.block import paths
 from vibcli.analyses.response.exponentials import differences
 
-APART = 0.1
+APART, SPLIT = 0.1, 2.0
 
 
 class Drive(NamedTuple):
@@ -18,7 +18,7 @@ class Drive(NamedTuple):
     exponent: complex
     at: np.ndarray
     inputs: np.ndarray
-    apart: bool
+    after: float
 
     @property
     def nodes(self):
@@ -28,8 +28,8 @@ class Drive(NamedTuple):
 def drives(blocks, timeline, strict=False):
     """The drives of each block. Of a half block both e^{sτ} and its conjugate; of others the real part is taken later.
 
-    apart: the exponent is so far from the one eigenvalue that the response splits into e^{λτ} and waves; never where
-    `strict`.
+    after: from which τ on the response splits into e^{λτ} and waves without loss, the exponent lying apart from the one
+    eigenvalue; infinite where it does not, or where `strict`.
     """
     W = np.concatenate([block.W for block in blocks])
     stops = np.cumsum([0] + [len(block.B) for block in blocks]).tolist()
@@ -38,8 +38,7 @@ def drives(blocks, timeline, strict=False):
         force = waves.coefficients[:, :W.shape[1]]
         if not force.any():
             continue
-        s, shortest = waves.exponent, timeline.lengths[waves.at].min()
-        inputs = _times(force, W)
+        s, inputs = waves.exponent, _times(force, W)
         turned = _times(force.conj(), W) if s.imag and any(block.half for block in blocks) else None
         for block, mine, *ends in zip(blocks, found, stops, stops[1:], strict=False):
             at, node = slice(*ends), block.nodes[0]
@@ -47,8 +46,9 @@ def drives(blocks, timeline, strict=False):
             pairs = ((s, inputs / 2), (s.conjugate(), turned / 2)) if both else ((s, inputs),)
             for exponent, given in pairs:
                 gap = abs(exponent - node)
-                far = len(block.B) == 1 and gap >= APART * max(abs(exponent), abs(node)) and gap * shortest >= 1
-                mine.append(Drive(waves.power, exponent, waves.at, given[:, at], bool(far and not strict)))
+                apart = not strict and len(block.B) == 1 and gap > APART * max(abs(exponent), abs(node))
+                after = SPLIT * (waves.power + 1) / gap if apart else math.inf
+                mine.append(Drive(waves.power, exponent, waves.at, given[:, at], after))
     return found
 
 
@@ -59,8 +59,8 @@ def _times(force, W):
     return force @ W.real.T + 1j * (force @ W.imag.T)
 
 
-def split(drive, node):
-    """c of an `apart` drive, Σ gᵢ τⁱ e^{sτ} − g₀ e^{λτ}, as [(i, inputs · gᵢ)]."""
+def fractions(drive, node):
+    """c of a drive that splits, Σ gᵢ τⁱ e^{sτ} − g₀ e^{λτ}, as [(i, inputs · gᵢ)]."""
     gap, found, factor = drive.exponent - node, [], 1.0 + 0j
     for power in reversed(range(drive.power + 1)):
         factor = factor / gap if power == drive.power else -factor * (power + 1) / gap

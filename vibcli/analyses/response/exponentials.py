@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 NEAR = 2.0
-TERMS = 40
+TERMS, SINH = 40, 8
 
 
 def exponential(node, t):
@@ -94,11 +94,15 @@ def _series(nodes, t):
 
 
 def _pair(nodes, t):
-    """t e^{at} sinh(z)/z with the mean a of two nodes and z half their distance times t."""
+    """t e^{at} sinh(z)/z with the mean a of two nodes and z half their distance times t, |z| <= 1."""
     half = (nodes[0] - nodes[1]) / 2
-    z = np.asarray(half.imag * t if not half.real else half.real * t if not half.imag else half * t)
-    z[z == 0] = 1e-30
-    return t * exponential(nodes[1] + half, t) * ((np.sinh(z) if half.real else np.sin(z)) / z)
+    square = half * half
+    z = (square if square.imag else square.real) * t * t
+    total = np.ones_like(z)
+    for k in range(SINH, 0, -1):
+        total *= z / (2 * k * (2 * k + 1))
+        total += 1.0
+    return t * exponential(nodes[1] + half, t) * total
 
 
 def bounds(nodes, early, late):

@@ -31,7 +31,7 @@ def blocks(M, C, bases):
     if n <= LARGEST:
         Ws = _exact(M, bases, rows, inverse, Ws)
     both = fx.fixed(np.concatenate([M, C]), BITS)
-    return [_block(X, B, W, half, both) for (X, B, half), W in zip(bases, Ws, strict=True)]
+    return [_block(X, B, W, half, both) for (X, _), (_, B, half), W in zip(rounded, bases, Ws, strict=True)]
 
 
 def _exact(M, bases, rows, inverse, Ws):
@@ -39,12 +39,13 @@ def _exact(M, bases, rows, inverse, Ws):
     n = len(M)
     mass, goal = fx.fixed(M, BITS), fx.fixed(np.concatenate([np.zeros((n, n)), np.eye(n)]), BITS)
     left = np.concatenate([_real_parts(X, B, half, mass) for X, B, half in bases], axis=1)
+    sizes = [np.abs(narrow(W)).max() for W in Ws]
     for _ in range(STEPS):
         right = np.concatenate([np.concatenate(parts(W)) for W in Ws])
         missing = fx.floats(goal - real_times(left, right), BITS)
         steps = [row[:, :n] @ missing[:n] + row[:, n:] @ (inverse @ missing[n:]) for row in rows]
         Ws = [W + wide(step) for W, step in zip(Ws, steps, strict=True)]
-        if max(np.abs(step).max() / np.abs(narrow(W)).max() for W, step in zip(Ws, steps, strict=True)) < ENOUGH:
+        if max(np.abs(step).max() / size for step, size in zip(steps, sizes, strict=True)) < ENOUGH:
             break
     return Ws
 
@@ -67,7 +68,7 @@ def _block(X, B, W, half, both):
     P = narrow(times(B, np.concatenate(momenta, axis=1)) + np.concatenate(drag, axis=1))
     R, Q, T = narrow(np.concatenate(momenta, axis=1)), *triangle(B)
     turn = Q.conj().T
-    return Block(narrow(X) @ Q * (2 if half else 1), T, turn @ P, turn @ R, turn @ narrow(W), half)
+    return Block(X @ Q * (2 if half else 1), T, turn @ P, turn @ R, turn @ narrow(W), half)
 
 
 def triangle(B):

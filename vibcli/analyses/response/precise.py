@@ -134,12 +134,10 @@ def _carried(G, tau, z, bits):
         step[at] = fx.shifted(m, e + wide - halvings)
     total = term = fx.identity(size, wide)
     k = 0
-    while np.abs(term).max():
+    while np.abs(term).max() > 1:               # rounding down leaves −1
         k += 1
         term = fx.product(term, step, wide) // k
         total = total + term
-        if k > wide:
-            break
     for _ in range(halvings):
         total = fx.product(total, total, wide)
     out = mp.matrix(size, 1)

@@ -12,7 +12,7 @@ import numpy as np
 from vibcli.analyses import fixed as fx
 from vibcli.analyses.response.wide import BITS, narrow, real_times, times, wide
 
-ALONE, JOINED = 1e-13, 1e-24
+ALONE, JOINED = 1e-13, 1e-32
 STEPS = 8
 LARGEST = 60
 MIXED = 0.3
@@ -25,9 +25,9 @@ def sharpened(M, C, K, bases):
     halves = [half for _, _, half in bases]
     twins = [i for i, half in enumerate(halves) if half]
     goal = ALONE if all(len(B) == 1 for B in Bs) else JOINED
+    blocks = [(X.astype(complex), B.astype(complex)) for X, B, _ in bases]
     for _ in range(STEPS if len(M) <= LARGEST else 0):
         residual = np.concatenate([narrow(_residual(data, X, B)) for X, B in zip(Xs, Bs, strict=True)], axis=1)
-        blocks = [(narrow(X), narrow(B)) for X, B in zip(Xs, Bs, strict=True)]
         blocks += [(X.conj(), B.conj()) for X, B in (blocks[i] for i in twins)]
         S = -inverse_of_all(blocks)[:, len(M):] @ (inverse @ residual)
         E, D = _corrections(S, [B for _, B in blocks], len(bases))
@@ -40,6 +40,7 @@ def sharpened(M, C, K, bases):
         Bs = [B + wide(step) for B, (_, step) in zip(Bs, D, strict=True)]
         if abs(E[largest]) <= goal:
             break
+        blocks = [(narrow(X), narrow(B)) for X, B in zip(Xs, Bs, strict=True)]
     return list(zip(Xs, Bs, halves, strict=True)), None
 
 

@@ -36,8 +36,10 @@ def check_inertia(M):
         if values[0] > len(M) * EPSILON * values[-1]:
             return
         weak = int(np.argmax(np.abs(vectors[:, 0])))
-    raise PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
-                       hint="give what it moves a mass or inertia")
+    error = PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
+                         hint="give what it moves a mass or inertia")
+    error.coordinate = weak
+    raise error
 
 
 def _coupled(M, C, K):

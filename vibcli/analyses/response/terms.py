@@ -1,11 +1,12 @@
 """One output of a motion as a sum over exponentials, its values and bounds of them."""
 
 import math
+from functools import partial
 
 import numpy as np
 
 from vibcli.analyses.response.block import paths
-from vibcli.analyses.response.driven import split
+from vibcli.analyses.response.driven import fractions
 from vibcli.analyses.response.exponentials import bounds, differences, real_wave
 from vibcli.analyses.response.markov import direct, markov
 from vibcli.errors import PhysicsError
@@ -15,29 +16,33 @@ class Terms:
     """The order-th derivative of an output, real parts of sums with coefficients by segment.
 
     free: (λ, coefficients) of e^{λτ}; linked: (nodes, coefficients) of E[nodes](τ); near: (nodes, segments,
-    coefficients) of driven parts; waves: {…: (power, s, segments, coefficients)} of τᵏe^{sτ}.
+    coefficients) of driven parts; waves: {…: (power, s, segments, coefficients)} of τᵏe^{sτ}. since: before this τ
+    the split of driven parts into free ones and waves cancels, and the unsplit sum is taken.
     """
 
-    __slots__ = ("count", "free", "linked", "near", "waves")
+    __slots__ = ("_early", "count", "free", "linked", "near", "since", "waves")
 
-    def __init__(self, pieces, output, order):
+    def __init__(self, pieces, output, order, split=True):
         self.free, self.linked, self.near, self.waves = [], [], [], {}
+        self.since = max((drive.after for drives in pieces.drives for drive in drives if drive.after < math.inf),
+                         default=0.0) if split else 0.0
+        self._early = partial(Terms, pieces, output, order, False) if self.since else None
         self.count = len(pieces.timeline.starts)
         for block, found, states in zip(pieces.motion.blocks, pieces.drives, pieces.states, strict=True):
             row = block.rows(output, order)
             for i, j, product, nodes in paths(block.B) if row.any() else ():
                 if row[i]:
-                    self._add_path(nodes, row[i] * product, states[:, j], found, j)
+                    self._add_path(nodes, row[i] * product, states[:, j], found, j, split)
         if output.constant and pieces.motion.constants and not order:
             self._add_wave(0, 0j, np.arange(self.count), output.constant)
         if output.a or output.channels or (order and output.v) or order > 1:
             self._add_direct(pieces, output, order)
 
-    def _add_path(self, nodes, factor, states, drives, j):
+    def _add_path(self, nodes, factor, states, drives, j, split):
         given = factor * states
         for drive in drives:
-            if drive.apart:
-                for power, inputs in split(drive, nodes[0]):
+            if drive.after < math.inf and split:
+                for power, inputs in fractions(drive, nodes[0]):
                     part = factor * inputs[:, 0]
                     self._add_wave(power, drive.exponent, drive.at, part)
                 given[drive.at] -= part
@@ -74,10 +79,21 @@ class Terms:
                              for power, s, at, row in self.waves.values()]
         return found + [(nodes, row[np.searchsorted(at, segment)]) for nodes, at, row in parts if segment in at]
 
+    def early(self):
+        """The same sum with no driven part split."""
+        if isinstance(self._early, partial):
+            self._early = self._early()
+        return self._early
+
     def at(self, segment, tau):
         """The values at the times `tau` after the starts of the segments."""
+        late = tau >= self.since
         with np.errstate(all="ignore"):
-            y = self._at(segment, tau)
+            if late.all():
+                y = self._at(segment, tau)
+            else:
+                y = np.empty(len(tau))
+                y[late], y[~late] = self._at(segment[late], tau[late]), self.early()._at(segment[~late], tau[~late])
         if not np.isfinite(y).all():
             raise PhysicsError("the motion grows beyond the range of floating-point numbers",
                                hint="ask for an earlier time: the system is unstable")
@@ -101,16 +117,25 @@ class Terms:
 
     def bound(self, segment, early, late):
         """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments."""
-        total = np.zeros(len(early))
+        whole = early >= self.since
         with np.errstate(all="ignore"):
-            for nodes, row in self.free + self.linked:
-                total += np.abs(self._of(row, segment)) * bounds(nodes, early, late)
-            for nodes, at, row in self.near:
-                inside, place = self._within(at, segment)
-                total[inside] += np.abs(row[place]) * bounds(nodes, early[inside], late[inside])
-            for power, s, at, row in self.waves.values():
-                inside, place = self._within(at, segment)
-                total[inside] += np.abs(row[place]) * (late**power * bounds((s,), early, late))[inside]
+            if whole.all():
+                return self._bound(segment, early, late)
+            total = np.empty(len(early))
+            total[whole] = self._bound(segment[whole], early[whole], late[whole])
+            total[~whole] = self.early()._bound(segment[~whole], early[~whole], late[~whole])
+            return total
+
+    def _bound(self, segment, early, late):
+        total = np.zeros(len(early))
+        for nodes, row in self.free + self.linked:
+            total += np.abs(self._of(row, segment)) * bounds(nodes, early, late)
+        for nodes, at, row in self.near:
+            inside, place = self._within(at, segment)
+            total[inside] += np.abs(row[place]) * bounds(nodes, early[inside], late[inside])
+        for power, s, at, row in self.waves.values():
+            inside, place = self._within(at, segment)
+            total[inside] += np.abs(row[place]) * (late**power * bounds((s,), early, late))[inside]
         return total
 
     def _of(self, row, segment):

@@ -9,6 +9,7 @@ from vibcli.errors import PhysicsError
 
 POINTS, STIFF_POINTS = 40, 24
 TAIL = 3                    # coefficients which must be small
+LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
 MOST_TRIES = 100_000
 SHORTEST = 1e-13            # of the time gone
@@ -27,7 +28,7 @@ class March:
         self.system, self.switching, self.rtol, self.progress = system, switching, rtol, progress
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
         self.rule, self.windows, self.ends, self.struck = rule(POINTS), [], [], []
-        self.stiff, self.held, self.calm, self.tries = False, 0, CALM, 0
+        self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H = Sizes(q), None, None
 
     def begin(self, limit, zero=()):
@@ -84,7 +85,7 @@ class March:
         solve, part = (newton, 1e-4) if self.stiff else (iterated, 1e-2)
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
-                         part * self.rtol * scale + 0.5 * EPSILON * np.abs(self.q)[:, None])
+                         part * self.rtol * scale + 0.5 * EPSILON * np.abs(self.q)[:, None], self.unseen)
         if done.A is None:
             return None, np.inf, 1.0
         self.sizes.meet(done.A)
@@ -109,6 +110,9 @@ class March:
     def force(self, times):
         """q̈ at the points as a function of (q, q̇, copies of the points)."""
         c = self.system.prepared(times)
+        if not self.slides and not self.stiff:
+            accelerations, g = self.system.accelerations, self.g
+            return lambda Q, V: accelerations(times, Q, V, g, c)
 
         def force(Q, V, copies=1):
             if copies == 1:
@@ -119,7 +123,7 @@ class March:
 
     def _steer(self, H, iterations, used, failed, unresolved):
         """The length of the next window, and whether the scene is stiff."""
-        self.calm = 0 if failed else self.calm + 1
+        self.calm, self.unseen = 0 if failed else self.calm + 1, max(iterations - LOOKS, 0)
         grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.03
         if not self.stiff:
             grown = min(grown, STRAINED / iterations)

@@ -9,6 +9,7 @@ import numpy as np
 LEAST = 1e-3
 EPSILON = 2.0**-52
 STEP = 1e-6
+FEW = 20                # coordinates for which eigenvalues are found
 
 
 class Sizes:
@@ -28,8 +29,7 @@ class Sizes:
         n = len(q)
         self.radian, self.noise = np.inf, 4 * EPSILON * system.sizes(t, q, v, g) / self.weight**2
         if np.isfinite(J).all():
-            state = np.block([[np.zeros((n, n)), np.eye(n)], [J[:, :n], J[:, n:]]])
-            fastest = np.abs(np.linalg.eigvals(state)).max()
+            fastest = _fastest(J[:, :n], J[:, n:], self.weight)
             self.radian = 1.0 / fastest if fastest > 0 else np.inf
             self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
         self.meet(a[:, None])
@@ -53,6 +53,15 @@ class Sizes:
         """Sizes of those that move little, lifted to LEAST of the largest."""
         weighted = size * self.weight
         return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight
+
+
+def _fastest(K, C, weight):
+    """The largest |λ| of δ̈ = K δ + C δ̇; of many coordinates a bound, √‖K‖ + ‖C‖ with the coordinates weighted."""
+    n = len(K)
+    if n <= FEW:
+        return np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [K, C]]))).max()
+    rows = [np.abs(weight[:, None] * matrix / weight).sum(axis=1).max() for matrix in (K, C)]
+    return np.sqrt(rows[0]) + rows[1]
 
 
 def jacobian(accelerations, t, q, v):

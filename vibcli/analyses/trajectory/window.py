@@ -51,15 +51,20 @@ class Attempt(NamedTuple):
     iterations: int
 
 
-def iterated(force, rule, H, q, v, guess, allowed):
-    """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1)."""
-    base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]
-    V1, V2 = H * rule.V1, (H * H) * rule.V2
-    A, Q, before = guess, base + guess @ V2, np.inf
+def iterated(force, rule, H, q, v, guess, allowed, unseen=0):
+    """Picard's iteration. force(Q, V) gives q̈ at the points; allowed: the error of each coordinate, (n, 1); unseen: how
+    many iterations are made before the first look at their change."""
+    s = rule.points
+    base = np.concatenate([q[:, None] + v[:, None] * (H * rule.c), np.repeat(v[:, None], s, 1)], axis=1)
+    integrals = np.concatenate([(H * H) * rule.V2, H * rule.V1], axis=1)
+    A, before = guess, np.inf
+    state = base + A @ integrals
     for count in range(1, MOST_PICARD + 1):
-        A = force(Q, speed + A @ V1)
-        old, Q = Q, base + A @ V2
-        error = float((np.abs(Q - old) / allowed).max())
+        A = force(state[:, :s], state[:, s:])
+        old, state = state, base + A @ integrals
+        if count <= unseen:
+            continue
+        error = float((np.abs(state[:, :s] - old[:, :s]) / allowed).max())
         if error <= 1 or (error <= CLOSE and error > 0.5 * before):
             return Attempt(A, count)
         if not error < HOPELESS or (count > PATIENCE and error > 0.9 * before):
@@ -68,7 +73,7 @@ def iterated(force, rule, H, q, v, guess, allowed):
     return Attempt(None, count)
 
 
-def newton(force, rule, H, q, v, guess, allowed):
+def newton(force, rule, H, q, v, guess, allowed, unseen=0):
     """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once."""
     base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]
     V1, V2 = H * rule.V1, (H * H) * rule.V2

@@ -1,0 +1,101 @@
+"""Linear systems for the tests of responses, of every kind that breaks solvers, and what they are measured against."""
+
+import numpy as np
+
+from vibcli.analyses.forcing.output import Output
+from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
+from vibcli.analyses.response.motion import linear_motion
+from vibcli.analyses.response.precise import precise_values
+
+EPS = 2.0**-52
+FREE, STEP = (Segment(0.0),), (Segment(0.0, (Wave(0, 1.0, 0, 0j),)),)
+
+
+def q(i):
+    return Output(q={i: 1.0})
+
+
+def v(i):
+    return Output(v={i: 1.0})
+
+
+def one(m, c, k, pieces=FREE, x=0.0, speed=0.0):
+    """The motion of one degree of freedom."""
+    return linear_motion([[m]], [[c]], [[k]], Forcing(1, pieces), [x], [speed])
+
+
+def chain(stiffnesses, grounded=True):
+    """K of masses in a row."""
+    n = len(stiffnesses)
+    K = np.zeros((n, n))
+    for i, k in enumerate(stiffnesses):
+        if i:
+            K[i - 1:i + 1, i - 1:i + 1] += [[k, -k], [-k, k]]
+        elif grounded:
+            K[0, 0] += k
+    return K
+
+
+def systems(rng):
+    """(name, M, C, K), one of each kind."""
+    n = int(rng.integers(2, 5))
+    B, D, G = rng.normal(size=(n, n)), rng.normal(size=(n, 2)), rng.normal(size=(n, n))
+    S, M, C, one_ = B @ B.T, np.diag(rng.uniform(1, 3, n)), D @ D.T, np.eye(n)
+    whole = rng.integers(1, 8, n).astype(float)
+    lowest = np.sqrt(np.linalg.eigvalsh(chain(np.full(n, 4.0)))[0])
+    heavy, unit = 10.0 ** rng.uniform(-9, 3, n), np.zeros((2, 2))
+    scaled = np.sqrt(heavy)[:, None] * S * np.sqrt(heavy)
+    return [
+        ("damped", M, 0.1 * C, S), ("full inertia", S + one_, 0.1 * C, chain(rng.uniform(1, 5, n))),
+        ("weakly damped", M, 1e-9 * C, S), ("undamped", M, 0 * C, S),
+        ("free", M, 0.1 * chain(whole, False), chain(whole, False)), ("free, undamped", M, 0 * C, chain(whole, False)),
+        ("free, a dashpot", M, np.diag([1.0] + [0.0] * (n - 1)), chain(whole, False)),
+        ("critical", one_, 6 * one_, 9 * one_), ("one mode critical", one_, 2 * lowest * one_, chain(np.full(n, 4.0))),
+        ("repeated", one_, 0.2 * one_ + 0.1, 9 * one_), ("heavily damped", M, 1e8 * C + 1e7 * one_, S + one_),
+        ("stiff", M, 0.01 * C, chain(10.0 ** rng.uniform(0, 6, n))), ("gyroscopic", M, 3 * (G - G.T), S + one_),
+        ("circulatory", M, 2 * one_, S + G - G.T), ("flutter begins", np.eye(2), unit, np.array([[2.0, 1], [-1, 4]])),
+        ("four equal roots", np.eye(2), np.array([[2.0, 1], [0, 2]]), np.eye(2)),
+        ("a defective pair", np.eye(2), np.array([[0.2, 1], [0, 0.2]]), np.array([[4.0, 2], [0, 4]])),
+        ("drifting", M, 0 * C, 0 * S), ("dragged", M, one_, 0 * S), ("one dashpot", M, C, 0 * S),
+        ("all units", np.diag(heavy), 0.1 * scaled, scaled)]
+
+
+def rates(M, C, K):
+    """The eigenvalues in floats, good enough to choose times and loads by."""
+    n = len(M)
+    return np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)],
+                                       [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]]))
+
+
+def case(M, C, K, rng):
+    """(motion, times, fastest rate): a start, and loads at and next to resonance, a ramp, a step, a decaying wave."""
+    n, found = len(M), rates(M, C, K)
+    fastest = np.abs(found).max() or 1.0
+    slowest = min((abs(x) for x in found if abs(x) > 1e-6 * fastest), default=fastest)
+    turning = [abs(x.imag) for x in found if abs(x.imag) > max(1e-3 * abs(x), 1e-6 * fastest)]
+    Omega = turning[0] if turning else slowest
+    near = complex(found[0]) * (1 - 1e-9) if found[0].real <= 0 else -0.1j * Omega
+    forcing = Forcing(n, [
+        Segment(0.0, (Wave(0, 1.0, 0, 1j * Omega), Wave(1, 1.0, 1, 0j), Wave(0, 0.5, 0, 0j))),
+        Segment(2 / Omega, (Wave(0, 1.0, 0, near), Wave(1, 1 - 1j, 1, complex(-0.3, 0.7) * Omega)), ((0, 0.3),))])
+    size = np.sqrt(np.diagonal(M))
+    motion = linear_motion(M, C, K, forcing, rng.normal(size=n) / size, rng.normal(size=n) * fastest / size)
+    times = [0.01 / fastest, 3 / fastest, 1.5 / Omega, 4 / Omega, 30 / slowest, 1000 / slowest]
+    growth = found.real.max()
+    return motion, sorted(t for t in times if growth < 1e-5 * fastest or t * growth < 30), fastest
+
+
+def errors(motion, times, fastest):
+    """For each time the error of all coordinates and speeds over the largest of them up to then, each in its unit."""
+    n = len(motion.M)
+    unit = np.append(fastest * np.sqrt(np.diagonal(motion.M)), np.sqrt(np.diagonal(motion.M)))
+    outputs = [q(i) for i in range(n)] + [v(i) for i in range(n)]
+    lists = [matrix.tolist() for matrix in (motion.M, motion.C, motion.K)]
+    found = []
+    for t in times:
+        exact = precise_values(*lists, motion.forcing, motion.q0, motion.v0, outputs, t, 20)
+        here = [motion.values(output, [t])[0] for output in outputs]
+        before = np.array([motion.values(output, np.linspace(0, t, 120)) for output in outputs])
+        gaps = np.array([float(abs(x - y)) for x, y in zip(here, exact, strict=True)])
+        found.append((gaps * unit).max() / np.abs(before * unit[:, None]).max())
+    return found
