@@ -11,7 +11,7 @@ from scenes import number, problem, value
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.parse import parse
 from vibcli.analyses.frequency.steady_letters import steady_state
-from vibcli.errors import NotInLetters
+from vibcli.errors import NotInLetters, SpecError
 from vibcli.inverse import settled
 from vibcli.report.blocks import Equations, Terms
 from vibcli.report.document import Report
@@ -219,3 +219,43 @@ def test_chosen_in_letters_by_a_response(scene, condition, known):
             "m2": 1.5, "k1": 900.0, "k2": 250.0, "m0": 0.3, "e": 0.2}
     wanted = number(parse(known), draw)
     assert any(x == pytest.approx(wanted, rel=1e-12) for x in evaluate(forms, Floats, draw))
+
+
+# fixed points
+
+TUNED = """
+    parameters: {m1: %s, m2: %s, k1: %s, c: %s, F0: %s}
+    bodies: {machine: {mass: m1, slide: x1}, absorber: {mass: m2, slide: x2}}
+    springs: {mount: {k: k1, between: [ground, machine]}, tuned: {k: k2, between: [machine, absorber]}}
+    dampers: {d: {c: c, between: [machine, absorber]}}
+    forces: {drive: {at: machine, force: F0*sin(25 rad/s*t)}}
+    choose:
+      k2: "fixed_point[1, d](frf[x1, drive]).value = fixed_point[2, d](frf[x1, drive]).value"
+"""
+
+
+def test_absorber_chosen_by_its_fixed_points():
+    """Den Hartog 1956, §3.3: ω₂/ω₁ = 1/(1 + μ); g² = (1 ± √(μ/(2 + μ)))/(1 + μ), √(1 + 2/μ) static deflections high."""
+    found = settled(problem(TUNED % ("20 kg", "2 kg", "8000 N/m", "30 N*s/m", "50 N")))
+    assert float(found.chosen.solutions[0].values["k2"]) == pytest.approx(2 * (20 / 1.1) ** 2, rel=1e-12)
+    mu = 0.1
+    for i, sign in ((1, -1), (2, 1)):
+        place = 20 * math.sqrt((1 + sign * math.sqrt(mu / (2 + mu))) / (1 + mu))
+        point = f"fixed_point[{i}, d](frf[x1, drive])"
+        assert value(found, point + ".Omega") == pytest.approx(place, rel=1e-7)
+        assert value(found, point + ".value") == pytest.approx(math.sqrt(1 + 2 / mu) / 8000, rel=1e-7)
+    lines = printed(found, "frequency_response")
+    assert sum(line.startswith("fixed point") for line in lines[:lines.index(lines[-1])]) >= 2
+
+
+def test_tuning_in_letters():
+    """k₂ = m₂ω₁²/(1 + μ)², μ = m₂/m₁ (Den Hartog 1956, §3.3)."""
+    found = settled(problem((TUNED % ("", "", "", "", "")).replace("25 rad/s", "3 rad/s")))
+    draw = {"m1": 20.0, "m2": 2.0, "k1": 8000.0, "c": 30.0, "F0": 50.0}
+    form = found.chosen.solutions[0].forms["k2"]
+    assert evaluate([form], Floats, draw)[0] == pytest.approx(2 * (20 / 1.1) ** 2, rel=1e-12)
+
+
+def test_a_fixed_point_needs_a_damper_of_the_scene():
+    with pytest.raises(SpecError, match="no damper 'e'"):
+        problem((TUNED % ("20 kg", "2 kg", "8000 N/m", "30 N*s/m", "50 N")).replace("[1, d]", "[1, e]"))

@@ -95,6 +95,8 @@ IN_FREQUENCY = {
                                   ("number",)),
     "half_power": _of_response("rad/s", "Ω at which |frf| is 1/√2 of a peak: 1 and 2 below and above the first peak, 3 "
                                 "and 4 the second", ("number",)),
+    "fixed_point": _of_response(None, "i-th point through which |frf| passes whatever the damper d is, all else being "
+                                "without damping: its place Ω, or its value", ("number", "damper"), ("Omega", "value")),
     "quality": _of_response("1", "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", ("number",)),
     "arg": _of_response("rad", "angle of a complex frequency response"),
     "re": _of_response(None, "real part of a frequency response"),
@@ -121,7 +123,7 @@ def declared(tree):
 ALL = "all of them: vibcli explain quantities"
 
 
-_INDICES = {"mode": "1", "number": "1", "fraction": "0.1", "output": "x", "input": "F"}
+_INDICES = {"mode": "1", "number": "1", "fraction": "0.1", "output": "x", "input": "F", "damper": "d"}
 _ARGS = {"signal": "x", "time": "2 s", "Omega": "5 Hz", "frf": "frf[x, F]"}
 OF_VALUES = ("arg", "re", "im")     # take the value of a frequency response
 

@@ -62,6 +62,9 @@ FREQUENCY_RESPONSE = [
         ("half_power[1](frf[x, drive])", "where it is 1/√2 of peak 1 below it, `half_power[2]` above it; 3 and 4 of "
          "peak 2"),
         ("quality[1](frf[x, drive])", "Q of peak 1: its Omega over the distance of its half-power points"),
+        ("fixed_point[1, d](frf[x, drive]).Omega", "through which all curves pass, whatever the damper `d` is; "
+         "`.value` its height. An absorber is tuned by `k2: fixed_point[1, d](frf[x1, F]).value = "
+         "fixed_point[2, d](frf[x1, F]).value`"),
         ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point `base`"),
         ("transmissibility[ground.force, F](Omega)", "the part of a force that reaches the ground"),
     ],

@@ -63,8 +63,21 @@ def _in_numbers(problem, name, driver, unit):
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield Table(head, tuple(rows)) if rows else paragraph("no resonance")
+    yield from _fixed_points(problem, curve, unit)
     if any(isfinite(value) for _, value in curve.peaks):
         yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
+
+
+def _fixed_points(problem, curve, unit):
+    """Through which all curves pass, whatever the one damper of two degrees of freedom is."""
+    dampers = list(problem.spec.get("dampers") or {})
+    if len(problem.scene.q) != LETTERS or len(dampers) != 1 or curve.signal.startswith(f"{dampers[0]}."):
+        return
+    rows = [(f"fixed point {number}", figure(Omega), figure(Omega / TURN), figure(value))
+            for number, (Omega, value) in enumerate(curve.fixed_points(dampers[0]), 1)]
+    if rows:
+        yield paragraph(f"Fixed points, the same for every value of '{dampers[0]}':")
+        yield Table(("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]"), tuple(rows))
 
 
 def _bandwidth(curve, number):
