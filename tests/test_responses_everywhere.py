@@ -1,6 +1,5 @@
-"""Motions in time and frequency responses of every file, as text, data and curves: finite numbers, or a refusal in
-words. Letters are given values as well.
-"""
+"""Motions in time and frequency responses of every file, as text, data and curves: finite numbers, or a refusal that
+says why. Letters are given values as well."""
 
 import re
 from math import isfinite
