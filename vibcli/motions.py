@@ -89,7 +89,16 @@ class SmallMotion(Motion):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.response.motion import linear_motion
 
-        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations)
+        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                  modes=self.modes)
+
+    @cached_property
+    def modes(self):
+        """The undamped modes, which the element data tell better than K; None where they are not real."""
+        elements = self.problem.elements
+        if elements.G or elements.circulatory or elements.massless:
+            return None
+        return self.problem.modes
 
     @cached_property
     def alone(self):
