@@ -1,5 +1,6 @@
 """--json and --set: the documented keys and no others, SI numbers or strings, null for nothing, never NaN."""
 
+import cmath
 import json
 import math
 from decimal import Decimal
@@ -63,7 +64,8 @@ def numbers(data):
 
 
 def well_formed(data, command):
-    optional = {"cases", "characteristic_polynomial", "chosen", "closed_forms", "equilibria", "remark", "search"}
+    optional = {"cases", "characteristic_polynomial", "chosen", "closed_forms", "equilibria", "frequency_response",
+                "remark", "response", "search"}
     assert set(data) - optional == KEYS[command]
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))
@@ -79,6 +81,36 @@ def well_formed(data, command):
             assert all(set(mode["shape"]) == set(data["coordinates"]) for mode in modes or () if mode["shape"])
     assert list(data["matrices"]) == MATRICES
     assert all(len(rows) == n and all(len(row) == n for row in rows) for rows in data["matrices"].values() if rows)
+
+
+def test_responses(ask):
+    driven = SCENE + "forces: {f: {at: a, force: (3 N)*sin((5 rad/s)*t)}}\ninitial: {y: 2 cm, y': 0.1 m/s}\n"
+    data = ask(driven, "response", "--of", "y - x", "--until", "0.5")
+    assert set(data) == {"title", "coordinates", "response"}
+    assert {key: data["response"][key] for key in ("until", "initial", "balance")} == {
+        "until": 0.5, "initial": {"x": 0.0, "y": 0.02, "x'": 0.0, "y'": 0.1}, "balance": None}
+    stretch, = data["response"]["signals"]
+    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady"]
+    assert (stretch["signal"], stretch["unit"]) == ("y - x", "m")
+    assert stretch["min"] < 0 < stretch["max"] and 0 <= stretch["argmin"] <= 0.5
+    wave, = stretch["steady"]
+    H = -1.5 / (800 - 25 + 3j * 5)          # relative motion z'' + 2 c/m z' + 2 k/m z = −f/m
+    assert wave["Omega"] == pytest.approx(5.0)
+    assert wave["amplitude"] == pytest.approx(abs(H), rel=1e-12)
+    assert wave["phase"] == pytest.approx(-cmath.phase(H), rel=1e-12)
+
+
+def test_frequency_responses(ask):
+    data = ask(SCENE, "frf", "--of", "s.stretch", "--of", "x", "--to", "y")
+    assert set(data) == {"title", "coordinates", "frequency_response"}
+    stretch, x = data["frequency_response"]
+    assert (stretch["signal"], stretch["input"], stretch["unit"]) == ("s.stretch", "y", "m/N")
+    peak, = stretch["peaks"]
+    assert list(peak) == ["Omega", "value", "quality"]
+    assert peak["Omega"] == pytest.approx(math.sqrt(800 - 2 * 1.5**2), rel=1e-12)
+    assert peak["value"] == pytest.approx(0.5 / (3 * math.sqrt(800 - 1.5**2)), rel=1e-12)
+    assert peak["quality"] == pytest.approx(math.sqrt(800) / 3, rel=1e-2)
+    assert stretch["antiresonances"] == [] and x["signal"] == "x"
 
 
 @pytest.mark.parametrize("command", KEYS)

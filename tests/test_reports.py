@@ -1,9 +1,11 @@
 """Reports in every format: well formed, escaped, free of references; formulas as they are typeset; files."""
 
 import re
+import subprocess
 import xml.etree.ElementTree as ET
 from itertools import pairwise
 from pathlib import Path
+from shutil import which
 
 import pytest
 from scenes import problem
@@ -17,7 +19,7 @@ from vibcli.report import render_html, render_latex, render_markdown, render_tex
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import Table as Cells
 from vibcli.report.document import EVERYTHING, Report
-from vibcli.report.formula import formula, pieces, rows
+from vibcli.report.formula import formula, pieces, rows, without_words
 from vibcli.report.latex import latex
 from vibcli.report.mathml import mathml
 from vibcli.report.notation import plain
@@ -116,9 +118,9 @@ def assert_markdown(text):
     assert set(re.findall(r"<[^\s>][^>]*>", text)) <= {"<span>", "</span>"}
     bare = text.replace(r"<span>\$</span>", "").replace(r"\$", "")
     assert bare.count("$$") % 2 == 0 and bare.replace("$$", "").count("$") % 2 == 0
-    formulas = re.findall(r"\$\$\n(.*?)\n\$\$|\$([^$\n]+)\$", bare, re.DOTALL)
-    assert not [found for pair in formulas for found in pair
-                if re.search(r"\\[^a-zA-Z]|\S_|_\S|^[-+=*#] |`", found, re.MULTILINE)]
+    for found in re.finditer(r"\$\$\n.*?\n\$\$|\$[^$\n]+\$", bare, re.DOTALL):
+        assert not bare[found.end():found.end() + 1].isdigit()
+        assert not re.search(r"\\[^a-zA-Z]|\S_|_\S|^[-+=*#] |`", found[0], re.MULTILINE)
     for block in re.findall(r"(?:^\|.*\n)+", text + "\n", re.MULTILINE):
         assert len({len(re.findall(r"(?<!\\)\|", line)) for line in block.splitlines()}) == 1
 
@@ -279,6 +281,7 @@ def test_texts_are_broken_outside_of_brackets():
 
 
 def test_words_stand_outside_of_formulas_in_running_text():
+    assert list(without_words(("a", maths("x = "), "3"))) == ["a", maths("x = "), " ", "3"]
     cells = Cells((maths(Name("phi"), Words(" [rad|$]")), maths("|λ|")), ())
     found = Document("t", None, (), (Section("s", (cells,)),), None)
     assert r"| $\varphi$ [rad\|<span>\$</span>] | $\vert  \lambda \vert $ |" in render_markdown.render([found], None)
@@ -391,3 +394,14 @@ def test_formats_import_nothing_heavy(scene, kind):
     code, names = modules("solve", scene, "--format", kind)
     assert code == 0
     assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+@pytest.mark.skipif(which("pdflatex") is None, reason="no LaTeX here")
+@pytest.mark.parametrize("scene", ["problems/7_forced_two_degrees/washing_machine_on_a_bench.yaml",
+                                   "vibcli/examples/double_pendulum.yaml", "vibcli/examples/frequency_response.yaml"])
+def test_latex_compiles(scene, tmp_path):
+    path = tmp_path / "report.tex"
+    assert run(["solve", str(PROBLEMS.parent / scene), "-o", str(path), "--pictures"]) == 0
+    done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", path.name], cwd=tmp_path,
+                          capture_output=True, timeout=120)
+    assert done.returncode == 0, done.stdout[-2000:].decode(errors="replace")

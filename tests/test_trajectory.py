@@ -284,3 +284,21 @@ def test_generated_source_holds_no_name_of_the_file(monkeypatch):
     simulate(problem(PENDULUM.replace("phi", "exec").replace("m:", "eval:").replace("mass: m", "mass: eval")), 0.1,
              initial={"exec": 1})
     assert sources and not any(name in source for source in sources for name in ("exec", "eval", "bob"))
+
+
+def test_a_stiff_van_der_pol_oscillator():
+    scene = problem("parameters: {M: 1 kg, k: 1 N/m, mu: 1000 N*s/m, x0: 1 m}\nbodies: {a: {mass: M, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, a]}}\n"
+                    "forces: {f: {at: a, force: mu*(1 - (x/x0)^2)*x'}}\n")
+    found = simulate(scene, 2000.0, initial={"x": 2, "x'": 0})
+    assert len(found.windows) < 400
+    # Mazzia & Magherini 2008, Test Set for Initial Value Problem Solvers, problem VDPOL, in the original time
+    assert found.at([2000.0])[0][0, 0] == pytest.approx(1.706167732170469, rel=1e-9)
+
+
+def test_what_would_take_for_ever_is_refused_soon():
+    scene = problem("parameters: {m: 1 kg, k: 1e12 N/m, k0: 4 N/m}\nbodies:\n  a: {mass: m, slide: x}\n"
+                    "  b: {mass: m, slide: y}\nsprings:\n  s: {k: k0, between: [ground, a]}\n"
+                    "  t: {k: k, between: [a, b]}\n")
+    with pytest.raises(PhysicsError, match="after 2000 steps"):
+        simulate(scene, 100.0, initial={"x": 0.1, "y": 0.1000001})

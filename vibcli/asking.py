@@ -190,6 +190,8 @@ def _index(spec, reader, place, head, kind, index):
         if not good and index in spec.parameters:
             reader.report(place, f"'{index}' is defined by other parameters", nearest(index, valid))
             return False
+    elif kind == "damper":
+        good, valid = index in (spec.get("dampers") or {}), list(spec.get("dampers") or {})
     elif kind == "body":
         good, valid = index in bodies, list(bodies)
     else:

@@ -53,7 +53,7 @@ def response_dimension(spec, tree):
         return None if out is None or driver is None else units.times(out, driver, -1)
     if asked.unit not in (None, SIGNAL) or not tree[7]:
         return units.parse_unit(asked.unit).dimension if asked.unit not in (None, SIGNAL) else None
-    if tree[4] == "peak" and tree[6] == "Omega":
+    if tree[4] in ("peak", "fixed_point") and tree[6] == "Omega":
         return RATE
     return signal_tree_dimension(spec, tree[7][0])
 

@@ -1,10 +1,20 @@
 """The frequency response of a signal of a scene to an input, and what is read off its graph."""
 
+from copy import copy
 from functools import cached_property
 
 from vibcli.errors import PhysicsError
+from vibcli.problem import Problem
 
 ERROR = 1e-12
+
+
+def without_damper(problem, name):
+    """The problem with one damper taken out."""
+    spec = copy(problem.spec)
+    dampers = {key: record for key, record in spec.get("dampers").items() if key != name}
+    spec.sections = {**spec.sections, "dampers": dampers}
+    return Problem(spec, problem.given, problem.holding)
 
 
 class FrequencyResponse:
@@ -14,7 +24,7 @@ class FrequencyResponse:
         from vibcli.analyses.frequency.transfer import transfer
 
         self.problem, self.signal, self.driver = problem, signal, driver
-        self.transfer = transfer(problem, signal, driver)
+        self.transfer, self._fixed = transfer(problem, signal, driver), {}
 
     def at(self, Omega):
         """(complex H, relative error bound)."""
@@ -57,6 +67,18 @@ class FrequencyResponse:
         """Q of a peak, counted from 1."""
         low, high = self.half_power_of(number)
         return self._peak(number).Omega / (high - low)
+
+    def fixed_points(self, damper):
+        """The FixedPoints of the curves for all values of one damper."""
+        from vibcli.analyses.frequency.fixed_points import fixed_points
+        from vibcli.analyses.frequency.transfer import transfer
+
+        if damper not in self._fixed:
+            if self.signal.startswith(f"{damper}."):
+                raise PhysicsError(f"'{self.signal}' is not there without the damper", "ask for another signal")
+            free = transfer(without_damper(self.problem, damper), self.signal, self.driver)
+            self._fixed[damper] = fixed_points(free, self.transfer)
+        return self._fixed[damper]
 
     def _peak(self, number):
         if number > len(self.marked):

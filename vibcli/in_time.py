@@ -38,5 +38,5 @@ class InTime:
 
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
-            raise motions.nonlinear(self.scene.laws[0].owner)
+            raise motions.nonlinear(self.spec, self.scene.laws[0].owner)
         return motions.FullMotion(self) if kind == "full" else motions.SmallMotion(self)

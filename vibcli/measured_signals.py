@@ -182,6 +182,12 @@ def _peak(curve, number, attribute):
     return Omega if attribute == "Omega" else value
 
 
+def _fixed_point(problem, tree):
+    number, damper = tree[5]
+    points = problem.frequency_response(*tree[7][0][5]).fixed_points(damper)
+    return getattr(_numbered(points, int(number), "fixed point"), tree[6]), ERROR
+
+
 def _numbered(items, number, noun):
     if number > len(items):
         raise PhysicsError(f"this frequency response has {len(items) or 'no'} {noun}{'s' * (len(items) != 1)}",
@@ -215,7 +221,7 @@ _OF_FREQUENCY = {
     "phase": _complex_part(lambda value: wrapped(-_angle(value))), "peak": _of_curve(_peak),
     "antiresonance": _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance")),
     "half_power": _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2]),
-    "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
+    "fixed_point": _fixed_point, "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
 }
 _IN_TIME = {
     "value": _value, "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),

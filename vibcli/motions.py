@@ -47,10 +47,11 @@ class Motion:
         return self.problem.excitation if self.problem.scene.timed else {}
 
 
-def nonlinear(owner):
+def nonlinear(spec, owner):
     """The refusal of a motion in time that nobody said to linearise."""
+    record = {**spec.get("springs", {}), **spec.get("dampers", {})}.get(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
-                        "write motion: full, or motion: small where the motion stays small")
+                        "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
 class SmallMotion(Motion):
@@ -88,7 +89,16 @@ class SmallMotion(Motion):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.response.motion import linear_motion
 
-        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations)
+        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                  modes=self.modes)
+
+    @cached_property
+    def modes(self):
+        """The undamped modes, which the element data tell better than K; None where they are not real."""
+        elements = self.problem.elements
+        if elements.G or elements.circulatory or elements.massless:
+            return None
+        return self.problem.modes
 
     @cached_property
     def alone(self):

@@ -33,7 +33,7 @@ def _of_response(unit, about, indices=(), attributes=("",)):
 ASKED = {
     "omega": Asked(("mode",), "rad/s", "natural angular frequency of mode i, the dampers left out"),
     "frequency": Asked(("mode",), "Hz", "natural frequency of mode i"),
-    "period": Asked(("mode",), "s", "period of mode i"),
+    "period": Asked(("mode",), "s", "period of mode i; period(x): of the motion of a signal"),
     "growth_rate": Asked(("mode",), "1/s", "growth rate of unstable mode i"),
     "mode": Asked(("mode", "signal"), None,
                   "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1"),
@@ -63,8 +63,8 @@ ASKED = {
     "centre": Asked(("body",), "m", "mass centre of a body as drawn", ("x", "y")),
 }
 IN_TIME = {
-    "amplitude": _of_signal(SIGNAL, "amplitude of a signal: of its one harmonic in the steady state, half its range "
-                            "where it has several; of a free motion without damping; A of A e^(−δt) cos(ω_d t − φ)"),
+    "amplitude": _of_signal(SIGNAL, "amplitude of a signal: in the steady state X of its one harmonic, half its range "
+                            "where it has several; of a free vibration A of A e^(−δt) cos(ω_d t − φ)"),
     "phase": _of_signal("rad", "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of a free vibration φ of "
                         "A e^(−δt) cos(ω_d t − φ); of phase(frf[…](…)): −arg"),
     "max": _of_signal(SIGNAL, "largest value from t = 0 on, up to `until` of the response"),
@@ -79,7 +79,7 @@ IN_TIME = {
     "beat_period": _of_signal("s", "period of the beats of two neighbouring frequencies, 2π/|ω₁ − ω₂|"),
     "harmonic": _of_signal(SIGNAL, "amplitude of harmonic n of the periodic steady state", ("number",)),
     "zero": _of_signal("s", "instant of the i-th passage through zero", ("number",)),
-    "time_to": _of_signal("s", "time in which the envelope of a free motion falls to a fraction p", ("fraction",)),
+    "time_to": _of_signal("s", "time in which the envelope of a free motion falls to a fraction", ("fraction",)),
     "cycles_to": _of_signal("1", "number of cycles in that time", ("fraction",)),
     "steady": _of_signal(SIGNAL, "steady state of a signal, itself a signal: steady(x)(2 s), max(steady(x))"),
     "transient": _of_signal(SIGNAL, "the rest of a signal, which dies out where the scene is damped"),
@@ -93,7 +93,10 @@ IN_FREQUENCY = {
     "peak": _of_response(None, "i-th peak of |frf|: its place Ω, or its value", ("number",), ("Omega", "value")),
     "antiresonance": _of_response("rad/s", "Ω of the i-th zero of the response, or minimum where it is damped",
                                   ("number",)),
-    "half_power": _of_response("rad/s", "i-th Ω at which |frf| is 1/√2 of a peak", ("number",)),
+    "half_power": _of_response("rad/s", "Ω at which |frf| is 1/√2 of a peak: 1 and 2 below and above the first peak, 3 "
+                                "and 4 the second", ("number",)),
+    "fixed_point": _of_response(None, "i-th point through which |frf| passes whatever the damper d is, all else being "
+                                "without damping: its place Ω, or its value", ("number", "damper"), ("Omega", "value")),
     "quality": _of_response("1", "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", ("number",)),
     "arg": _of_response("rad", "angle of a complex frequency response"),
     "re": _of_response(None, "real part of a frequency response"),
@@ -120,7 +123,7 @@ def declared(tree):
 ALL = "all of them: vibcli explain quantities"
 
 
-_INDICES = {"mode": "1", "number": "1", "fraction": "0.1", "output": "x", "input": "F"}
+_INDICES = {"mode": "1", "number": "1", "fraction": "0.1", "output": "x", "input": "F", "damper": "d"}
 _ARGS = {"signal": "x", "time": "2 s", "Omega": "5 Hz", "frf": "frf[x, F]"}
 OF_VALUES = ("arg", "re", "im")     # take the value of a frequency response
 

@@ -60,9 +60,8 @@ SECTIONS = {
     "matrices": (Lazy("matrices"), "M, C and K given outright"),
     "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
     "initial": (initial.KIND, initial.ABOUT),
-    "motion": (Choice("small", "full"), "`small`, the default: motions in time are those of the small oscillations, in "
-               "closed form; `full`: those of the full equations, integrated. Scenes with nonlinear laws must say "
-               "which"),
+    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default, "
+               "or those of the `full` equations, integrated. Scenes with nonlinear laws must say which"),
     "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
     "choose": (Named(Lazy("choose"), "a mapping from parameters to conditions", ("pi", "t")),
                "parameters that conditions determine"),

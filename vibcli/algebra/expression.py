@@ -62,14 +62,15 @@ class Node:
 class Table:
     """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators.
 
-    `sample`: float values of the parameters, once they are known; they decide only how R − r is written.
+    `sample`: float values of the parameters, once they are known; they decide only how R − r is written, and with
+    `squares_at_sample` how (R − r)² is.
     """
 
     def __init__(self):
         self._nodes = {}
         self._count = 0
         self.variables, self.called = [], set()
-        self.sample, self._signs = None, {}
+        self.sample, self._signs, self.squares_at_sample = None, {}, False
         self.time, self.records = None, {}      # the variable that is the time; sampled functions of it by name
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)

@@ -6,15 +6,15 @@ import tempfile
 
 import click
 
-from vibcli.bench import accuracy, files, growth, lagranges_method, linkage, startup, trajectories
+from vibcli.bench import accuracy, files, growth, lagranges_method, linkage, responses, startup, trajectories
 from vibcli.bench.rows import HEAD, aligned
 
 
 @click.command()
 @click.option("--quick", is_flag=True, help="Three runs of each instead of eleven.")
 @click.option("--json", "as_json", is_flag=True, help="The table as JSON.")
-@click.option("--only", type=click.Choice(["startup", "growth", "linkage", "files", "accuracy", "trajectories"]),
-              multiple=True, help="Only these measurements.")
+@click.option("--only", type=click.Choice(["startup", "growth", "linkage", "files", "accuracy", "responses",
+                                           "trajectories"]), multiple=True, help="Only these measurements.")
 @click.option("--sympy", "slow", is_flag=True, help="Also SymPy's LagrangesMethod on the pendulum; takes seconds.")
 def main(quick, as_json, only, slow):
     """Processor time, memory, growth and accuracy of vibcli against baselines measured in the same run."""
@@ -22,7 +22,8 @@ def main(quick, as_json, only, slow):
     with tempfile.TemporaryDirectory() as folder:
         parts = {"startup": lambda: startup.rows(runs, folder), "growth": lambda: growth.rows(runs),
                  "linkage": lambda: linkage.rows(runs), "files": lambda: files.rows(3 if quick else 9, folder),
-                 "accuracy": lambda: accuracy.rows(runs), "trajectories": lambda: trajectories.rows(runs)}
+                 "accuracy": lambda: accuracy.rows(runs), "responses": lambda: responses.rows(runs),
+                 "trajectories": lambda: trajectories.rows(runs)}
         rows = [row for name, part in parts.items() if not only or name in only for row in part()]
         if slow:
             rows += lagranges_method.rows(runs)

@@ -24,6 +24,15 @@ class _Signal(Kind):
         return {"type": "string"}
 
 
+class _Frequency(Quantity):
+    """An angular frequency, or one in Hz, which counts 2π."""
+
+    wants, sample = "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
+
+    def __init__(self):
+        super().__init__("Hz")
+
+
 class _Input(_Signal):
     wants = "the name of a force, driven point or coordinate"
 
@@ -45,8 +54,8 @@ _IN_FREQUENCY = Element(
         "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
         "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of "
                     "these if left out"),
-        "from": Field(Quantity("rad/s"), "where plots and saved numbers begin, an angular frequency"),
-        "up_to": Field(Quantity("rad/s"), "where they end"),
+        "from": Field(_Frequency(), "where plots and saved numbers begin"),
+        "up_to": Field(_Frequency(), "where they end"),
     },
     example="frequency_response",
 )

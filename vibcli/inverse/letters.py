@@ -16,6 +16,7 @@ from vibcli.analyses.solving import depends, polynomial, solve_equation
 from vibcli.asking import coordinate_name
 from vibcli.elements.choose import BALANCE
 from vibcli.errors import PhysicsError
+from vibcli.inverse.letters_of_responses import equal_heights, response_is, response_of, size_of
 from vibcli.inverse.system import summed
 from vibcli.measured import centre_node, inertia_node, lowered
 from vibcli.mechanics.preload import pivots, solve_linear
@@ -119,6 +120,12 @@ def _vanishing(problem, condition):
         return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
         head = one.tree[4] if one.tree[0] == "quantity" else None
+        heights = equal_heights(problem, one.tree, other.tree)
+        if heights is not None:
+            return [heights]
+        response = response_of(problem, one.tree)
+        if response is not None:
+            return response_is(problem, response, _side(problem, other))
         if head in SQUARES:
             value = _side(problem, other)
             return [_characteristic(problem, SQUARES[head](value, problem.scene.table.pi))]
@@ -183,6 +190,9 @@ def _quantity(problem, tree):
     """A quantity as an expression of the parameters."""
     head, indices, attribute = tree[4], tree[5], tree[6]
     scene = problem.scene
+    response = response_of(problem, tree)
+    if response is not None:
+        return size_of(problem, response)
     if head == "J":
         return inertia_node(scene, indices)
     if head == "centre":

@@ -19,6 +19,8 @@ ALIASES = {
     "resonances": "frequency_response", "absorber": "frequency_response", "isolation": "frequency_response",
     "receptance": "frequency_response", "mobility": "frequency_response", "bandwidth": "frequency_response",
     "bode": "frequency_response", "nyquist": "frequency_response", "q factor": "quality",
+    "nonlinear": "law", "dry friction": "friction", "coulomb": "friction", "stop": "gap", "clearance": "gap",
+    "slack": "acts", "cable": "acts",
     "draw": "pictures", "animate": "pictures", "animation": "pictures", "figure": "pictures", "plot": "pictures",
     "plots": "pictures", "picture": "pictures", "svg": "pictures", "pdf": "pictures", "png": "pictures",
     "gif": "pictures", "report": "reports", "format": "reports", "html": "reports", "latex": "reports",

@@ -10,7 +10,7 @@ from vibcli.spec import SECTIONS
 
 START = ("A scene is a YAML file that says what a textbook figure shows: the bodies where they are drawn, how each "
          "may move, what joins them, and what is asked. vibcli derives the equations of motion, the equilibrium, the "
-         "natural frequencies and the modes from it.")
+         "natural frequencies, the modes and the motions in time from it.")
 SMALLEST = """title: Mass on a spring
 parameters: {m: 2 kg, k: 800 N/m}
 bodies:

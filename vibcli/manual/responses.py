@@ -1,4 +1,6 @@
-"""Texts of the manual on motions in time and frequency responses. Data alone."""
+"""Texts of the manual on motions in time, frequency responses and signals. Data alone."""
+
+from vibcli import signals
 
 RESPONSE = [
     "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "
@@ -9,8 +11,9 @@ RESPONSE = [
          "at rest in the equilibrium under the force `pull`, which lets go at t = 0. Loads that depend on the time are "
          "not there before t = 0."),
         ("small", "`motion: small`, the default: small oscillations about the equilibrium, exact at any time."),
-        ("full", "`motion: full`: the full equations, integrated; the balance of the energies is printed. Values in "
-         "time, `max`, `min`, `zero` and `period` can be asked, no steady states."),
+        ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
+         "Events and the balance of the energies are printed. Values in time, `max`, `min`, `zero` and `period` can be "
+         "asked, no steady states."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, or what grows fastest has grown to 1000 times, between 2 and 60 of the longest periods; without "
          "either 10 periods, or two beats. That is counted from where the loads last change their form."),
@@ -23,7 +26,8 @@ RESPONSE = [
     "What `answers` and `choose` may ask of a signal, such as `x`, `x'`, `P.y`, `s.force` or `s.force + d.force`:",
     [
         ("x(0.4 s)", "its value; `x'(0.4 s)` that of its rate; of a sum "
-         "`(s.force + d.force)(0.4 s)`; at a jump its value after it"),
+         "`(s.force + d.force)(0.4 s)`; at a jump the value after it. `--at 0.4` prints "
+         "it, `--digits 30` exactly"),
         ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
         ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
         ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load depends on the time of "
@@ -58,9 +62,20 @@ FREQUENCY_RESPONSE = [
         ("half_power[1](frf[x, drive])", "where it is 1/√2 of peak 1 below it, `half_power[2]` above it; 3 and 4 of "
          "peak 2"),
         ("quality[1](frf[x, drive])", "Q of peak 1: its Omega over the distance of its half-power points"),
+        ("fixed_point[1, d](frf[x, drive]).Omega", "through which all curves pass, whatever the damper `d` is; "
+         "`.value` its height. An absorber is tuned by `k2: fixed_point[1, d](frf[x1, F]).value = "
+         "fixed_point[2, d](frf[x1, F]).value`"),
         ("transmissibility[y, base](Omega)", "|H|: of motion from a driven point `base`"),
         ("transmissibility[ground.force, F](Omega)", "the part of a force that reaches the ground"),
     ],
     "An isolator: `choose: {k: \"transmissibility[y, base](Omega) = 0.1\"}`. An absorber that holds a machine still: "
     "`choose: {k2: amplitude(x1) = 0}`, as in `vibcli new tuned_absorber`.",
+]
+
+SIGNALS = [
+    "Beside coordinates these can be asked for: in equilibrium `equilibrium[hoist.force]`, in modes `mode[1][P.y]` "
+    "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
+    "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. Of "
+    "motions of the full equations forces are found of springs and dampers alone.",
+    list(signals.ABOUT),
 ]

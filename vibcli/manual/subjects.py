@@ -7,7 +7,7 @@ from vibcli.elements.body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
-from vibcli.questions import ASKED
+from vibcli.questions import ASKED, VALUE
 from vibcli.report import json_keys
 from vibcli.report.language import language
 from vibcli.spec import INSTEAD
@@ -96,9 +96,11 @@ def usage(head):
 
 def quantities_table(catalogue):
     rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
+    rows.insert(next(i for i, head in enumerate(ASKED) if head in questions.IN_TIME), ("x(2 s)", VALUE.about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
-             "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`."]
+             "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`. "
+             "Of motions: `vibcli explain response`, `vibcli explain frequency_response`."]
     return [paragraph(lines[0]), table(rows), paragraph(topics.SEVERAL),
             ["How they are compared", *table(topics.COMPARED)]]
 

@@ -3,9 +3,8 @@
 A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMARKS are such parts for elements.
 """
 
-from vibcli import signals
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
-from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE
+from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.questions import SEVERAL as HEADS
 
 EXIT_CODES = [
@@ -209,15 +208,8 @@ TIME = [
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
     "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
-    "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so, `vibcli equations` works.",
-]
-
-SIGNALS = [
-    "Beside coordinates these can be asked for: in equilibrium `equilibrium[hoist.force]`, in modes `mode[1][P.y]` "
-    "(no forces), in time `P.y(2 s)` and `max(s.force)`, over the frequency `frf[s.force, drive](5 Hz)`. In time they "
-    "have rates `P.y'` and `P.y''`, and may be added and multiplied: `max(s.force + d.force)`, `max(s.force*x')`. Of "
-    "motions of the full equations forces are found of springs and dampers alone.",
-    list(signals.ABOUT),
+    "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so; `vibcli equations` works, and so "
+    "do motions in time with `motion: full`.",
 ]
 
 SHAPES = [

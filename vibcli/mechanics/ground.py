@@ -29,13 +29,9 @@ def _of_element(opened, section, record, kind, axis):
         raise PhysicsError(f"'{record.name}' gives its stretch outright: what it exerts on the ground is not known",
                            "give its two ends with `between`")
     ends = record["between"]
-    lumped = [_axis_of(scene, end) for end in ends]
-    if None not in lumped:
-        held = [not _moves(opened, node) for _, node in lumped]
-        turning = "torsion" in record
-        if axis or held[0] == held[1] or turning != (kind == "moment"):
-            return []
-        return [(1.0 if held[0] else -1.0, force) for force in _forces(opened, section, record.name)]
+    sign = along_the_axis(opened, record, kind)
+    if sign is not None:
+        return [] if axis or not sign else [(float(sign), force) for force in _forces(opened, section, record.name)]
     if "torsion" in record or not axis:
         return []
     places = [scene.place_of(end) for end in ends]
@@ -48,6 +44,18 @@ def _of_element(opened, section, record, kind, axis):
         return [(sign, forces["xy".index(axis)])]
     along, = opened.rows([span["xy".index(axis)] / scene.distance(*span)])
     return [(sign, product(forces[0], along))]
+
+
+def along_the_axis(opened, record, kind):
+    """±1: the sign with which the tension of an element between lumped ends acts on the ground; 0 where it does not,
+    None of an element between places."""
+    lumped = [_axis_of(opened.scene, end) for end in record["between"]]
+    if None in lumped:
+        return None
+    held = [not _moves(opened, node) for _, node in lumped]
+    if held[0] == held[1] or ("torsion" in record) != (kind == "moment"):
+        return 0
+    return 1 if held[0] else -1
 
 
 def _axis_of(scene, end):

@@ -22,7 +22,8 @@ def require_smooth(problem):
         for part in (node, *gradient(node).values(), *(bends if node is V else ())):
             if _jumps(problem, part):
                 raise PhysicsError("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no "
-                                   "small oscillations about it", "the full equations are those of `vibcli equations`")
+                                   "small oscillations about it", "the full equations are those of `vibcli equations`, "
+                                   "their motion that of motion: full")
 
 
 def _jumps(problem, node):

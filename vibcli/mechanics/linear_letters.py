@@ -4,6 +4,7 @@ from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.copied import copied
 from vibcli.algebra.normal import textbook
 from vibcli.errors import NotInLetters
+from vibcli.mechanics.ground import PARTS, along_the_axis
 from vibcli.mechanics.inputs import in_powers, named_input
 from vibcli.mechanics.lagrange import matrices_in_letters
 from vibcli.mechanics.linearisation import at_position
@@ -34,6 +35,20 @@ def coefficients(problem, signal, driven_by):
                                                                                               chosen.turns)
 
 
+def outputs(problem, signal):
+    """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
+    function of the time in the scene."""
+    opened, table = problem.opened, problem.scene.table
+    rows, direct = _slopes(problem, signal, _place(problem)), table.zero
+    for j, opening in enumerate(opened.scene.inputs.values(), opened.n):
+        moved = opening.node
+        for part in rows if moved is not None else ():
+            if j in part:
+                direct = direct + copied([part[j] * moved], table)[0]
+            moved = opened.scene.rate(moved)
+    return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
+
+
 def _place(problem):
     """{symbol: node} of the equilibrium in letters."""
     scene = problem.opened.scene
@@ -50,15 +65,45 @@ def _place(problem):
 def _slopes(problem, signal, place):
     """∂y/∂q, ∂y/∂q̇, ∂y/∂q̈ as {i: node}."""
     scene, bare = problem.opened.scene, signal.rstrip("'")
-    node = displacement(scene, bare)
-    if node is None and bare.partition(".")[0] in (problem.spec.get("springs") or {}) and bare.endswith(".force"):
-        node = tension(scene, bare.partition(".")[0])
+    node = _node(problem.opened, bare)
     if node is None:
         raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
     slopes = gradient(node)
-    row = {i: textbook(x) for i, q in enumerate(scene.q) if q in slopes
-           for x in substitute([slopes[q]], place) if not x.is_zero}
-    return [row if power == len(signal) - len(bare) else {} for power in range(3)]
+    rows = [{i: textbook(x) for i, q in enumerate(kind) if q in slopes
+             for x in substitute([slopes[q]], place) if not x.is_zero} for kind in (scene.q, scene.v, scene.a)]
+    primes = len(signal) - len(bare)
+    if any(rows[3 - primes:]):
+        raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
+    return [{}] * primes + rows[:3 - primes]
+
+
+def _node(opened, text):
+    """A signal as a function of the coordinates and velocities of the opened scene; None where it is not known."""
+    name, _, part = text.partition(".")
+    found = displacement(opened.scene, text)
+    if found is None and part == "force" and name in (opened.problem.spec.get("springs") or {}):
+        return tension(opened.scene, name)
+    if found is None and part == "force" and name in (opened.problem.spec.get("dampers") or {}):
+        return _damping(opened.scene, name)
+    return _on_the_ground(opened, part) if found is None and name == "ground" and part in PARTS else found
+
+
+def _damping(scene, name):
+    """The force of a damper between two ends on a line."""
+    terms = [term for term in scene.dampers if term.owner == name]
+    return terms[0].weight * scene.rate(terms[0].s) if len(terms) == 1 else None
+
+
+def _on_the_ground(opened, kind):
+    """Σ of what springs and dampers exert on the ground of a scene with one axis; None of other scenes."""
+    total, spec = opened.scene.table.zero, opened.problem.spec
+    for section, force in (("springs", tension), ("dampers", _damping)):
+        for name, record in (spec.get(section) or {}).items():
+            sign = along_the_axis(opened, record, kind) if "between" in record else None
+            if sign is None:
+                return None
+            total = total + sign * force(opened.scene, name) if sign else total
+    return total
 
 
 def _exact(problem, chosen):

@@ -1,8 +1,11 @@
 """Where a motion starts: the values of `initial`, else at rest in the equilibrium without loads that depend on time."""
 
+from vibcli.algebra.copied import copied
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.normal import textbook
 from vibcli.elements.initial import RELEASED
-from vibcli.errors import PhysicsError
+from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.mechanics.symbolic import equilibrium_in_letters
 
 
 def given_start(problem):
@@ -26,3 +29,18 @@ def start(problem):
     rest = given if all(name in given for name in names) else problem.equilibrium.values
     return ({name: given.get(name, rest[name]) for name in names},
             {name: given.get(name + "'", 0.0) for name in names})
+
+
+def start_in_letters(problem):
+    """[deviation from the equilibrium, velocity] of the one coordinate at t = 0; None where the file gives none."""
+    record, (name,) = problem.spec.get("initial"), problem.scene.coordinates
+    if record is None:
+        return None
+    held = equilibrium_in_letters(problem.before) if problem.before is not None else {}
+    if any(key != RELEASED and key.rstrip("'") != name for key in record.values):
+        raise NotInLetters("this start is found in numbers", "give the parameters values with --set")
+    rest = equilibrium_in_letters(problem)[name]
+    place, speed = (problem.scene.lower(record[key]) if key in record else None for key in (name, name + "'"))
+    if place is None:
+        place = copied([held[name]], problem.scene.table)[0] if held else rest
+    return [textbook(place - rest), problem.scene.table.zero if speed is None else speed]

@@ -119,7 +119,8 @@ def _compare(scene, key, wanted, found, size):
         if not abs(found.get(pair, 0.0) - wanted.get(pair, 0.0)) <= SAME * scale:
             raise PhysicsError(f"{WORDS[key]} of '{scene.coordinates[pair[0]]}' depends on the time: there are no "
                                "natural frequencies", "such a motion is excited through its parameters; its full "
-                               "equations are those of `vibcli equations`")
+                               "equations are those of `vibcli equations`, its motion from `initial` that of motion: "
+                               "full")
 
 
 def excitation(scene, form, position):

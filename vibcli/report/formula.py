@@ -26,7 +26,7 @@ def pieces(parts, write):
 
 
 def without_words(parts):
-    """Running text in which the words within formulas stand outside of them."""
+    """Running text in which the words within formulas stand outside of them, and the space that ends one too."""
     for part in parts:
         if not isinstance(part, Maths):
             yield part
@@ -34,6 +34,8 @@ def without_words(parts):
         for are_words, group in groupby(part.parts, lambda one: isinstance(one, Words)):
             found = tuple(group)
             yield "".join(one.text for one in found) if are_words else Maths(found)
+            if isinstance(found[-1], str) and found[-1].endswith(" "):
+                yield " "
 
 
 def rows(parts, write, columns):

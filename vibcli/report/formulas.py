@@ -128,7 +128,15 @@ def steady_state(asked, convention):
     angle = "α" if convention == "lead" else "θ"
     yield from section(f"Steady state {PHASES[convention][0]}", Table(
         ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
-        *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)))
+        *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
+
+
+def _still(asked, rows):
+    """Which signals do not vibrate where others do."""
+    from vibcli.report.response import harmonics_of
+
+    still = [one.label for one in asked if hasattr(one.signal, "output") and not harmonics_of(one.signal)]
+    return paragraph(f"without vibration: {', '.join(still)}") if rows and still else None
 
 
 def _left_out(signal):
@@ -139,6 +147,7 @@ def _left_out(signal):
         return
     steady = signal.motion.steady
     told = sum(abs(X) ** 2 / 2 for _, X in harmonics_of(signal)) + steady.mean(signal.output) ** 2
-    rest = math.sqrt(max(0.0, steady.rms(signal.output) ** 2 - told))
-    yield (f"mean {figure(steady.mean(signal.output))}, root mean square {figure(steady.rms(signal.output))}; the "
+    mean, rms = steady.mean(signal.output), steady.rms(signal.output)
+    rest = math.sqrt(max(0.0, rms**2 - told))
+    yield (f"mean {figure(mean if abs(mean) > NO_ANGLE * rms else 0.0)}, root mean square {figure(rms)}; the "
            f"harmonics after the {FIRST}th have a root mean square of {figure(rest, digits=2)}")

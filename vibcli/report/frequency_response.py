@@ -16,32 +16,40 @@ def frequency_response(problem, report):
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
         title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
-        blocks_of = [_in_letters(problem, name, driver)]
+        blocks_of = list(_in_letters(problem, name, driver))
         if not problem.symbolic:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
+    if report.pictures and not problem.symbolic:
+        from vibcli.report.illustrations import plot
+        from vibcli.report.series import frequency_figure, sampled_curves
+
+        curves = sampled_curves(problem, report.wanted)
+        yield from section("As a plot", plot("frequency-response", "Amplitude and phase lag over the frequency",
+                                             frequency_figure(problem, curves)))
 
 
 def _in_letters(problem, name, driver):
-    """The amplitude and tan θ, or nothing where they are too long or not known."""
+    """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
         if problem.symbolic:
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
-        return None
+        return
     from vibcli.analyses.frequency.in_letters import formula
+    from vibcli.report.response_letters import conditions
 
     try:
         found = formula(problem, name, driver)
     except (NotInLetters, PhysicsError):
         if problem.symbolic:
             raise
-        return None
-    if found.undamped:
-        return blocks.equations([line("H = ", found.amplitude)])
-    tangent = found.tangent
-    return blocks.equations([line("|H| = ", found.amplitude),
-                             line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)])
+        return
+    tangent, heads = found.tangent, ("H = ", "H = i·", "|H| = ")
+    head = heads[0 if found.undamped else 1 if found.ahead else 2]
+    lag = line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)
+    yield blocks.equations([line(head, found.amplitude), *([lag] if head == heads[2] else ())])
+    yield from conditions(found)
 
 
 def _in_numbers(problem, name, driver, unit):
@@ -55,8 +63,21 @@ def _in_numbers(problem, name, driver, unit):
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
     yield Table(head, tuple(rows)) if rows else paragraph("no resonance")
+    yield from _fixed_points(problem, curve, unit)
     if any(isfinite(value) for _, value in curve.peaks):
         yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
+
+
+def _fixed_points(problem, curve, unit):
+    """Through which all curves pass, whatever the one damper of two degrees of freedom is."""
+    dampers = list(problem.spec.get("dampers") or {})
+    if len(problem.scene.q) != LETTERS or len(dampers) != 1 or curve.signal.startswith(f"{dampers[0]}."):
+        return
+    rows = [(f"fixed point {number}", figure(Omega), figure(Omega / TURN), figure(value))
+            for number, (Omega, value) in enumerate(curve.fixed_points(dampers[0]), 1)]
+    if rows:
+        yield paragraph(f"Fixed points, the same for every value of '{dampers[0]}':")
+        yield Table(("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]"), tuple(rows))
 
 
 def _bandwidth(curve, number):

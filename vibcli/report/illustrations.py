@@ -22,7 +22,22 @@ def mode_pictures(problem, _):
 
     moving = [mode for mode in problem.modes if not mode.rigid][:SHOWN]
     yield from section("Mode shapes on the scene at rest", *(
-        _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index)) for mode in moving))
+        _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index))._replace(
+            animated=partial(_moving, problem, mode.index)) for mode in moving))
+
+
+def _moving(problem, index):
+    """The bytes of a GIF of a mode."""
+    from vibcli.report.drawing.animation import data, of_mode
+
+    return data(*of_mode(problem, index), title="", kind="gif")
+
+
+def plot(name, caption, figure):
+    """A Picture of a Figure."""
+    from vibcli.report.plots.picture import picture
+
+    return Picture(name, caption, partial(picture, figure))
 
 
 def _picture(name, caption, primitives):

@@ -132,7 +132,7 @@ class Notation:
             return self.write(base, 0 if alone else 1)
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
             leading = min(base.args, key=term_rank)
-            base = -base if leading[1] < 0 else base
+            base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
         return self.power(self.write(base, 2), self.number(exponent))
 
 

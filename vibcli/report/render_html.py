@@ -1,6 +1,7 @@
 """A report as one HTML page that opens offline: formulas as MathML with their plain text beside, pictures inline."""
 
 import re
+from base64 import b64encode
 
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
 from vibcli.report.formula import formula, rows, without_words
@@ -109,7 +110,11 @@ def _refusal(refusal, _):
 
 
 def _picture(block, _):
-    """The SVG with names of its own for what it defines, so that pictures of one page do not mix."""
+    """The SVG with names of its own for what it defines, so that pictures of one page do not mix; a GIF if it moves."""
+    if block.animated is not None:
+        data = b64encode(block.animated()).decode()
+        return (f'<figure><img alt="{words(block.caption)}" src="data:image/gif;base64,{data}"/>'
+                f"<figcaption>{words(block.caption)}</figcaption></figure>")
     svg = _PROLOGUE.sub("", block.draw("svg").decode()).strip()
     svg = _DEFINED.sub(rf"\g<0>{re.sub('[^A-Za-z0-9]', '-', block.name)}-", svg)
     return (f'<figure role="group" aria-label="{words(block.caption)}">{svg}'

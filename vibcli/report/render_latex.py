@@ -11,7 +11,7 @@ COLUMNS = 95        # of plain text, in a row of a formula
 _SIGNED = re.compile(r"(?=.*[-−e])[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEAD = r"""\documentclass[11pt,a4paper,fleqn]{article}
 \usepackage[T1]{fontenc}
-\usepackage{lmodern}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \usepackage{textcomp}
 \usepackage{amsmath}
 \usepackage{longtable}
@@ -100,7 +100,8 @@ def _refusal(refusal):
 
 
 def _picture(block, place):
-    return (f"\\begin{{center}}\n\\includegraphics[width=0.8\\linewidth]{{{place(block)}}}\\\\\n"
+    size = r"width=0.8\linewidth,height=0.4\textheight,keepaspectratio"
+    return (f"\\begin{{center}}\n\\includegraphics[{size}]{{{place(block)}}}\\\\\n"
             f"{{}}{escaped(block.caption)}\n\\end{{center}}")
 
 

@@ -2,11 +2,13 @@
 
 from math import degrees
 
+from vibcli.elements.find import RESPONSE
 from vibcli.elements.initial import let_go
+from vibcli.errors import NotInLetters
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, with_unit
-from vibcli.report.responses import extremes, signals_asked
+from vibcli.report.responses import extremes, names_asked, signals_asked
 from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
@@ -19,12 +21,17 @@ PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t �
 def response(problem, report):
     """The sections of a motion in time."""
     if problem.symbolic:
-        from vibcli.errors import NotInLetters
+        from vibcli.report.response_letters import response_in_letters
 
-        raise NotInLetters("motions in time are found in numbers", "give the parameters values with --set")
+        if report.wanted.at:
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
+        yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
+        return
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
-    yield from _start(problem, motion)
-    if problem.spec.get("motion") == "full":
+    full = problem.spec.get("motion") == "full"
+    yield from _start(problem, motion, None if full else _drive(problem, motion))
+    if full:
         yield from _integration(motion.trajectory())
     else:
         from vibcli.report.formulas import formulas, free_vibration, steady_state
@@ -33,6 +40,12 @@ def response(problem, report):
         yield from formulas(asked)
         if motion.drive:
             yield from steady_state(asked, report.wanted.phase)
+    if report.pictures:
+        from vibcli.report.illustrations import plot
+        from vibcli.report.series import response_figure, sampled
+
+        yield from section("As a plot", plot("response", "The motion in time", response_figure(
+            problem, sampled(problem, report.wanted))))
     yield from _at_instants(problem, asked, report.wanted)
     yield from _extremes(asked, motion)
 
@@ -62,7 +75,7 @@ def value_at(problem, one, t, digits=None):
     return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
 
 
-def _start(problem, motion):
+def _start(problem, motion, drive):
     places, speeds = problem.start
     parts = []
     for name, value in places.items():
@@ -72,8 +85,7 @@ def _start(problem, motion):
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts),
-                       _drive(problem, motion))
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), drive)
 
 
 def _drive(problem, motion):

@@ -77,13 +77,18 @@ def extremes(asked, until):
     return [(one, one.signal.extreme(0.0, until, 1), one.signal.extreme(0.0, until, -1)) for one in asked]
 
 
+def names_asked(problem, word, given=()):
+    """The names of the signals asked for, of which none may be a sum or product."""
+    for text, tree in trees_asked(problem, word, given):
+        if tree[0] != "name":
+            raise PhysicsError(f"'{text}' is a sum or product: formulas are those of one signal", "ask for its parts")
+        yield text
+
+
 def curves_asked(problem, wanted):
     """[(signal, input, unit of the response)] of the frequency responses that are asked for."""
     driver = _input_asked(problem, wanted.driver)
-    for text, tree in trees_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
-        if tree[0] != "name":
-            raise PhysicsError(f"'{text}' is a sum or product: frequency responses are those of one signal",
-                               "ask for its parts")
+    for text in names_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
         yield text, driver, _ratio(*(_unit(problem, find(problem.spec, name)) for find, name in (
             (output_dimension, text), (input_dimension, driver))))
 

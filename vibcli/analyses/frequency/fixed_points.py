@@ -13,7 +13,7 @@ from vibcli.analyses.frequency.poles import pace
 from vibcli.analyses.frequency.response import sampled
 from vibcli.analyses.frequency.transfer import Transfer
 
-SAME, STATIC, STRONG = 1e-8, 1e-3, 1e4
+SAME, STATIC, STRONG, FELT = 1e-8, 1e-3, 1e4, 1e-6
 
 
 class FixedPoint(NamedTuple):
@@ -35,8 +35,12 @@ def fixed_points(without, with_one):
         with np.errstate(all="ignore"):
             return np.log(np.abs(free)) - np.log(np.abs(held))
 
+    def felt(Omega):    # elsewhere the limit is lost in rounding
+        free, once = (sampled(system, Omega)[0] for system in systems[:2])
+        return np.abs(once - free) > FELT * np.abs(free)
+
     gaps = difference(Omega)
-    gaps[np.abs(gaps) <= 1e-12] = np.nan
+    gaps[(np.abs(gaps) <= 1e-12) | ~felt(Omega)] = np.nan
     known = np.flatnonzero(np.isfinite(gaps))
     change = known[:-1][np.sign(gaps[known[:-1]]) != np.sign(gaps[known[1:]])]
     after = known[np.searchsorted(known, change) + 1]

@@ -1,47 +1,78 @@
-"""Amplitudes in letters, for one and two degrees of freedom: H(iΩ) = (N_r + iΩ N_i)/(D_r + iΩ D_i).
+"""Amplitudes in letters, for one and two degrees of freedom: H(iΩ) = s (N_r + iΩ N_i)/(D_r + iΩ D_i).
 
-By Cramer's rule from D = K − Ω²M + iΩC: N = cᵀ adj(D) b + d det D. Products of entries are not multiplied out, which is
-how a textbook prints them. |H|² = (N_r² + Ω²N_i²)/(D_r² + Ω²D_i²), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
+By Cramer's rule from D = K − Ω²M + iΩC: s N = cᵀ adj(D) b + d det D, s the letters that all of it has in common.
+Products of entries are not multiplied out, and sums have the sign that they have at rest, Ω → 0, which is how a
+textbook prints them. |H| = s √((N_r² + Ω²N_i²)/(D_r² + Ω²D_i²)), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
 """
+
+from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.copied import copied
-from vibcli.algebra.normal import textbook
+from vibcli.algebra.expression import Table, reachable
+from vibcli.algebra.normal import TooLong, expanded, textbook
 from vibcli.algebra.quotient import shorter
-from vibcli.algebra.rationals import ONE
+from vibcli.algebra.rationals import ONE, ZERO
 from vibcli.errors import NotInLetters
 from vibcli.mechanics.linear_letters import coefficients
 
 SQUARE = "Omega squared"        # the symbol of Ω² while a formula is being made
+MOST = 2                        # degrees of freedom
+SLOW = 1e-4                     # Ω where signs are looked at, relative to its sample value
+
+
+class Peak(NamedTuple):
+    """Ω of a maximum, which there is where `less` < `more`."""
+
+    Omega: object
+    less: object
+    more: object
 
 
 class Formula:
-    """numerator and denominator: (real part, imaginary part over Ω) as nodes in Ω; `order`: of the derivative;
-    `short`: of one degree of freedom."""
+    """scale s; numerator N and denominator D: (real part, imaginary part over Ω) as nodes in Ω; poles, zeros: Ω of an
+    undamped resonance and antiresonance where there is one; peak: the Peak of one damped degree of freedom, or None;
+    `order`: of the derivative; `short`: of one degree."""
 
-    __slots__ = ("Omega", "denominator", "numerator", "order", "poles", "short", "table", "zeros")
+    __slots__ = ("Omega", "denominator", "numerator", "order", "peak", "poles", "scale", "short", "table", "zeros")
 
     def __init__(self, table, Omega, numerator, denominator, order, short):
         w, square = table.variable(SQUARE), {table.variable(SQUARE): Omega * Omega}
         self.table, self.Omega, self.order, self.short = table, Omega, order, short
         self.poles, self.zeros = (_root(parts, w) for parts in (denominator, numerator))
-        self.numerator = tuple(substitute(list(map(_simple, numerator)), square))
+        self.scale = _common(table, numerator)
         self.denominator = tuple(substitute([denominator[0], _simple(denominator[1])], square))
+        numerator = [_simple(part / self.scale) for part in numerator]
+        self.numerator = tuple(substitute(numerator, square))
+        self.peak = _peak(self.scale, Omega, numerator, denominator, w) if short and not order else None
 
     @property
     def undamped(self):
         return self.numerator[1].is_zero and self.denominator[1].is_zero
 
     @property
+    def ahead(self):
+        """Is H imaginary: that of a rate without damping?"""
+        return self.numerator[0].is_zero and self.denominator[1].is_zero and not self.numerator[1].is_zero
+
+    @property
     def amplitude(self):
-        """|H|; without damping H itself, whose sign tells the phase."""
+        """|H|; without damping H itself, or H/i of a rate, whose sign tells the phase."""
+        scale = self.scale * self.Omega**self.order if self.order else self.scale
         if self.undamped and self.order % 2 == 0:
             sign = -ONE if self.order % 4 else ONE
-            return self.table.scaled(self._times(self.numerator[0] / self.denominator[0]), sign)
-        return self._times(self._size(self.numerator) / self._size(self.denominator))
+            return self.table.scaled(scale * self.numerator[0] / self.denominator[0], sign)
+        if self.ahead and not self.order:
+            return scale * self.Omega * self.numerator[1] / self.denominator[0]
+        scale = scale if self.table.is_positive(scale) else self.table.call("abs", scale)
+        return scale * self._size(self.numerator) / self._size(self.denominator)
 
-    def _times(self, node):
-        return node * self.Omega**self.order if self.order else node
+    @property
+    def square(self):
+        """(above, below) of |H|², polynomials in Ω."""
+        squares = [real * real + (self.Omega * imaginary) ** 2 for real, imaginary in (self.numerator,
+                                                                                      self.denominator)]
+        return squares[0] * (self.scale * self.Omega**self.order) ** 2, squares[1]
 
     def _size(self, parts):
         real, imaginary = parts
@@ -64,13 +95,27 @@ class Formula:
 
 
 def formula(problem, signal, driven_by, frequency="Omega", order=0):
-    """The Formula of a signal for a unit of a named input; `frequency`: the letter of Ω."""
-    if len(problem.scene.q) > 2:
+    """The Formula of a signal for a unit of a named input; `frequency`: Ω as a node, or its letter."""
+    require_few(problem)
+    return from_parts(problem, *coefficients(problem, signal, driven_by),
+                      problem.scene.table.parameter(frequency) if isinstance(frequency, str) else frequency, order)
+
+
+def require_few(problem):
+    """NotInLetters of more than two degrees of freedom."""
+    if len(problem.scene.q) > MOST:
         raise NotInLetters("amplitudes in letters are found for one and two degrees of freedom",
                            "give numbers with --set")
-    table = problem.scene.table
-    b, c, d = (_copied(part, table) for part in coefficients(problem, signal, driven_by))
-    M, C, G, K = problem.matrices_in_letters
+
+
+def from_parts(problem, b, c, d, Omega, order=0):
+    """The Formula of H = cᵀ D⁻¹ b + d, each [{i: node}] of the powers of s = iΩ; d has the one entry 0."""
+    table = Table()
+    *_, Omega = copied([*problem.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene
+    matrices = [_copied([entries], table)[0] for entries in problem.matrices_in_letters]
+    M, C, G, K = matrices
+    table.sample, table.squares_at_sample = _slowly(problem.scene.sample, Omega, matrices), True
+    b, c, d = (_copied(part, table) for part in (b, c, d))
     n, w, zero = len(problem.scene.q), table.variable(SQUARE), table.zero
     D = [[(textbook(K.get((i, j), zero) - w * M.get((i, j), zero)), C.get((i, j), zero) + G.get((i, j), zero))
           for j in range(n)] for i in range(n)]
@@ -81,7 +126,26 @@ def formula(problem, signal, driven_by, frequency="Omega", order=0):
     if not all(part.is_zero for part in direct):
         parts.append(_times(direct, det, w))
     numerator = tuple(table.sum(*((part[k], ONE) for part in parts)) for k in (0, 1))
-    return Formula(table, table.parameter(frequency), numerator, det, order, n == 1)
+    return Formula(table, Omega, numerator, det, order, n == 1)
+
+
+def _slowly(sample, Omega, matrices):
+    """Sample values with Ω near zero, where letters of its own make it."""
+    held = set(reachable([node for entries in matrices for node in entries.values()]))
+    own = {part.name for part in reachable([Omega]) if part.op == "symbol" and part not in held}
+    return {name: value * SLOW if name in own else value for name, value in sample.items()} | {
+        name: SLOW for name in own if name not in sample}
+
+
+def _common(table, nodes):
+    """The letters that all terms of the nodes have in common."""
+    try:
+        monomials = [dict(monomial) for node in nodes for monomial in expanded(node)]
+    except (TooLong, ZeroDivisionError):
+        return table.one
+    shared = [atom for atom in (monomials[0] if monomials else ()) if not atom.mask and atom.op == "symbol"]
+    least = ((atom, min(monomial.get(atom, ZERO) for monomial in monomials)) for atom in shared)
+    return table.product(*((atom, e) for atom, e in least if e > 0))
 
 
 def _simple(node):
@@ -125,3 +189,16 @@ def _root(parts, w):
         return None
     square = _simple(-(substitute([real], {w: w.table.zero})[0] / slope))
     return None if square.is_zero else w.table.sqrt(square)
+
+
+def _peak(scale, Omega, numerator, denominator, w):
+    """The Peak of s/|k − mΩ² + iΩc|, for c² < 2km: Ω² = k/m − c²/(2m²), and 2k²/(2km − c²) where s has the factor Ω²;
+    None of other responses."""
+    real, c = denominator
+    slope, free = gradient(real).get(w), [scale, scale / (Omega * Omega)]
+    held = [Omega in reachable([node, numerator[0], real, c]) for node in free]
+    if c.is_zero or slope is None or slope.mask or not numerator[1].is_zero or numerator[0].mask or all(held):
+        return None
+    m, k = -slope, textbook(substitute([real], {w: w.table.zero})[0])
+    square = shorter(2 * k * k / (2 * k * m - c * c)) if held[0] else _simple(k / m) - textbook(c * c / (2 * m * m))
+    return Peak(w.table.sqrt(square), textbook(c * c), textbook(2 * k * m))

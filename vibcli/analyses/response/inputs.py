@@ -13,7 +13,7 @@ import numpy as np
 from vibcli.analyses import fixed as fx
 from vibcli.analyses.response.block import Block
 from vibcli.analyses.response.sharpened import LARGEST, inverse_of_all
-from vibcli.analyses.response.wide import BITS, narrow, parts, real_times, times, wide
+from vibcli.analyses.response.wide import BITS, narrow, parts, real_times, times
 
 ENOUGH, STEPS = 1e-9, 5
 NOTHING = 1e-20
@@ -21,54 +21,54 @@ NOTHING = 1e-20
 
 def blocks(M, C, bases):
     """The Blocks of bases (X, B, half) in fixed point."""
-    n, inverse = len(M), np.linalg.inv(M)
+    n = len(M)
     rounded = [(narrow(X), narrow(B)) for X, B, _ in bases]
     twins = [(X.conj(), B.conj()) for (X, B), (_, _, half) in zip(rounded, bases, strict=True) if half]
-    N = inverse_of_all(rounded + twins)
     stops = np.cumsum([0] + [len(B) for _, B in rounded]).tolist()
-    rows = [N[slice(*ends)] for ends in pairwise(stops)]
-    Ws = [wide(row[:, n:] @ inverse) for row in rows]
-    if n <= LARGEST:
-        Ws = _exact(M, bases, rows, inverse, Ws)
-    both = fx.fixed(np.concatenate([M, C]), BITS)
-    return [_block(X, B, W, half, both) for (X, _), (_, B, half), W in zip(rounded, bases, Ws, strict=True)]
+    rows = inverse_of_all(rounded + twins)[:stops[-1]]
+    places = [slice(*ends) for ends in pairwise(stops)]
+    W = _inputs(M, bases, rows)
+    sides = real_times(W, fx.fixed(np.concatenate([M, C], axis=1), BITS))
+    R, drag = beside(sides[:, :n]), beside(sides[:, n:])
+    P = drag + np.concatenate([times(B, R[at]) for at, (_, B, _) in zip(places, bases, strict=True)])
+    P, R, W, found = narrow(P), narrow(R), narrow(beside(W)), []
+    for at, (X, _), (_, B, half) in zip(places, rounded, bases, strict=True):
+        Q, T = triangle(B)
+        turn = Q.conj().T
+        found.append(Block(X @ Q * (2 if half else 1), T, turn @ P[at], turn @ R[at], turn @ W[at], half))
+    return found
 
 
-def _exact(M, bases, rows, inverse, Ws):
-    """Ws so that Re Σ X W = 0 and M Re Σ X B W = 1."""
-    n = len(M)
-    mass, goal = fx.fixed(M, BITS), fx.fixed(np.concatenate([np.zeros((n, n)), np.eye(n)]), BITS)
-    left = np.concatenate([_real_parts(X, B, half, mass) for X, B, half in bases], axis=1)
-    sizes = [np.abs(narrow(W)).max() for W in Ws]
+def _inputs(M, bases, rows):
+    """W of all blocks, Re W above Im W, with Re Σ X W = 0 and M Re Σ X B W = 1."""
+    n, inverse = len(M), np.linalg.inv(M)
+    start = rows[:, n:] @ inverse
+    W, size = fx.fixed(np.concatenate([start.real, start.imag]), BITS), np.abs(start).max(axis=1)
+    if n > LARGEST:
+        return W
+    left = _real_parts(M, bases)
+    goal = fx.fixed(np.concatenate([np.zeros((n, n)), np.eye(n)]), BITS)
     for _ in range(STEPS):
-        right = np.concatenate([np.concatenate(parts(W)) for W in Ws])
-        missing = fx.floats(goal - real_times(left, right), BITS)
-        steps = [row[:, :n] @ missing[:n] + row[:, n:] @ (inverse @ missing[n:]) for row in rows]
-        Ws = [W + wide(step) for W, step in zip(Ws, steps, strict=True)]
-        if max(np.abs(step).max() / size for step, size in zip(steps, sizes, strict=True)) < ENOUGH:
+        missing = fx.floats(goal - real_times(left, W), BITS)
+        step = rows[:, :n] @ missing[:n] + rows[:, n:] @ (inverse @ missing[n:])
+        W = W + fx.fixed(np.concatenate([step.real, step.imag]), BITS)
+        if (np.abs(step).max(axis=1) < ENOUGH * size).all():
             break
-    return Ws
+    return W
 
 
-def _real_parts(X, B, half, mass):
-    """[X; M X B] as a real matrix that acts on [Re W; Im W] and gives real parts."""
-    Y, sides = times(X, B), []
-    for a in (X, real_times(mass, Y)):
-        re, im = parts(a * 2 if half else a)
-        sides.append(np.concatenate([re, -im], axis=1))
-    return np.concatenate(sides)
+def _real_parts(M, bases):
+    """[X; M X B] of all as a real matrix that acts on [Re W; Im W] and gives real parts."""
+    both = [np.concatenate([X, times(X, B)]) * (2 if half else 1) for X, B, half in bases]
+    re, im = (np.concatenate(sides, axis=1) for sides in zip(*map(parts, both), strict=True))
+    whole, n = np.concatenate([re, -im], axis=1), len(M)
+    return np.concatenate([whole[:n], real_times(fx.fixed(M, BITS), whole[n:])])
 
 
-def _block(X, B, W, half, both):
-    """One Block, its B brought to an upper triangle."""
-    re, im = parts(W)
-    n = re.shape[1]
-    momenta = [real_times(side, both[:n]) for side in (re, im)]
-    drag = [real_times(side, both[n:]) for side in (re, im)]
-    P = narrow(times(B, np.concatenate(momenta, axis=1)) + np.concatenate(drag, axis=1))
-    R, Q, T = narrow(np.concatenate(momenta, axis=1)), *triangle(B)
-    turn = Q.conj().T
-    return Block(X @ Q * (2 if half else 1), T, turn @ P, turn @ R, turn @ narrow(W), half)
+def beside(a):
+    """[Re | Im] of a matrix given as Re above Im."""
+    middle = len(a) // 2
+    return np.concatenate([a[:middle], a[middle:]], axis=1)
 
 
 def triangle(B):

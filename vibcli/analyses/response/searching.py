@@ -20,35 +20,29 @@ def extreme(pieces, output, start, end, sense):
     sign = -1.0 if sense == "min" else 1.0
     timeline = pieces.timeline
     y, slope, curvature = (pieces.terms(output, order) for order in range(3))
-    cells = _first(timeline, y, start, end)
-    times, values, best, scale = [], [], -np.inf, 0.0
+    whole, cells = stretches(timeline, start, end), _first(timeline, y, start, end)
+    best, scale = (-np.inf, 0.0), 0.0
     for _ in range(LEVELS):
         ends = [sign * y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
         for found, tau in zip(ends, (cells.early, cells.late), strict=True):
-            times.append(timeline.starts[cells.segment] + tau)
-            values.append(found)
-            best, scale = max(best, found.max()), max(scale, np.abs(found).max())
+            top = np.argmax(found)
+            best = max(best, (found[top], timeline.starts[cells.segment[top]] + tau[top]), key=lambda pair: pair[0])
+            scale = max(scale, np.abs(found).max())
         room = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2 / 8
         most = np.minimum(np.maximum(*ends) + room, y.bound(cells.segment, cells.early, cells.late))
-        held = most >= best - 4 * EPSILON * scale
+        held = most >= best[0] - 4 * EPSILON * scale
         cells, room = cells.where(held), room[held]
         if not (room > FINE * scale).any():
             break
         cells = _divided(cells)
     rises, falls = (sign * slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
     peaks = cells.where((rises >= 0) & (falls <= 0))
-    tau = root(slope, curvature, peaks)
-    times = np.concatenate([*times, timeline.starts[peaks.segment] + tau])
-    values = np.concatenate([*values, sign * y.at(peaks.segment, tau)])
-    near = np.flatnonzero(values >= values.max() - 4 * EPSILON * scale)
-    at = near[np.argmin(times[near])]
-    turning = near[near >= len(times) - len(tau)]
-    if len(turning):    # the top itself, where `at` lies on it but for rounding
-        top = turning[np.argmin(np.abs(times[turning] - times[at]))]
-        segment, middle = timeline.place(np.array([0.5 * (times[at] + times[top])]))
-        if sign * y.at(segment, middle)[0] >= values.max() - 4 * EPSILON * scale:
-            at = top
-    return float(times[at]), float(sign * values[at])
+    segment = np.concatenate([whole.segment, whole.segment, peaks.segment])
+    tau = np.concatenate([whole.early, whole.late, root(slope, curvature, peaks)])
+    values, times = sign * y.at(segment, tau), timeline.starts[segment] + tau
+    near = values >= max(best[0], values.max()) - 4 * EPSILON * scale
+    value, time = (values[near][np.argmin(times[near])], times[near].min()) if near.any() else best
+    return float(time), float(sign * value)
 
 
 def _first(timeline, y, start, end):

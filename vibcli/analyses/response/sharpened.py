@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from vibcli.analyses import fixed as fx
-from vibcli.analyses.response.wide import BITS, narrow, real_times, times, wide
+from vibcli.analyses.response.wide import BITS, narrow, parts, real_times, times, wide
 
 ALONE, JOINED = 1e-13, 1e-32
 STEPS = 8
@@ -27,7 +27,7 @@ def sharpened(M, C, K, bases):
     goal = ALONE if all(len(B) == 1 for B in Bs) else JOINED
     blocks = [(X.astype(complex), B.astype(complex)) for X, B, _ in bases]
     for _ in range(STEPS if len(M) <= LARGEST else 0):
-        residual = np.concatenate([narrow(_residual(data, X, B)) for X, B in zip(Xs, Bs, strict=True)], axis=1)
+        residual = _residual(data, Xs, Bs)
         blocks += [(X.conj(), B.conj()) for X, B in (blocks[i] for i in twins)]
         S = -inverse_of_all(blocks)[:, len(M):] @ (inverse @ residual)
         E, D = _corrections(S, [B for _, B in blocks], len(bases))
@@ -36,7 +36,8 @@ def sharpened(M, C, K, bases):
             owner = np.repeat([*range(len(bases)), *twins], [len(B) for _, B in blocks])
             return None, owner[list(largest)].tolist()
         moved = np.concatenate([X for X, _ in blocks], axis=1) @ E
-        Xs = [X + wide(moved[:, at]) for X, (at, _) in zip(Xs, D, strict=True)]
+        re, im = parts(wide(moved))
+        Xs = [X + np.concatenate([re[:, at], im[:, at]], axis=1) for X, (at, _) in zip(Xs, D, strict=True)]
         Bs = [B + wide(step) for B, (_, step) in zip(Bs, D, strict=True)]
         if abs(E[largest]) <= goal:
             break
@@ -51,10 +52,12 @@ def inverse_of_all(blocks):
     return np.linalg.inv(np.concatenate([full, rates]))
 
 
-def _residual(data, X, B):
-    """M X B² + C X B + K X."""
-    Y = times(X, B)
-    return real_times(data, np.concatenate([times(Y, B), Y, X]))
+def _residual(data, Xs, Bs):
+    """M X B² + C X B + K X of all blocks, in floats."""
+    Ys = [times(X, B) for X, B in zip(Xs, Bs, strict=True)]
+    columns = [np.concatenate([times(Y, B), Y, X]) for X, Y, B in zip(Xs, Ys, Bs, strict=True)]
+    sides = [np.concatenate(side, axis=1) for side in zip(*map(parts, columns), strict=True)]
+    return narrow(real_times(data, np.concatenate(sides, axis=1)))
 
 
 def _corrections(S, blocks, count):

@@ -11,7 +11,7 @@ POINTS, STIFF_POINTS = 40, 24
 TAIL = 3                    # coefficients which must be small
 LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
-MOST_TRIES = 100_000
+MOST_TRIES, PACE, HOPELESS = 100_000, 2_000, 10
 SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
@@ -29,7 +29,7 @@ class March:
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
         self.rule, self.windows, self.ends, self.struck = rule(POINTS), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
-        self.sizes, self.guess, self.H = Sizes(q), None, None
+        self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
 
     def begin(self, limit, zero=()):
         """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
@@ -59,9 +59,7 @@ class March:
         guess = np.repeat(a, self.rule.points, 1) if self.guess is None else self.guess
         tails = []
         while True:
-            self.tries += 1
-            if self.tries > MOST_TRIES:
-                raise self.endless(limit)
+            self._count(left)
             done, tail, used = self._attempt(H, guess, a[:, 0])
             if done is not None:
                 if tail <= 1:
@@ -77,6 +75,14 @@ class March:
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
         return window
+
+    def _count(self, left):
+        """Stop a motion which takes too many windows, or would at the pace of the last ones."""
+        self.tries += 1
+        if self.tries % PACE == 0:
+            before, self.paced = self.paced, self.t
+            if (self.t - before) * HOPELESS * MOST_TRIES < left * PACE or self.tries > MOST_TRIES:
+                raise self.endless(left)
 
     def _attempt(self, H, guess, a):
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
@@ -167,9 +173,9 @@ class March:
                             "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
                             "stiffness and damping")
 
-    def endless(self, limit):
+    def endless(self, left):
         H = self.windows[-1].length if self.windows else self.H
-        return PhysicsError(f"after {MOST_TRIES} steps the motion has come to t = {self.t:.6g} s of {limit:.6g} s: "
-                            f"its fastest part takes steps of {H:.3g} s", "ask for a shorter time, or let what is "
-                            "very stiff be rigid")
+        return PhysicsError(f"after {self.tries} steps the motion has come to t = {self.t:.6g} s, and {left:.6g} s are "
+                            f"left: its fastest part takes steps of {H:.3g} s", "ask for a shorter time, damp what "
+                            "vibrates fast, or let what is very stiff be rigid")
 

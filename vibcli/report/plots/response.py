@@ -67,6 +67,6 @@ def _panel(t, t_label, unit, factor, group):
         if bounds is not None:
             upper, lower = bounds if len(bounds) == 2 else (bounds, [-value for value in bounds])
             curves += [curve(f"{of}envelope", upper, "envelope"), curve("", lower, "envelope")]
-    names = ", ".join(label for label, *_ in group)
+    names = ", ".join(dict.fromkeys(label.removesuffix(", transient") for label, *_ in group))
     label = labelled(names if len(names) <= _LONGEST else "", unit)
     return Panel("", t_label, label, curves=tuple(curves))

@@ -1,0 +1,109 @@
+"""`vibcli response` and `vibcli frf` from the command line: what they print, plot and save, and what they refuse."""
+
+import csv
+import json
+
+import pytest
+
+from vibcli.cli import run
+from vibcli.manual import scenes
+
+SHAKEN = """
+parameters: {m: 2 kg, k: 800 N/m, Y: 1 cm, Omega: 15 rad/s}
+points: {base: {at: [0, 0], moves: [0, Y*sin(Omega*t)]}}
+bodies: {block: {mass: m, at: [0, 1 m], slide: {along: [0, 1], by: y}}}
+springs: {s: {k: k, between: [base, block]}}
+"""
+PARAMETRIC = """
+parameters: {m: 1 kg, L: 0.5 m, Y: 1 cm, Omega: 60 rad/s, g: 9.81 m/s^2}
+gravity: g
+points: {pivot: {at: [0, 0], moves: [0, Y*sin(Omega*t)]}}
+bodies: {bob: {mass: m, at: [0, -L], pin: {at: pivot, by: phi}}}
+initial: {phi: 10 deg}
+motion: full
+"""
+
+
+@pytest.fixture
+def call(tmp_path, capsys):
+    """call(command, text of a scene or name of an example, options…) -> (exit code, stdout, stderr)"""
+    def called(command, scene, *options):
+        path = scenes.path(scene) if "\n" not in scene else tmp_path / "scene.yaml"
+        if "\n" in scene:
+            path.write_text(scene, encoding="utf-8")
+        capsys.readouterr()
+        code = run([command, str(path), *options])
+        return code, *capsys.readouterr()
+    return called
+
+
+def test_a_chosen_scene_is_plotted_until_the_end_given(call):
+    code, out, _ = call("response", "tuned_absorber", "--until", "1", "--plot")
+    assert code == 0 and "0 ≤ t ≤ 1 s" in out and "x₁, x₂ [mm]" in out
+    code, out, _ = call("frf", "tuned_absorber", "--of", "x1", "--plot")
+    assert code == 0 and "phase lag" in out
+
+
+def test_what_stands_still_is_told(call):
+    assert "without vibration: x₁" in call("response", "tuned_absorber")[1]
+    assert "without vibration" not in call("response", "step_load")[1]
+
+
+@pytest.mark.parametrize(("command", "options", "words"), [
+    ("response", ["--steady"], "--steady belongs to --plot or --save"),
+    ("response", ["--transient"], "--transient belongs to --plot or --save"),
+    ("response", ["--plot", "--json"], "--plot does not go with --json"),
+    ("response", ["--until", "-1"], "expected a time"), ("response", ["--until", "5 Hz"], "expected a time"),
+    ("response", ["--save", "x.jpg"], "it has '.jpg'"), ("response", ["--save", "no/x.csv"], "there is no folder no"),
+    ("frf", ["--nyquist"], "--nyquist belongs to --plot or --save"),
+    ("frf", ["--from", "2"], "--from belongs to --plot or --save"),
+    ("frf", ["--plot", "--from", "5", "--up-to", "3"], "--from 5 is not below --up-to 3"),
+    ("frf", ["--plot", "--from", "2 m"], "expected a frequency")])
+def test_options_that_do_not_fit_are_refused(call, command, options, words):
+    code, out, err = call(command, "forced_vibration", *options)
+    assert (code, out) == (2, "") and words in err
+
+
+def test_saved_columns(call, tmp_path):
+    file = tmp_path / "motion.csv"
+    options = ["--of", "x", "--of", "ground.force", "--steady", "--points", "5", "--until", "0.4", "--save", str(file)]
+    assert call("response", "forced_vibration", *options)[0] == 0
+    head, *rows = csv.reader(file.read_text(encoding="utf-8").splitlines())
+    assert head == ["t [s]", "x [m]", "steady x [m]", "ground.force [N]", "steady ground.force [N]"]
+    assert [float(row[0]) for row in rows] == pytest.approx([0, 0.1, 0.2, 0.3, 0.4])
+    assert float(rows[0][1]) == 0 and float(rows[0][2]) != 0
+    assert call("response", "forced_vibration", "--save", str(file))[0] == 2        # it is not replaced
+
+
+def test_the_range_of_the_file_takes_hertz(call, tmp_path):
+    file = tmp_path / "curve.json"
+    assert call("frf", "frequency_response", "--save", str(file))[0] == 0           # from: 2 Hz, up_to: 30 rad/s
+    first, *others = json.loads(file.read_text(encoding="utf-8"))["columns"]
+    assert (first["name"], first["unit"]) == ("Omega", "rad/s")
+    assert (first["values"][0], first["values"][-1]) == pytest.approx((4 * 3.141592653589793, 30.0))
+    assert [column["name"] for column in others] == ["re x", "im x", "re x'", "im x'"]
+
+
+def test_an_undamped_rate_lags_by_a_right_angle(call):
+    code, out, _ = call("frf", SHAKEN, "--of", "y'")
+    assert code == 0 and "θ = ±π/2" in out
+    code, out, _ = call("frf", SHAKEN)
+    assert code == 0 and "at rest (Ω → 0): 1\n" in out
+
+
+def test_a_start_is_told_with_its_units_and_what_lets_go(call):
+    assert "lets go" in call("response", "cut_cable")[1]
+    code, out, _ = call("response", SHAKEN + "initial: {y': 0.2 m/s}\n")
+    assert code == 0 and "(0) = 0.2 m/s" in out
+
+
+def test_motion_without_natural_frequencies_is_integrated(call):
+    code, out, _ = call("response", PARAMETRIC, "--until", "2")
+    assert code == 0 and "the balance of these energies holds to" in out
+    code, _, err = call("response", PARAMETRIC.replace("full", "small"), "--until", "2")
+    assert code == 4 and "motion: full" in err
+
+
+def test_symbols_are_named_that_need_values(call):
+    code, _, err = call("response", SHAKEN.replace("m: 2 kg, k: 800 N/m", "m: , k: "))
+    assert code == 4 and "give values with --set to m, k" in err

@@ -1,0 +1,92 @@
+"""Steady states in letters, for one and two degrees of freedom that are driven at one angular frequency:
+y = X sin(Ωt + φ − θ), with Ω and φ of the scene.
+
+A load A sin(Ωt + φ) + B cos(Ωt + φ) is the imaginary part of (A + iΩ·B/Ω) e^{i(Ωt + φ)}; where only cosines drive the
+scene it is the real part of (B − iΩ·A/Ω) e^{i(Ωt + φ)}, and y = X cos(Ωt + φ − θ).
+"""
+
+from typing import NamedTuple
+
+from vibcli.algebra.calculus import gradient, substitute
+from vibcli.algebra.expression import reachable
+from vibcli.algebra.normal import TooLong, expanded, textbook
+from vibcli.algebra.rationals import ONE
+from vibcli.analyses.frequency.in_letters import from_parts, require_few
+from vibcli.errors import NotInLetters
+from vibcli.mechanics.linear_letters import outputs
+
+WAVES = ("sin", "cos")
+
+
+class Steady(NamedTuple):
+    """formula: the Formula of X and θ; wave: sin or cos; argument: Ωt + φ as a node of the scene."""
+
+    formula: object
+    wave: str
+    argument: object
+
+
+def steady_state(problem, signal):
+    """The Steady of a coordinate or signal; NotInLetters where it is none of one harmonic."""
+    require_few(problem)
+    scene, n = problem.scene, len(problem.scene.q)
+    rows, direct = outputs(problem, signal)
+    waves = {i: _waves(scene, node) for i, node in problem.excitation.items()}
+    waves[n] = _waves(scene, direct)
+    arguments = {argument for found in waves.values() for argument, _ in found}
+    if len(arguments) != 1:
+        raise NotInLetters("steady states in letters are those of one harmonic" if arguments else
+                           "nothing that oscillates drives this scene", "give the parameters values with --set")
+    argument, = arguments
+    Omega, wave = gradient(argument)[scene.time], _reference(scene, waves)
+    loads = {i: _in_phase(found, argument, wave, Omega) for i, found in waves.items() if found}
+    b, d = [{}, {}, {}], [{}, {}, {}]
+    for i, parts in loads.items():
+        for power, part in enumerate(parts):
+            (b if i < n else d)[power][i if i < n else 0] = part
+    return Steady(from_parts(problem, b, rows, d, Omega), wave, argument)
+
+
+def _waves(scene, node):
+    """{(argument Ωt + φ, sin or cos): coefficient} of a function of the time."""
+    try:
+        terms = expanded(node)
+    except (TooLong, ZeroDivisionError):
+        raise NotInLetters("what drives this scene is too long in letters", "give numbers with --set") from None
+    found, time, table = {}, scene.time.mask, scene.table
+    for monomial, value in terms.items():
+        moving = [(atom, e) for atom, e in monomial if atom.mask & time]
+        rest = table.product((table.number(value), ONE), *(pair for pair in monomial if pair not in moving))
+        if not moving:
+            raise NotInLetters("a load that does not oscillate has no amplitude", "give numbers with --set")
+        atom, e = moving[0]
+        slope = gradient(atom.args[0]).get(scene.time) if atom.name in WAVES else None
+        if len(moving) > 1 or e != 1 or slope is None or slope.mask:
+            raise NotInLetters("steady states in letters are those of sin(Omega*t) and cos(Omega*t)",
+                               "give the parameters values with --set")
+        key = atom.args[0], atom.name
+        found[key] = found.get(key, table.zero) + rest
+    return found
+
+
+def _reference(scene, waves):
+    """sin or cos: the one that drives, or in which the file says what drives; sin where it says both."""
+    said = [*scene.driven.values(), *(term.weight for term in scene.forces)]
+    for kinds in ({wave for found in waves.values() for _, wave in found},
+                  {part.name for part in reachable(said) if part.op == "call" and part.name in WAVES
+                   and part.mask & scene.time.mask}):
+        if len(kinds) == 1:
+            return kinds.pop()
+    return "sin"
+
+
+def _in_phase(found, argument, wave, Omega):
+    """(part in phase, that ahead over Ω) of A sin + B cos."""
+    A, B = (found.get((argument, name), Omega.table.zero) for name in WAVES)
+    ahead = textbook((B if wave == "sin" else -A) / Omega)
+    return A if wave == "sin" else B, ahead
+
+
+def at_start(argument, scene):
+    """φ, what Ωt + φ is at t = 0."""
+    return substitute([argument], {scene.time: scene.table.zero})[0]

@@ -1,0 +1,119 @@
+"""Responses in time: run time and error of the closed form, against an integrator of the best kind.
+
+Ten masses in a row, their dampers not proportional to their springs, one of them driven; the error is that of one
+coordinate at a few times against an independent method in 25 digits, over the largest value. The integrator gives its
+10,000 points by its own interpolation; where its error is larger than ours, it would need longer for ours.
+"""
+
+import json
+from statistics import median
+from time import process_time
+
+from vibcli.bench.processes import answer
+from vibcli.bench.rows import Row
+
+DEGREES, POINTS = 10, 10_000
+PERIODS = ((20, 1 / 3), (1000, 1 / 50))
+GATE, ERROR = 15.0, 1e-12
+PIECES = 4000
+
+
+def rows(runs):
+    """Run times as rows, the integrator's as the baseline, and errors."""
+    found = json.loads(answer("from vibcli.bench.responses import main; main()", runs))
+    result = []
+    for (periods, budget), (ours, error, theirs, wrong) in zip(PERIODS, found["driven"], strict=True):
+        case = f"response of {DEGREES} degrees, {POINTS} points over {periods} periods"
+        if periods == PERIODS[0][0]:
+            result.append(Row(case, ours, "ms", GATE, absolute=True))
+        result.append(Row(f"{case}, against", ours, "ms", budget, "solve_ivp DOP853, rtol 1e-10", theirs))
+        result.append(Row("  error", error, "", ERROR, "solve_ivp DOP853, rtol 1e-10", wrong, absolute=True))
+    result.append(Row(f"record of {PIECES} pieces, {DEGREES} degrees, {POINTS} points", found["record"], "ms", None))
+    return result
+
+
+def main():
+    """Child process: print the medians of milliseconds of processor time, and the errors."""
+    import sys
+
+    runs = min(int(sys.argv[1]), 7)
+    M, C, K = _system()
+    print(json.dumps({"driven": [_driven(M, C, K, periods, runs) for periods, _ in PERIODS],
+                      "record": _record(M, C, K, runs)}))
+
+
+def _system():
+    import numpy as np
+
+    random = np.random.default_rng(1)
+    k, c = random.uniform(100, 2000, DEGREES), random.uniform(0, 0.5, DEGREES)
+    return np.diag(random.uniform(1, 3, DEGREES)), _row(c), _row(k)
+
+
+def _row(weights):
+    """The matrix of springs or dampers in a row, the first tied to the ground."""
+    import numpy as np
+
+    return np.diag(weights + np.append(weights[1:], 0.0)) - np.diag(weights[1:], 1) - np.diag(weights[1:], -1)
+
+
+def _driven(M, C, K, periods, runs):
+    """[ms, error] of ours and of the integrator, over periods of the lowest mode."""
+    import numpy as np
+    from scipy.integrate import solve_ivp
+
+    from vibcli.analyses.forcing.output import Output
+    from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
+    from vibcli.analyses.response.motion import linear_motion
+    from vibcli.analyses.response.precise import precise_value
+
+    lowest = np.sqrt(np.linalg.eigvals(np.linalg.solve(M, K)).real.min())
+    times = np.linspace(0, 2 * np.pi * periods / lowest, POINTS)
+    forcing = Forcing(DEGREES, [Segment(0.0, (Wave(DEGREES - 1, 5.0, 0, 7j),))])
+    q0, v0, output = np.full(DEGREES, 0.1), np.zeros(DEGREES), Output(q={3: 1.0})
+    inverse = np.linalg.inv(M)
+    A, B = -inverse @ np.concatenate([K, C], axis=1), 5.0 * inverse[:, -1]
+
+    def slope(t, z):
+        return np.concatenate([z[DEGREES:], A @ z + B * np.cos(7 * t)])
+
+    def theirs():
+        return solve_ivp(slope, (0, times[-1]), np.concatenate([q0, v0]), "DOP853", times, rtol=1e-10, atol=1e-12).y[3]
+
+    def ours():
+        return linear_motion(M, C, K, forcing, q0, v0).values(output, times)
+
+    spent, x = _timed(ours, runs)
+    their_time, y = _timed(theirs, 1)
+    places = [POINTS // 7, POINTS // 2, POINTS - 1]
+    lists = [matrix.tolist() for matrix in (M, C, K)]
+    exact = [float(precise_value(*lists, forcing, q0, v0, output, times[i], 25)) for i in places]
+    errors = [np.abs(z[places] - exact).max() / np.abs(x).max() for z in (x, y)]
+    return [spent, errors[0], their_time, errors[1]]
+
+
+def _record(M, C, K, runs):
+    """ms of the response to a force given at points, straight between them."""
+    import numpy as np
+
+    from vibcli.analyses.forcing.output import Output
+    from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
+    from vibcli.analyses.response.motion import linear_motion
+
+    random = np.random.default_rng(2)
+    at, force = np.linspace(0, 40, PIECES + 1), random.normal(size=PIECES + 1)
+    slopes = np.diff(force) / np.diff(at)
+    pieces = [Segment(t, (Wave(0, f, 0, 0j), Wave(0, s, 1, 0j)))
+              for t, f, s in zip(at.tolist(), force.tolist(), slopes.tolist(), strict=False)]
+    forcing, times, rest = Forcing(DEGREES, pieces), np.linspace(0, 40, POINTS), np.zeros(DEGREES)
+    return _timed(lambda: linear_motion(M, C, K, forcing, rest, rest).values(Output(q={3: 1.0}), times), runs)[0]
+
+
+def _timed(function, runs):
+    """(median ms, the last result)."""
+    spent = []
+    for _ in range(runs):
+        start = process_time()
+        result = function()
+        spent.append(1e3 * (process_time() - start))
+    return median(spent), result
