@@ -26,7 +26,7 @@ parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
 gravity: g
 bodies: {a: {mass: m, at: [0, -L], pin: {at: [0, 0], by: p}}}
 """
-ACCURACIES, TOLERANCES = (1e-11, 1e-12), (1e-10, 1e-12)
+ACCURACIES, TOLERANCES = (1e-11, 1e-12), (1e-12, 1e-13)
 ERROR_GATE, PHASE_GATE, DRIFT_GATE = 1e-9, 1e-8, 1e-12
 
 
