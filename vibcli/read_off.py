@@ -25,6 +25,11 @@ def vibration(signal):
 
 
 def amplitude(signal):
+    """Of the one free vibration; 0 of what stays at rest."""
+    from vibcli.analyses.response.formula import formula
+
+    if all(not part.amplitude or not (part.omega or part.rate) for part in formula(signal.motion, signal.output)):
+        return 0.0
     return vibration(signal).amplitude
 
 

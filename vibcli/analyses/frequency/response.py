@@ -74,7 +74,7 @@ def _method(system, count):
 def direct(system, s, steep=False):
     """(H, dH/ds or None, whether there is a pole) by LU, in blocks of frequencies."""
     size = max(1, int(BLOCK / max(system.n, 1) ** 2))
-    parts = [_block(system, s[k:k + size], steep) for k in range(0, len(s), size)]
+    parts = [_block(system, s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
     return tuple(np.concatenate(part) if part[0] is not None else None for part in zip(*parts, strict=True))
 
 

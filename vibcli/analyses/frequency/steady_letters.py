@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
-from vibcli.algebra.normal import TooLong, expanded, textbook
+from vibcli.algebra.normal import TooLong, expanded, is_zero, textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.analyses.frequency.in_letters import from_parts, require_few
 from vibcli.errors import NotInLetters
@@ -44,7 +44,12 @@ def steady_state(problem, signal):
     for i, parts in loads.items():
         for power, part in enumerate(parts):
             (b if i < n else d)[power][i if i < n else 0] = part
-    return Steady(from_parts(problem, b, rows, d, Omega), wave, argument)
+    found = from_parts(problem, b, rows, d, Omega)
+    if all(is_zero(part) for part in found.denominator):
+        raise NotInLetters("this scene is driven at a natural frequency without damping: its amplitude grows with the "
+                           "time, and there is no steady state",
+                           "give numbers with --set, and see the motion from its start")
+    return Steady(found, wave, argument)
 
 
 def _waves(scene, node):
