@@ -13,6 +13,7 @@ from vibcli.questions import (
     ASKED,
     BARE,
     IN_FREQUENCY,
+    OF_SPEED,
     SEVERAL,
     SIGNAL,
     STATE_FUNCTIONS,
@@ -36,7 +37,7 @@ def check_answers(spec, reader):
 def asked_dimension(spec, tree):
     if is_choice(spec, tree):
         return spec.dimensions.of(tree[4])
-    if tree[7] or tree[4] in IN_FREQUENCY:
+    if (tree[7] or tree[4] in IN_FREQUENCY) and tree[4] not in OF_SPEED:
         return response_dimension(spec, tree)
     indices = [coordinate_name(spec, index) or index for index in tree[5]]
 

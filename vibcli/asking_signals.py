@@ -7,7 +7,7 @@ from vibcli.diagnostics import quoted
 from vibcli.fit import applied
 from vibcli.questions import ASKED, IN_FREQUENCY, OF_VALUES, PARTS, SIGNAL, declared, usage
 from vibcli.reading import nearest
-from vibcli.signals import near_signals, signal_dimension
+from vibcli.signals import ENERGIES, near_signals, signal_dimension
 
 RATE = units.parse_unit("rad/s").dimension
 
@@ -17,6 +17,8 @@ def output_dimension(spec, text):
     name = text.rstrip("'")
     primes = len(text) - len(name)
     found = spec.dimensions.of(name) if name in spec.coordinates else signal_dimension(spec, name)
+    if found is None and name in ENERGIES and name not in spec.parameters:
+        found = units.parse_unit(ENERGIES[name]).dimension
     return None if found is None or primes > 2 else units.times(found, units.TIME, -primes)
 
 
@@ -179,6 +181,8 @@ def _response(spec, reader, expression, tree, arg):
     wants_value = tree[4] in (*OF_VALUES, "phase")
     example = "phase(frf[x, F](5 Hz))" if tree[4] == "phase" else usage(tree[4])
     place = expression.scalar.place(arg[1], arg[2] - arg[1])
+    if wants_value and arg[0] == "quantity" and arg[4] == "eigenvalue":
+        return can_be_asked(spec, reader, expression, arg)
     if arg[0] != "quantity" or arg[4] not in IN_FREQUENCY or not ASKED[arg[4]].optional:
         reader.report(place, "expected a frequency response", f"write {example}")
         return False

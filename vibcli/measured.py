@@ -1,6 +1,6 @@
 """The value of a quantity — omega[1], J[disc, O], K[x, phi] — of a numeric problem, with its error bound."""
 
-from math import isfinite
+from math import isfinite, pi, sqrt
 
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
@@ -172,6 +172,19 @@ def _of_damped(attribute_name, words):
     return value
 
 
+def _eigenvalue(problem, indices, attribute):
+    mode = damped_mode(problem, indices)
+    return complex(mode.eigenvalue), mode.error
+
+
+def _decrement(problem, indices, attribute):
+    zeta, error = _MEASURES["zeta"](problem, indices, attribute)
+    if not zeta < 1:
+        raise PhysicsError(f"damped mode {indices[0]} does not oscillate: it has no logarithmic decrement",
+                           "ask for its decay")
+    return 2 * pi * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
+
+
 def _sensitivity(problem, indices, attribute):
     mode, name = _oscillating(problem, indices[:1], "sensitivity"), indices[1]
     if mode.rigid:
@@ -252,7 +265,8 @@ def _centre(problem, indices, attribute):
 _MEASURES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
-    "decay": _of_damped("decay", "decay"), "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
+    "decay": _of_damped("decay", "decay"), "eigenvalue": _eigenvalue, "decrement": _decrement,
+    "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
     "dunkerley": _estimate("dunkerley"), "equilibrium": _equilibrium, "stable": _stable,
     "equilibria": lambda problem, indices, attribute: (_number(problem), 0.0),
     "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,

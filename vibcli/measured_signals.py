@@ -3,6 +3,7 @@
 from math import isfinite, pi
 
 from vibcli import read_off
+from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import counts_cycles, lower, quantities_in
 from vibcli.errors import PhysicsError
@@ -49,6 +50,20 @@ def _value(problem, tree):
     if not time >= 0 or not isfinite(time):
         raise PhysicsError(f"there is no motion at t = {time:.6g} s", "motions start at t = 0")
     return float(_signal(problem, tree).values(np.array([time]))[0])
+
+
+def _inertia(problem, tree):
+    """∂²T/∂q̇ᵢ∂q̇ⱼ at an instant of the motion."""
+    import numpy as np
+
+    from vibcli.measured import number_of as numbered
+    from vibcli.mechanics.energies import kinetic
+
+    scene = problem.scene
+    i, j = (scene.v[numbered(problem, index)] for index in tree[5])
+    zero = scene.table.zero
+    node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
+    return float(problem.motion.state_signal(node).values(np.array([number_of(problem, tree[7][0])]))[0])
 
 
 def _extreme(sense, which):
@@ -160,7 +175,9 @@ def _frf(problem, tree):
 
 def _complex_part(part):
     def value(problem, tree):
-        found, error = _frf(problem, tree[7][0])
+        from vibcli.measured import measure
+
+        found, error = measure(problem, tree[7][0])
         return part(found), error
     return value
 
@@ -224,7 +241,8 @@ _OF_FREQUENCY = {
     "fixed_point": _fixed_point, "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
 }
 _IN_TIME = {
-    "value": _value, "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
+    "value": _value, "M": _inertia,
+    "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
     "argmax": _extreme(1, 0), "argmin": _extreme(-1, 0), "mean": _over_a_period("mean"), "rms": _over_a_period("rms"),
     "final": _final, "overshoot": _overshoot, "harmonic": _harmonic, "zero": _zero, "period": _period,
     "decrement": _free(read_off.decrement), "beat_period": _free(read_off.beat_period),

@@ -7,13 +7,16 @@ factors is exact at any time; products and powers are evaluated instant by insta
 from fractions import Fraction
 from functools import cached_property
 
-from vibcli.algebra.calculus import gradient
+from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.expression import reachable
 from vibcli.algebra.meaning import lower
 from vibcli.analyses.forcing.output import Output, combined
 from vibcli.elements.find import RESPONSE
 from vibcli.errors import PhysicsError
+from vibcli.mechanics.signals import energy
 from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
+from vibcli.signals import ENERGIES
 
 PERIODIC = 1e-7     # how equal the periods of a periodic motion are
 LONGEST = 1e12      # seconds
@@ -141,6 +144,8 @@ class SmallMotion(Motion):
         symbol = table.variable("signal " + (part[3] if part[0] == "quantity" else name + "'" * primes))
         if part[0] == "quantity":
             parts[symbol] = (part,)
+        elif name in ENERGIES and name not in problem.spec.coordinates:
+            return self._at_states(parts, energy(problem.scene, name, primes))
         elif is_quadratic(name):
             total = table.zero
             for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
@@ -151,6 +156,22 @@ class SmallMotion(Motion):
         else:
             parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
         return symbol
+
+    def state_signal(self, node):
+        """The signal of an expression of coordinates, velocities and accelerations."""
+        parts = {}
+        node = self._at_states(parts, node)
+        return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
+                              self.problem.floats)
+
+    def _at_states(self, parts, node):
+        """The same with the coordinates and their rates replaced by symbols of their signals."""
+        scene = self.problem.scene
+        states = {symbol: (name, primes) for primes, kind in enumerate((scene.q, scene.v, scene.a))
+                  for symbol, name in zip(kind, scene.coordinates, strict=True)}
+        below = set(reachable([node]))
+        return substitute([node], {symbol: self._part(parts, name, primes, ("name",))
+                                   for symbol, (name, primes) in states.items() if symbol in below})[0]
 
     def _apart(self, output, direct):
         """(Output without its channel, the node on it or None)."""
@@ -226,6 +247,10 @@ class FullMotion(Motion):
             raise PhysicsError("this motion has no one period" if gaps else "this motion has not yet gone through a "
                                "period", "give a later end: find: [{response: {until: 20 s}}]" if not gaps else None)
         return sum(gaps) / len(gaps)
+
+    def state_signal(self, node):
+        """The signal of an expression of coordinates, velocities and accelerations."""
+        return FullSignal(self, node)
 
     def signal(self, tree):
         """The signal of a tree: a function of the coordinates, velocities and accelerations."""

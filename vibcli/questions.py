@@ -40,6 +40,7 @@ ASKED = {
     "zeta": Asked(("mode",), "1", "damping ratio of damped mode i, by ascending |λ|"),
     "omega_d": Asked(("mode",), "rad/s", "damped angular frequency of damped mode i"),
     "decay": Asked(("mode",), "1/s", "decay −Re λ of damped mode i"),
+    "eigenvalue": Asked(("mode",), "1/s", "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it"),
     "sensitivity": Asked(("mode", "parameter"), None, "derivative of the natural angular frequency of mode i by a "
                          "parameter p that is not defined by others, the shift of the equilibrium included"),
     "rayleigh": Asked((), "rad/s", "Rayleigh's estimate of omega[1] by the static deflection, an upper bound"),
@@ -103,6 +104,8 @@ IN_FREQUENCY = {
     "im": _of_response(None, "imaginary part of a frequency response"),
 }
 ASKED |= IN_TIME | IN_FREQUENCY
+INERTIA = Asked(("coordinate", "coordinate"), None, "entry of the mass matrix at an instant", args=("time",))
+DECREMENT = Asked(("mode",), "1", "logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)")
 PERIOD = _of_signal("s", "period of the actual motion of a signal")
 VALUE = Asked((), SIGNAL, "value of a signal at an instant", args=("signal", "time"))
 PARTS = ("steady", "transient", "envelope")      # of signals, signals themselves
@@ -115,6 +118,10 @@ OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)
 
 def declared(tree):
     """The Asked of a quantity tree; None where there is none."""
+    if tree[4] == "decrement" and tree[5]:
+        return DECREMENT
+    if tree[4] == "M" and tree[7]:
+        return INERTIA
     if tree[4] == "period" and tree[7]:
         return PERIOD
     return VALUE if tree[4] == "value" else ASKED.get(tree[4])

@@ -8,9 +8,12 @@ BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N"
 SPRING = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")}      # of length, and of torsion
 DAMPER = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")}
 GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
+ENERGIES = {"T": "J", "V": "J", "Phi": "W"}      # of the whole scene, where no parameter has the name
 FORCES = {"rope": ("force",), "link": ("force",), "gear": ("force",), "belt": ("force",), "point": ("force",),
           "join": ("force.x", "force.y")}
 ABOUT = (
+    ("T, V, Phi", "kinetic and potential energy and dissipation function of the scene along a motion: `T(2 s)`, "
+                  "`max(V)`; V is counted from the drawn position"),
     ("P.x, P.y", "displacement of a point from where it is drawn; of a body, that of its mass centre"),
     ("B.angle", "turn of a body"),
     ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),

@@ -3,7 +3,9 @@
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import HALF, ONE
 from vibcli.errors import PhysicsError
+from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.reading import Name
+from vibcli.signals import ENERGIES
 
 
 def displacement(scene, text):
@@ -45,6 +47,8 @@ def moving(problem, text, primes=0):
     scene = problem.scene
     if text in problem.spec.coordinates:
         return scene.symbol(text, primes)
+    if text in ENERGIES:
+        return energy(scene, text, primes)
     name, _, part = text.partition(".")
     node = displacement(scene, text)
     if node is None:
@@ -52,6 +56,16 @@ def moving(problem, text, primes=0):
     if node is None:
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations",
                            "ask for forces of springs and dampers, as in s.force + d.force, or write motion: small")
+    for _ in range(primes):
+        node = scene.rate(node)
+    return node
+
+
+def energy(scene, text, primes=0):
+    """T, V or Φ of a scene along a motion, V counted from the drawn position."""
+    node = {"T": kinetic, "V": potential, "Phi": dissipation}[text](scene)
+    if text == "V":
+        node = node - scene.at_drawn(node)[0]
     for _ in range(primes):
         node = scene.rate(node)
     return node

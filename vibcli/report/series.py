@@ -7,13 +7,15 @@ from vibcli.report.responses import curves_asked, signals_asked, symbol
 
 
 class Series(NamedTuple):
-    """A signal at all instants: `parts` {steady, transient: values} where they were asked for."""
+    """A signal at all instants: `parts` {steady, transient: values} where they were asked for; `bounds`: (upper, lower)
+    of a free vibration that dies out, or None."""
 
     name: str
     unit: str
     times: object
     values: object
     parts: dict
+    bounds: tuple | None = None
 
 
 class SampledCurve(NamedTuple):
@@ -38,22 +40,40 @@ def sampled(problem, wanted):
         parts = {}
         for part in wanted.parts:
             parts[part] = getattr(one.signal, part).values(times)
-        found.append(Series(one.text, one.unit, times, one.signal.values(times), parts))
+        found.append(Series(one.text, one.unit, times, one.signal.values(times), parts,
+                            _bounds(problem, one.signal, times)))
     return found
+
+
+def _bounds(problem, signal, times):
+    """(upper, lower) envelope of a free vibration that dies out; None of others."""
+    if problem.motion.drive or not hasattr(signal, "output"):
+        return None
+    from vibcli.read_off import vibration
+
+    try:
+        if not vibration(signal).rate < 0:
+            return None
+    except PhysicsError:
+        return None
+    size, middle = signal.envelope.values(times), signal.output.constant
+    return middle + size, middle - size
 
 
 def response_figure(problem, series):
     """The motion in time as a Figure."""
     from vibcli.report.plots.response import of_response
 
-    lines, steady = [], []
+    lines, steady, bounds = [], [], []
     for one in series:
         lines.append((symbol(one.name), one.unit, one.values))
         steady.append(one.parts.get("steady"))
+        bounds.append(one.bounds)
         if "transient" in one.parts:
             lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
-    return of_response(series[0].times, lines, steady, title=problem.spec.get("title") or "")
+            bounds.append(None)
+    return of_response(series[0].times, lines, steady, bounds, title=problem.spec.get("title") or "")
 
 
 def columns(series):
