@@ -5,16 +5,39 @@ import click
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
+from vibcli.cli.sampled import cases_to_show, plot_width, refuse_targets, save_to
+
+PICTURES = (".png", ".svg", ".pdf")
 
 
 @click.command("frequencies")
 @scene_options
 @report_options
 @number_options
-def command(file, settings, case, as_json, timings, digits, normalise, **report):
+@click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
+@click.option("--save", "saves", multiple=True, metavar="FILE", help="Write that picture (.png, .svg, .pdf).")
+def command(file, settings, case, as_json, timings, digits, normalise, plot, saves, **report):
     """Equilibrium, natural frequencies, damping and mode shapes."""
+    refuse_targets(saves, report["force"], PICTURES)
+    if plot and as_json:
+        raise click.UsageError("--plot does not go with --json")
     output = output_of(file, as_json, **report)
-    problems = chosen(load(file, settings), case)
+    problems = cases_to_show(chosen(load(file, settings), case), saves)
     return print_scenes(problems, lambda problem: ("chosen", "equilibrium", "frequencies", "damping",
                                                               "modes"),
-                        output, timings, digits, normalise, ("frequencies",))
+                        output, timings, digits, normalise, ("frequencies",),
+                        curves=lambda problem: _shown(problem, plot, saves))
+
+
+def _shown(problem, plot, saves):
+    if not (plot or saves):
+        return
+    from vibcli.report.series import eigenvalue_figure
+
+    figure = eigenvalue_figure(problem)
+    if plot:
+        from vibcli.report.plots.braille import braille
+
+        click.echo("\n" + braille(figure, width=plot_width()))
+    for path in saves:
+        save_to(path, problem, lambda: figure, None)

@@ -80,13 +80,13 @@ def progress(problem):
     return tell
 
 
-def refuse_targets(paths, force):
+def refuse_targets(paths, force, suffixes=(".png", ".svg", ".pdf", ".csv", ".npz", ".json")):
     """A usage error, before anything is computed, where one of the files cannot be written."""
     from vibcli.report.written import refuse_unwritable
 
     for path in map(Path, paths):
         try:
-            refuse_unwritable(path, (".png", ".svg", ".pdf", ".csv", ".npz", ".json"))
+            refuse_unwritable(path, suffixes)
         except PhysicsError as error:
             raise click.UsageError(f"{error.message}; {error.hint}") from None
         if path.exists() and not force:

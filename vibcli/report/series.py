@@ -136,3 +136,21 @@ def _unit(curves):
 def frequency_columns(curves):
     """[(name, unit, array)] of frequency responses."""
     return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]
+
+
+def eigenvalue_figure(problem):
+    """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
+    from vibcli.report.plots.eigenvalues import argand
+
+    if problem.symbolic:
+        raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
+    found = []
+    for mode in problem.damped or problem.modes:
+        if hasattr(mode, "eigenvalue"):
+            value = complex(mode.eigenvalue)
+        else:
+            value = complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0))
+        found.append((value, str(mode.index)))
+        if value.imag:
+            found.append((value.conjugate(), ""))
+    return argand([value for value, _ in found], [label for _, label in found], title=problem.spec.get("title") or "")
