@@ -5,6 +5,7 @@
 
 from fractions import Fraction
 
+from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats
 from vibcli.algebra.expression import Table
 from vibcli.algebra.parse import ExpressionError
@@ -125,8 +126,22 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
             self.open_loads()
         self.settle_laws()
         if self.constraints and not loose and not self.diagnostics:
-            self.dependent = close(self)
+            try:
+                self.dependent = close(self)
+            except ZeroDivisionError:
+                self._report_singular()
         self.timed = self.depends_on_time()
+
+    def _report_singular(self):
+        """Name the constraints that have no slope as drawn, as of √x at x = 0."""
+        for constraint in self.constraints:
+            try:
+                self.at_drawn(*gradient(constraint.node).values())
+            except ZeroDivisionError:
+                self.report(constraint.where, f"the constraint '{constraint.name}' divides by zero as drawn",
+                            "draw it in another position")
+        if not self.diagnostics:
+            self.report(self.constraints[0].where, "these constraints divide by zero as drawn", "draw them elsewhere")
 
     def report(self, where, message, hint=None):
         self.diagnostics.append(Diagnostic(where, message, hint))
