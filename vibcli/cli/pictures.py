@@ -43,16 +43,21 @@ def moving(problem):
 
 def target(file, output, suffixes, force, *parts):
     """The Path to write to, before anything is computed; a usage error where that cannot be."""
+    path = Path(output) if output else Path(slug(Path(file).stem, *parts) + suffixes[0])
+    refuse(path, suffixes, force)
+    return path
+
+
+def refuse(path, suffixes, force):
+    """A usage error where a file cannot be written, or is there already."""
     from vibcli.report.written import refuse_unwritable
 
-    path = Path(output) if output else Path(slug(Path(file).stem, *parts) + suffixes[0])
     try:
         refuse_unwritable(path, suffixes)
     except PhysicsError as error:
         raise click.UsageError(f"{error.message}; {error.hint}") from None
     if path.exists() and not force:
-        raise click.UsageError(f"'{path}' exists already; nothing was written: name another file with -o, or --force")
-    return path
+        raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
 
 
 def slug(*parts):

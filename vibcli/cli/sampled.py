@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from vibcli.errors import PhysicsError
+from vibcli.cli.pictures import refuse
 
 NARROWEST, WIDEST = 40, 120
 
@@ -82,15 +82,8 @@ def progress(problem):
 
 def refuse_targets(paths, force, suffixes=(".png", ".svg", ".pdf", ".csv", ".npz", ".json")):
     """A usage error, before anything is computed, where one of the files cannot be written."""
-    from vibcli.report.written import refuse_unwritable
-
     for path in map(Path, paths):
-        try:
-            refuse_unwritable(path, suffixes)
-        except PhysicsError as error:
-            raise click.UsageError(f"{error.message}; {error.hint}") from None
-        if path.exists() and not force:
-            raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
+        refuse(path, suffixes, force)
 
 
 def require_curves(plot, saves, as_json, options):
