@@ -24,7 +24,8 @@ ABOUT = (
     ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
                     "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
     ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "
-                                  "or mass centre; O.reaction.x of the one body pinned at a point O"),
+                                  "or mass centre, of what rolls about the centre of its circle; O.reaction.x of the "
+                                  "one body pinned at a point O"),
     ("B.normal, B.friction", "contact force on a rolling or sliding body: along the normal from the surface to the "
                              "body, and along the tangent, which is the normal turned clockwise"),
 )

@@ -5,5 +5,5 @@ A file is imported on the first use of its key, by fields.Lazy; a test compares 
 
 NAMES = ("answer", "body", "choose", "constraint", "coordinates", "damper", "energies", "equilibrium", "find",
          "fitting", "force", "gravity", "initial", "matrices", "move", "parameter", "pin", "point", "record",
-         "roll", "rope",
+         "rim", "roll", "rope",
          "shapes", "slide", "spring", "surface", "torsion", "turn", "weld")

@@ -5,7 +5,7 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from vibcli.elements import fitting
+from vibcli.elements import fitting, rim
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load, vector
 
@@ -14,7 +14,8 @@ _SHAPE = {
     "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
     "mass": Field(Quantity("kg"), "its mass; massless without it"),
     "density": Field(Quantity(), "mass per area (or per length of a rod, ring or arch), instead of the mass"),
-    "at": Field(_AT, "where its mass centre is drawn; of a sector or arch the centre O of its circle"),
+    "at": Field(_AT, "where its mass centre is drawn; of a sector or arch, and beside `parts`, the centre O of its "
+                "circle"),
     "from": Field(_AT, "one end of a rod"),
     "to": Field(_AT, "the other end of a rod"),
     "angle": Field(Quantity("rad"), "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
@@ -57,20 +58,21 @@ ELEMENT = Element(
 
 
 class Body:
-    """A body as built: drawn place and mass centre, mass and J_C (nodes), frame, or its lumped motion.
+    """A body as built: mass centre as drawn, mass and J_C (nodes), frame, or its lumped motion.
 
-    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. normal: the unit vector
-    from the surface that it rolls or slides on to the body.
+    pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
+    of its round shapes, and rolling_radius their radius, None of none or several. normal: the unit vector from the
+    surface that it rolls or slides on to the body.
     """
 
-    __slots__ = ("centre", "drawn", "frame", "inertia", "lumped", "mass", "name", "normal", "pieces", "record",
+    __slots__ = ("centre", "frame", "inertia", "lumped", "mass", "name", "normal", "pieces", "record", "rims",
                  "rolling_radius")
 
     def __init__(self, name, record):
         self.name, self.record = name, record
-        self.drawn = self.centre = self.frame = self.lumped = self.rolling_radius = self.normal = None
+        self.centre = self.frame = self.lumped = self.rolling_radius = self.normal = None
         self.mass = self.inertia = self.pieces = None
-
+        self.rims = []
 
     @property
     def moves(self):
@@ -95,18 +97,19 @@ def build(record, scene):
 
 
 def _inertia(body, record, scene, placed):
-    """Set mass, J_C, drawn place, mass centre and rolling radius."""
+    """Set mass, J_C, mass centre and circle."""
     if "parts" in record:
         pieces = [_piece(part, scene, part.get("cut", False)) for part in record["parts"]]
         mass, centre, inertia = _welded(pieces)
         if not scene.number(mass) > 0 or not scene.number(inertia) >= 0:
             scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
                          "a hole lies within the shape that it is cut from")
-        body.drawn = scene.pair(record["at"]) if "at" in record else pieces[0][3]
         if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record.values):
             body.pieces = [piece[:3] for piece in pieces]
+        body.rims, body.rolling_radius = rim.of_parts(record, pieces, scene)
     else:
-        mass, centre, inertia, body.drawn, body.rolling_radius = _piece(record, scene, False, placed)
+        mass, centre, inertia, drawn, body.rolling_radius = _piece(record, scene, False, placed)
+        body.rims = [drawn] if body.rolling_radius is not None else []
     if "inertia" in record:
         inertia = scene.positive(record["inertia"], f"the inertia of '{body.name}'", zero=True)
     elif "gyration" in record:
@@ -164,7 +167,7 @@ def _welded(pieces):
 def _place(body, motion, scene):
     """Give a placed body its frame, then its energies."""
     record = body.record
-    body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.drawn)
+    body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.centre)
     if scene.releasing and motion and motion != "weld":
         body.frame = scene.release(body)
     for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):

@@ -168,7 +168,7 @@ def _carried(record, scene, names):
     for name in names:
         body = scene.bodies[name.text]
         if body.frame is not None and not scene.released:
-            now = carrier.seen(*body.frame.point(*body.drawn))
+            now = carrier.seen(*body.frame.point(*scene.rim(body, name.where)))
             if not all(scene.vanishes(x - x0) for x, x0 in zip(now, scene.at_drawn(*now), strict=True)):
                 scene.report(name.where, f"the axle of '{name.text}' moves" + (f" in '{record['carrier'].text}'"
                              if "carrier" in record else ""), "name the body that carries both axles: `carrier: arm`")
@@ -179,11 +179,11 @@ def _parted(record, scene, names, radii):
     bodies = [scene.bodies[name.text] for name in names]
     if any(body.frame is None for body in bodies):
         return scene.table.zero
-    (ax, ay), (bx, by) = (body.drawn for body in bodies)
+    (ax, ay), (bx, by) = rims = [scene.rim(body, record.where) for body in bodies]
     ex, ey = scene.unit(bx - ax, by - ay)
     if record.get("inside") and scene.sign(radii[0] - radii[1]) < 0:
         ex, ey = -ex, -ey
-    places = [part for body in bodies for part in body.frame.point(*body.drawn)]
+    places = [part for body, rim in zip(bodies, rims, strict=True) for part in body.frame.point(*rim)]
     held = substitute(places, dict.fromkeys(scene.released, scene.table.zero))
     cx, cy, dx, dy = (now - then for now, then in zip(places, held, strict=True))
     tx, ty = scene.carrier(record).turned(-ey, ex)
@@ -206,7 +206,7 @@ def _touching(record, scene, names, radii):
     bodies = [scene.bodies[name.text] for name in names]
     if any(body.frame is None for body in bodies):
         return
-    (ax, ay), (bx, by) = (body.drawn for body in bodies)
+    (ax, ay), (bx, by) = (scene.rim(body, name.where) for body, name in zip(bodies, names, strict=True))
     due = radii[0] + radii[1]
     if record.get("inside"):
         due = radii[0] - radii[1] if scene.sign(radii[0] - radii[1]) > 0 else radii[1] - radii[0]

@@ -1,4 +1,4 @@
-"""General plane motion: displacement of the centre and rotation, each a coordinate or an expression."""
+"""General plane motion: displacement of the mass centre and rotation, each a coordinate or an expression."""
 
 from vibcli.document import Sequence
 from vibcli.fields import BODY, Element, Field, Kind, Motion
@@ -22,10 +22,10 @@ class _Displacements(Kind):
 
 ELEMENT = Element(
     "move",
-    "General plane motion: the displacement of the body's centre in x and y and its rotation, each a coordinate or "
-    "an expression of coordinates, counted from the drawn position.",
+    "General plane motion: the displacement of the body's mass centre in x and y and its rotation, each a coordinate "
+    "or an expression of coordinates, counted from the drawn position.",
     {
-        "by": Field(_Displacements(), "displacement of the centre and rotation; 0 what is held", required=True),
+        "by": Field(_Displacements(), "displacement of the mass centre and rotation; 0 what is held", required=True),
         "carrier": Field(BODY, "the body relative to which it moves; axes and angle turn with it"),
     },
     short="by",
@@ -37,5 +37,5 @@ def build(move, body, scene):
     """The frame of a body moved by (Δx, Δy, Δφ) in its carrier."""
     dx, dy, turn = (scene.change(part) for part in move["by"])
     carrier = scene.carrier(move)
-    x0, y0 = body.drawn
+    x0, y0 = body.centre
     return scene.new_frame((x0, y0), carrier.point(x0 + dx, y0 + dy), carrier.angle + turn)

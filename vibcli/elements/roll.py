@@ -32,20 +32,20 @@ def build(roll, body, scene):
     radius = scene.positive(roll["radius"], "the radius it rolls on") if "radius" in roll else body.rolling_radius
     if radius is None:
         scene.report(roll.where, f"'{body.name}' has no radius to roll on", "give `radius`, or a shape that is round")
-        return scene.still(body.drawn)
-    carrier = scene.carrier(surface, "body")
+        return scene.still(body.centre)
+    drawn, carrier = scene.rim(body, roll.where), scene.carrier(surface, "body")
     if "curve" in surface:
         scene.report(roll["surface"].where, "bodies roll on lines and circles, not on other curves",
                      "`slide: {surface: …, by: …}` moves a particle along a curve")
-        return scene.still(body.drawn)
+        return scene.still(body.centre)
     on = _on_line if "line" in surface else _on_circle
-    return on(roll, body, scene, surface, radius, carrier)
+    return on(roll, body, drawn, scene, surface, radius, carrier)
 
 
-def _on_line(roll, body, scene, surface, radius, carrier):
+def _on_line(roll, body, drawn, scene, surface, radius, carrier):
     (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])
     ex, ey = scene.unit(bx - ax, by - ay, surface.where)
-    x0, y0 = body.drawn
+    x0, y0 = drawn
     height = (y0 - ay) * ex - (x0 - ax) * ey
     side = scene.sign(height)
     scene.require_equal(abs_of(height, side), radius, roll.where,
@@ -53,7 +53,7 @@ def _on_line(roll, body, scene, surface, radius, carrier):
                         "move the body or the line until they touch")
     if "swing" in roll:
         scene.report(roll.place("swing"), "'swing' is for circles", "on a line use `travel` or `turn`")
-        return scene.still(body.drawn)
+        return scene.still(body.centre)
     if "travel" in roll:
         travel = scene.change(roll["travel"])
         turn = carrier.angle - travel * side / radius
@@ -62,17 +62,17 @@ def _on_line(roll, body, scene, surface, radius, carrier):
         travel = -(turn - carrier.angle) * side * radius
     place = carrier.point(x0 + travel * ex, y0 + travel * ey)
     body.normal = carrier.turned(-side * ey, side * ex)
-    return scene.new_frame(body.drawn, place, turn)
+    return scene.new_frame(drawn, place, turn)
 
 
 def abs_of(node, sign):
     return node if sign > 0 else -node
 
 
-def _on_circle(roll, body, scene, surface, radius, carrier):
+def _on_circle(roll, body, drawn, scene, surface, radius, carrier):
     cx, cy = scene.pair(surface["circle"])
     track = scene.positive(surface["radius"], "the radius of the circle")
-    x0, y0 = body.drawn
+    x0, y0 = drawn
     inside = surface.get("side") == "inside"
     distance = scene.distance(x0 - cx, y0 - cy)
     encloses = not inside and scene.sign(distance - radius) < 0
@@ -82,7 +82,7 @@ def _on_circle(roll, body, scene, surface, radius, carrier):
                         "move the body, or say on which `side` of the circle it is")
     if not scene.number(arm):
         scene.report(roll.where, f"'{body.name}' is as large as the circle it rolls on", "give another radius")
-        return scene.still(body.drawn)
+        return scene.still(body.centre)
     sense = -1 if inside else 1
     if "swing" in roll:
         swing = scene.change(roll["swing"])
@@ -95,4 +95,4 @@ def _on_circle(roll, body, scene, surface, radius, carrier):
     frame = scene.new_frame((cx, cy), centre, carrier.angle + swing)
     outward = -1 if inside or encloses else 1
     body.normal = frame.turned(outward * (x0 - cx) / distance, outward * (y0 - cy) / distance)
-    return scene.new_frame(body.drawn, frame.point(x0, y0), turn)
+    return scene.new_frame(drawn, frame.point(x0, y0), turn)

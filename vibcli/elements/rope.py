@@ -33,7 +33,8 @@ KIND = Many(OneOf("a point, a body, or a pulley such as {over: drum}",
 
 
 class Stop:
-    """A place that a rope passes or ends at: its centre now, its radius, its sense σ, how far its rim turns."""
+    """A place that a rope passes or ends at: the centre of its circle now, its radius, its sense σ, how far its rim
+    turns."""
 
     __slots__ = ("centre", "radius", "sense", "side", "turn")
 
@@ -104,8 +105,10 @@ def _stop(item, scene):
     if radius is None:
         scene.report(item.where, f"'{item[side].text}' has no radius for the rope", "give `radius`, or a round shape")
         return None
-    turn = body.frame.angle if body is not None and body.frame is not None and scene.turns(body) else None
-    return Stop(scene.place_of(item[side]), radius, SIDES[side], turn)
+    if body is None or body.frame is None:
+        return Stop(scene.place_of(item[side]), radius, SIDES[side], None)
+    centre = body.frame.point(*scene.rim(body, item.where))
+    return Stop(centre, radius, SIDES[side], body.frame.angle if scene.turns(body) else None)
 
 
 def _sense(record, scene, stops, i, peg=False):

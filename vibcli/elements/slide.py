@@ -23,7 +23,7 @@ ELEMENT = Element(
 
 def build(slide, body, scene):
     """The frame of a sliding body: x = x₀ + u·e, turned and displaced with the carrier."""
-    x0, y0 = body.drawn
+    x0, y0 = body.centre
     if "surface" in slide:
         return _on_surface(slide, body, scene)
     carrier = scene.carrier(slide)
@@ -35,7 +35,7 @@ def build(slide, body, scene):
 
 def _on_surface(slide, body, scene):
     """The frame of a particle on a surface."""
-    surface, (x0, y0) = scene.surfaces[slide["surface"].text], body.drawn
+    surface, (x0, y0) = scene.surfaces[slide["surface"].text], body.centre
     carrier, u = scene.carrier(surface, "body"), scene.change(slide["by"])
     if "line" in surface:
         (ax, ay), (bx, by) = (scene.pair(place) for place in surface["line"])

@@ -216,6 +216,9 @@ SHAPES = [
     "Uniform plane bodies. C is the mass centre; O, of a sector or arch, the centre of its circle, where `at` "
     "stands, and OC points along `angle`. m is the mass: `mass`, or `density` times area or length. "
     "`inertia` or `gyration` override the moment of inertia.",
+    "A body rolls, meshes and carries ropes about the centre of its circle: that of its shape, of its round parts, or "
+    "of a body that is not round its pin, if it has one. Everywhere else its name stands for its mass centre: for "
+    "springs, dampers, forces, links and signals, and where `slide` and `move` say how far.",
 ]
 
 REMARKS = {

@@ -6,7 +6,7 @@ by displacements ρ (x, y and a rotation about its reference point) that are hel
     E_q + Σ λ_k ∂G_k/∂q = 0          R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,          E = d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q.
 
 R is the force (moment) that the support exerts on the body, in the fixed axes, its moment about the pin or the mass
-centre; λ is a tension for ropes and links, positive in lengthening.
+centre, of what rolls about the centre of its circle; λ is a tension for ropes and links, positive in lengthening.
 """
 
 from typing import NamedTuple

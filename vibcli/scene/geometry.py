@@ -66,6 +66,16 @@ class Geometry:
     def still(self, drawn):
         return Frame(drawn, drawn, self.table.zero)
 
+    def rim(self, body, where):
+        """The centre as drawn of the circle about which a body rolls, meshes and carries ropes; of one that is not
+        round its pin, or else its mass centre."""
+        if len(body.rims) > 1:
+            self.report(where, f"which circle of '{body.name}' is meant is not clear: its parts have several",
+                        "give the body, beside its `parts`, the centre of that circle: `at: [x, y]`")
+        if body.rims:
+            return body.rims[0]
+        return body.frame.drawn if "pin" in body.record else body.centre
+
     def place_of(self, end):
         """Where an end is now: a place [x, y], or a named point or body."""
         return self.pair(end) if isinstance(end, list) else self.place(end)[1]

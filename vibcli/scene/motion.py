@@ -116,7 +116,7 @@ class Motion:
 
     def extent(self, values):
         """The size of the drawn figure in metres, {name: float} given; 0 where nothing has a place."""
-        places = [body.drawn for body in self.bodies.values() if body.frame is not None]
+        places = [body.centre for body in self.bodies.values() if body.frame is not None]
         places += [self.pair(end) for record in (self.spec.get("springs") or {}).values()
                    for end in record.get("between", ()) if isinstance(end, list)]
         found = evaluate([node for place in places for node in place], Floats, values)

@@ -31,9 +31,10 @@ def look_of(body, sketch, ties):
         rim = plane.circle(sketch.pair(surface["circle"]), sketch.length(surface["radius"]))
         return Look([Polygon(tuple(rim), None, width=2.2)], "hoop")
     if name in ties.rims:
-        return _rim(centre, max(ties.radii[name]))
+        return _rim(sketch.rim(name).drawn, max(ties.radii[name]))
     if name in ties.radii:
-        return _wheel(centre, _radii(name, centre, ties), name in ties.toothed)
+        axle = sketch.rim(name).drawn
+        return _wheel(axle, _radii(name, axle, ties), name in ties.toothed)
     pivot = sketch.pivot(name)
     if pivot is not None:
         return pinned(body, centre, pivot.drawn, sketch, ties)
@@ -46,7 +47,7 @@ def _shaped(record, sketch, toothed=False):
     parts = [outline(part, sketch) for part in record.get("parts", (record,))]
     pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]
     if toothed and parts[0].band:
-        return _rim(sketch.centre(record.name), sketch.length(record["radius"]))
+        return _rim(sketch.rim(record.name).drawn, sketch.length(record["radius"]))
     if toothed:
         pieces = [piece._replace(points=tuple(teeth(piece.points))) for piece in pieces]
     core = list(pieces[0].points) if record.get("shape") == "rectangle" else None

@@ -45,24 +45,24 @@ def _of(body, sketch):
 
 def _along(slide, sketch, name):
     if "surface" in slide:
-        return _tangent(sketch.scene.surfaces[slide["surface"].text], name, sketch)
+        return _tangent(sketch.scene.surfaces[slide["surface"].text], sketch.centre(name), sketch)
     return plane.unit(sketch.pair(slide["along"])) if "along" in slide else (1.0, 0.0)
 
 
-def _tangent(surface, name, sketch):
-    """The positive direction on a surface, where a body is drawn."""
+def _tangent(surface, place, sketch):
+    """The positive direction on a surface, at a place on it."""
     if "line" in surface:
         a, b = (sketch.pair(place) for place in surface["line"])
         return plane.unit(plane.minus(b, a))
     if "circle" in surface:
-        return plane.left(plane.unit(plane.minus(sketch.centre(name), sketch.pair(surface["circle"]))))
+        return plane.left(plane.unit(plane.minus(place, sketch.pair(surface["circle"]))))
     return 1.0, 0.0
 
 
 def _rolling(roll, name, sketch):
     surface, found = sketch.scene.surfaces[roll["surface"].text], []
     if "travel" in roll:
-        found.append(Motion(name, roll["travel"], _tangent(surface, name, sketch)))
+        found.append(Motion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
     if "turn" in roll:
         found.append(Motion(name, roll["turn"], about=Attachment(name, sketch.frames[name].drawn)))
     if "swing" in roll:

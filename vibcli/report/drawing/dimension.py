@@ -55,7 +55,7 @@ def _places(body, sketch):
     if body.record.get("shape") == "rod":
         found = [(sketch.pair(body.record[key]), body.record[key]) for key in ("from", "to")]
     elif "at" in body.record:
-        found = [(sketch.centre(body.name), body.record["at"])]
+        found = [(sketch.pair(body.record["at"]), body.record["at"])]
     for record in (sketch.spec.get("points") or {}).values():
         if "body" in record and record["body"].text == body.name:
             found.append((sketch.pair(record["at"]), record["at"]))

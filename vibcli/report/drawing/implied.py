@@ -49,16 +49,17 @@ def _tied(sketch):
 
 
 def _rates(sketch, name):
-    """[(∂x/∂q, ∂y/∂q, ∂angle/∂q)] of a body as drawn, one for each coordinate."""
+    """[(∂x/∂q, ∂y/∂q, ∂angle/∂q)] of the centre of a body's circle as drawn, one for each coordinate."""
     body, zero = sketch.scene.bodies[name], sketch.scene.table.zero
-    slopes = [gradient(node) for node in (*body.frame.point(*body.centre), body.frame.angle)]
+    rim = sketch.scene.rim(body, body.record.where)
+    slopes = [gradient(node) for node in (*body.frame.point(*rim), body.frame.angle)]
     flat = evaluate([slope.get(q, zero) for q in sketch.scene.q for slope in slopes], Floats, sketch.values)
     return [tuple(flat[i:i + 3]) for i in range(0, len(flat), 3)]
 
 
 def _between(wheel, weight, rates, sketch):
     """The rope between a wheel and a weight, None where they do not move as if there were one."""
-    a, b = sketch.centre(wheel), sketch.centre(weight)
+    a, b = sketch.rim(wheel).drawn, sketch.centre(weight)
     moving = [(rate, mine) for rate, mine in zip(rates[wheel], rates[weight], strict=True) if hypot(*mine[:2])]
     if not moving:
         return None

@@ -28,7 +28,7 @@ def stops(record, sketch, looks):
             raw.append((sketch.attachment(item), 0.0, None))
         else:
             side = next(side for side in SIDES if side in item)
-            raw.append((sketch.attachment(item[side]), _radius(item, side, sketch), NORMAL[side]))
+            raw.append((sketch.rim(item[side]), _radius(item, side, sketch), NORMAL[side]))
     found = []
     for i, (at, radius, side) in enumerate(raw):
         before, after = raw[max(i - 1, 0)], raw[min(i + 1, len(raw) - 1)]
@@ -78,7 +78,7 @@ def _tangent(a, one, b, two):
 
 def implied(found, sketch, looks):
     """The Stops of a rope that the motions imply."""
-    wheel, weight = (Attachment(name, sketch.centre(name)) for name in (found.wheel, found.weight))
+    wheel, weight = sketch.rim(found.wheel), Attachment(found.weight, sketch.centre(found.weight))
     offset = plane.minus(weight.drawn, wheel.drawn)
     if not found.radius:
         return [Stop(wheel), _edge(Stop(weight), Stop(wheel), looks)]
@@ -110,7 +110,7 @@ def draw(chain, sketch, role="rope", closed=False):
 
 def belt(record, sketch):
     """A belt round two wheels that have a place."""
-    ends = [sketch.attachment(name) for name in record["belt"]]
+    ends = [sketch.rim(name) for name in record["belt"]]
     if None in ends:
         return []
     radii = [_pitch(record, i, sketch) for i in range(2)]

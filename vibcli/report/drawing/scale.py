@@ -22,7 +22,7 @@ def scale_of(sketch):
         found += plane.circle(at.drawn, radius) if radius else [at.drawn]
     for name, radii in ties.radii.items():
         if name in sketch.frames:
-            found += plane.circle(sketch.centre(name), max(radii))
+            found += plane.circle(sketch.rim(name).drawn, max(radii))
     for name, record in (sketch.spec.get("surfaces") or {}).items():
         if "circle" in record:
             places = [place for place, room in tracks.contacts(name, sketch) if room is not None]

@@ -102,6 +102,17 @@ class Sketch:
         x, y = self.numbers[key]
         return x * self.scale, y * self.scale
 
+    def rim(self, end):
+        """The Attachment of what a rope, belt or gear runs about: the centre of a body's circle, or another place."""
+        body = self.scene.bodies.get(getattr(end, "text", end) if not isinstance(end, list) else None)
+        if body is None or body.name not in self.frames:
+            return self.attachment(end)
+        key = ("rim", body.name)
+        if key not in self.numbers:
+            self.numbers[key] = [self.scene.number(part) for part in self.scene.rim(body, body.record.where)]
+        x, y = self.numbers[key]
+        return Attachment(body.name, (x * self.scale, y * self.scale))
+
     def attachment(self, end):
         """The Attachment of an end: a place [x, y], or the name of a point or body; None without a place."""
         if isinstance(end, list):

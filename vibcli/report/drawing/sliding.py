@@ -51,7 +51,7 @@ def _hook(body, centre, sketch):
     """How far below the axle of a wheel a body hangs that is drawn at the very axle; 0 of any other."""
     for name, other in sketch.scene.bodies.items():
         wheel = name in sketch.frames and name != body.name and other.rolling_radius is not None
-        if wheel and plane.distance(sketch.centre(name), centre) < 1e-6:
+        if wheel and plane.distance(sketch.rim(name).drawn, centre) < 1e-6:
             return sketch.scene.number(other.rolling_radius) * sketch.scale + 14.0
     return 0.0
 

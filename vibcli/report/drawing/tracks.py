@@ -18,7 +18,8 @@ def contacts(name, sketch):
             if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
                 radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
                 room = MARGIN + radius * (key == "roll")
-                found.append((sketch.centre(body.name), room))
+                place = sketch.rim(body.name).drawn if key == "roll" else sketch.centre(body.name)
+                found.append((place, room))
     for constraint in (sketch.spec.get("constraints") or {}).values():
         if "surface" in constraint and constraint["surface"].text == name:
             at = sketch.attachment(constraint["point"])
