@@ -68,6 +68,8 @@ class InLetters:
         from vibcli.mechanics.steady import excitation
 
         scene, settled = self.scene, self.equilibrium_letters
+        if not scene.timed:
+            return {}
         if settled is not None:
             return excitation(scene, self.timed_form, settled.position(self.timed_form))
         if self.linear_in_letters or self.symbolic:

@@ -10,25 +10,18 @@ from vibcli.algebra.meaning import quantities_in
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.quadratic import determinant
 from vibcli.algebra.rationals import ONE, ZERO
-from vibcli.algebra.roots import root
 from vibcli.analyses.elimination import solve_equations
 from vibcli.analyses.solving import depends, polynomial, solve_equation
-from vibcli.asking import coordinate_name
 from vibcli.elements.choose import BALANCE
-from vibcli.errors import PhysicsError
-from vibcli.inverse.letters_of_responses import equal_heights, response_is, response_of, size_of
+from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.inverse.letters_of_quantities import one_degree, side
+from vibcli.inverse.letters_of_responses import equal_heights, response_is, response_of
 from vibcli.inverse.system import summed
-from vibcli.measured import centre_node, inertia_node, lowered
 from vibcli.mechanics.preload import pivots, solve_linear
-from vibcli.mechanics.symbolic import equilibrium_in_letters
 
 LARGEST = 4
 SQUARES = {"omega": lambda x, pi: x * x, "frequency": lambda x, pi: 4 * pi * pi * x * x,
            "period": lambda x, pi: 4 * pi * pi / (x * x), "growth_rate": lambda x, pi: -(x * x)}
-
-
-class NotInLetters(Exception):
-    """The condition has no expression in letters."""
 
 
 def candidates(problem, thorough):
@@ -119,23 +112,28 @@ def _vanishing(problem, condition):
     if condition.word:
         return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
-        head = one.tree[4] if one.tree[0] == "quantity" else None
+        head = one.tree[4] if one.tree[0] == "quantity" and _of_one_equilibrium(one.tree) else None
         heights = equal_heights(problem, one.tree, other.tree)
         if heights is not None:
             return [heights]
         response = response_of(problem, one.tree)
         if response is not None:
-            return response_is(problem, response, _side(problem, other))
+            return response_is(problem, response, side(problem, other))
         if head in SQUARES:
-            value = _side(problem, other)
+            value = side(problem, other)
             return [_characteristic(problem, SQUARES[head](value, problem.scene.table.pi))]
         if head == "zeta":
-            value, (m, c, k) = _side(problem, other), _one_degree(problem)
+            value, (m, c, k) = side(problem, other), one_degree(problem)
             return [c * c - 4 * value * value * k * m]
         if head == "decay":     # over-damped: that of the slower eigenvalue
-            value, (m, c, k) = _side(problem, other), _one_degree(problem)
+            value, (m, c, k) = side(problem, other), one_degree(problem)
             return [(c - 2 * m * value) * (m * value * value - c * value + k)]
-    return [_side(problem, condition.left) - _side(problem, condition.right)]
+    return [side(problem, condition.left) - side(problem, condition.right)]
+
+
+def _of_one_equilibrium(tree):
+    """Is this a quantity of a mode about the only equilibrium: omega[1], neither omega[1, 2] nor period(x)?"""
+    return len(tree[5]) == 1 and not tree[7]
 
 
 def _limit(problem):
@@ -147,7 +145,7 @@ def _limit(problem):
     if not follows and not any(term.weight.mask for term in problem.scene.forces):
         return still
     if C or len(problem.scene.q) != 2:
-        raise NotInLetters
+        raise NotInLetters("where flutter begins is found in letters for two degrees without damping")
     zero = problem.scene.table.zero
     (a, b), (c, d) = ([[matrix.get((i, j), zero) for matrix in (M, K)] for i in (0, 1)] for j in (0, 1))
     mixed = a[0] * d[1] + a[1] * d[0] - b[0] * c[1] - b[1] * c[0]
@@ -158,7 +156,7 @@ def require_no_modes(condition):
     """Without the matrices in letters only what is read off the drawing is known."""
     if condition.word or any(tree[4] not in ("J", "centre") for side in condition.sides
                              for tree in quantities_in(side.tree)):
-        raise NotInLetters
+        raise NotInLetters("the small oscillations of this scene are not known in letters")
 
 
 def _characteristic(problem, square):
@@ -166,55 +164,5 @@ def _characteristic(problem, square):
     M, _, G, K = problem.matrices_in_letters
     n, zero = len(problem.scene.q), problem.scene.table.zero
     if n > LARGEST or G:
-        raise NotInLetters
+        raise NotInLetters(f"frequencies are chosen in letters for {LARGEST} degrees that no gyroscopic terms couple")
     return determinant([[K.get((i, j), zero) - square * M.get((i, j), zero) for j in range(n)] for i in range(n)])
-
-
-def _one_degree(problem):
-    """M, C, K of a scene with one coordinate."""
-    if len(problem.scene.q) != 1:
-        raise NotInLetters
-    M, C, _, K = problem.matrices_in_letters
-    zero = problem.scene.table.zero
-    return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
-
-
-def _side(problem, expression):
-    scene = problem.scene
-    found = {tree[3]: _quantity(problem, tree) for tree in quantities_in(expression.tree)}
-    return lowered(expression, scene.table, lambda name, primes, tree: found[name] if tree[0] == "quantity"
-                   else scene.parameters.nodes[name])
-
-
-def _quantity(problem, tree):
-    """A quantity as an expression of the parameters."""
-    head, indices, attribute = tree[4], tree[5], tree[6]
-    scene = problem.scene
-    response = response_of(problem, tree)
-    if response is not None:
-        return size_of(problem, response)
-    if head == "J":
-        return inertia_node(scene, indices)
-    if head == "centre":
-        return centre_node(scene, indices, attribute)
-    if head == "equilibrium":
-        return equilibrium_in_letters(problem)[coordinate_name(problem.spec, indices[0])]
-    if head in ("M", "C", "G", "K"):
-        matrix = dict(zip("MCGK", problem.matrices_in_letters, strict=True))[head]
-        i, j = (scene.coordinates.index(coordinate_name(problem.spec, index)) for index in indices)
-        return matrix.get((i, j), scene.table.zero)
-    if indices != ("1",):
-        raise NotInLetters
-    return _of_one_mode(problem, head)
-
-
-def _of_one_mode(problem, head):
-    """Frequencies and damping of a scene with one coordinate."""
-    m, c, k = _one_degree(problem)
-    omega, table = root(textbook(k / m), [problem.scene.sample]), problem.scene.table
-    forms = {"omega": lambda: omega, "frequency": lambda: omega / (2 * table.pi),
-             "period": lambda: 2 * table.pi / omega, "zeta": lambda: c / (2 * m * omega),
-             "omega_d": lambda: table.sqrt(textbook(k / m - c * c / (4 * m * m)))}
-    if head not in forms:
-        raise NotInLetters
-    return forms[head]()
