@@ -256,6 +256,16 @@ def test_a_chain_driven_at_its_end_has_no_antiresonance_at_the_other(n):
         assert len(peaks(system)) == n
 
 
+@pytest.mark.parametrize("order", [0, 1, 2])
+def test_a_pole_without_damping_has_no_bound_however_narrow(order):
+    for step in range(24):
+        tie = 10 ** (-step / 6)
+        K = np.array([[300.0 + tie, -tie], [-tie, 7000.0 + tie]])
+        system = Transfer(np.diag([2.0, 13.0]), np.zeros((2, 2)), K, unit(2, 0), unit(2, 0), order=order)
+        assert [one.value for one in extremes(system) if one.maximum] == [None, None], step
+        assert [one.value for one in peaks(system)] == [None, None]
+
+
 def test_a_damped_antiresonance_is_a_minimum():
     system = Transfer(np.diag([20.0, 2.0]), chain([1.0, 3.0]), chain([8000.0, 1250.0]), unit(2, 0), unit(2, 0))
     (dip,) = antiresonances(system)

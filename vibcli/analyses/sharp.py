@@ -39,7 +39,7 @@ def _require_quick(n, damped):
     seconds = estimate_seconds(n, DIGITS, damped)
     if seconds > PATIENCE:
         raise PhysicsError(f"the damped modes of {n} coordinates take about {seconds:.0f} s to the digits that shares "
-                           "and sensitivities need; the limit is {PATIENCE} s", hint)
+                           f"and sensitivities need; the limit is {PATIENCE} s", hint)
 
 
 def coinciding(modes):

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.frequency.poles import pace, poles, zeros
+from vibcli.analyses.frequency.poles import endless, pace, poles, zeros
 from vibcli.analyses.frequency.response import sloped
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
@@ -29,20 +29,30 @@ class Extreme(NamedTuple):
 def extremes(system):
     """The Extremes of |H(iΩ)| for Ω > 0, ascending."""
     low, high = _brackets(system)
-    if not len(low):
-        return []
     maximum = steepness(system, low) > 0
     Omega = narrowed(lambda at: steepness(system, at), low, high)
     values, _, resonant = sloped(system, Omega)
-    sizes = np.abs(values)
-    beside = [np.abs(sloped(system, Omega * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
-    resonant |= maximum & (sizes > ENDLESS * np.maximum(*beside))
     if system.undamped:
-        ends = [sloped(system, edge)[0].real for edge in (low, high)]
-        sizes[~maximum & (ends[0] * ends[1] < 0)] = 0.0
+        turning = ~_through(system, low, high) & ~resonant
+        found = [*map(_extreme, Omega[turning], np.abs(values[turning]), maximum[turning])]
+        for marks, value in zip(endless(system), (None, 0.0), strict=True):
+            found += [_extreme(at, value, value is None) for at in marks]
+        return sorted(found, key=lambda one: one.Omega)
+    beside = [np.abs(sloped(system, Omega * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
+    resonant |= maximum & (np.abs(values) > ENDLESS * np.maximum(*beside))
     Omega[resonant] = _nearest(poles(system).imag, Omega[resonant])
-    return [Extreme(float(at), None if lost else float(size), bool(top))
-            for at, size, lost, top in zip(Omega, sizes, resonant, maximum, strict=True)]
+    return [_extreme(at, None if lost else size, top)
+            for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
+
+
+def _extreme(Omega, size, maximum):
+    return Extreme(float(Omega), None if size is None else float(size), bool(maximum))
+
+
+def _through(system, low, high):
+    """Whether H passes a pole or a zero between the ends of each interval, without damping."""
+    ends = [(sloped(system, edge)[0] / 1j**system.order).real for edge in (low, high)]
+    return ends[0] * ends[1] < 0
 
 
 def _nearest(places, Omega):

@@ -13,6 +13,7 @@ from vibcli.analyses.frequency.response import undifferentiated
 
 FAR = 1e-7      # |μ| of what counts as infinite
 STEPS, NEAR, STILL = 6, 0.03, 1e-6
+BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
 
 
 def poles(system):
@@ -31,17 +32,25 @@ def zeros(system):
     return _kept(system, _roots(parts, pace(system)))
 
 
-def _kept(system, places):
-    """Those to which Newton's method on H converges: rounding scatters zeros at infinity anywhere."""
-    at = places
-    for _ in range(STEPS):
-        values, slopes, _ = undifferentiated(system, at, True) if len(at) else (at, at, None)
+def endless(system):
+    """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
+    found = [_kept(system, poles(system), 1), zeros(system)]
+    return [np.unique(marks.imag[marks.imag > 0]) for marks in found]
+
+
+def _kept(system, places, sign=-1):
+    """Those to which Newton's method on H converges, or with `sign` 1 that on 1/H: rounding scatters zeros at infinity
+    anywhere, and a mode that takes no part is no pole of H."""
+    at, step = places, np.zeros(len(places))
+    if sign == 1 and len(places):
+        at = np.where(undifferentiated(system, places)[2], places, places * (1 + BESIDE))
+    for _ in range(STEPS if len(places) else 0):
+        values, slopes, resonant = undifferentiated(system, at, True)
         with np.errstate(all="ignore"):
-            step = np.where(values == 0, 0.0, values / slopes)
+            step = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
         step = np.where(np.isfinite(step), step, np.inf)
-        at = np.where(np.abs(step) <= NEAR * np.abs(at), at - step, at)
-    return places[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))] if len(
-        places) else places
+        at = np.where(np.abs(step) <= NEAR * np.abs(at), at + step, at)
+    return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
 
 
 def pace(system):

@@ -13,7 +13,7 @@ from vibcli.analyses.frequency.transfer import polynomial, slope
 from vibcli.errors import PhysicsError
 
 SINGULAR = 2.0**-46     # 1/condition of the scaled matrix below which a frequency counts as one of a pole
-UNSEEN = 1e-9           # residue, relative to |c| |b|, below which a mode takes no part
+UNSEEN = 1e-9           # share of b or c along a mode, below which the mode takes no part
 WORK, BLOCK = 2e8, 2.0**22
 
 
@@ -133,6 +133,7 @@ def _singular(D, b, c):
     u, size, v = np.linalg.svd(D)
     driven, seen = u.conj().T @ b, c @ v.conj().T
     small = size <= SINGULAR * max(size[0], 1.0)
-    if (np.abs(driven * seen)[small] > UNSEEN * np.linalg.norm(b) * np.linalg.norm(c)).any():
+    takes_part = (np.abs(driven) > UNSEEN * np.linalg.norm(b)) & (np.abs(seen) > UNSEEN * np.linalg.norm(c))
+    if takes_part[small].any():
         return 0.0, True
     return np.sum((driven * seen)[~small] / size[~small]), False
