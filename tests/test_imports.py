@@ -17,7 +17,7 @@ PROBLEMS = PACKAGE.parent / "problems"
 # A module may import from its own room and from those above it. `foundation`: the package's docstring and version.
 ROOMS = (
     ("foundation", ("vibcli",)),
-    ("errors", ("errors",)),
+    ("errors", ("errors", "work")),
     ("units", ("units",)),
     ("questions", ("questions",)),
     ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document",

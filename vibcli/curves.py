@@ -14,7 +14,7 @@ def without_damper(problem, name):
     spec = copy(problem.spec)
     dampers = {key: record for key, record in spec.get("dampers").items() if key != name}
     spec.sections = {**spec.sections, "dampers": dampers}
-    return Problem(spec, problem.given, problem.holding)
+    return Problem(spec, problem.given, problem.holding, problem.work)
 
 
 class FrequencyResponse:

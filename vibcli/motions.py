@@ -212,11 +212,11 @@ class FullMotion(Motion):
     def trajectory(self, until=None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
-        if self._trajectory is None or self._trajectory.until < until:
+        found = self._trajectory
+        if found is None or (found.until < until and not found.reason):
             from vibcli.analyses.trajectory.simulate import simulate
 
-            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start,
-                                        progress=self.problem.progress)
+            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start)
         return self._trajectory
 
     def lasting(self):

@@ -14,6 +14,7 @@ from vibcli.in_numbers import InNumbers
 from vibcli.in_time import InTime
 from vibcli.on_request import OnRequest
 from vibcli.stage import Stage
+from vibcli.work import Work
 
 SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
@@ -21,24 +22,24 @@ STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energi
 
 
 class Problem(InNumbers, InLetters, InTime, OnRequest):
-    """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols."""
+    """A scene to be answered. `given`: exact values for parameters that the file leaves as symbols; `work`: what counts
+    its long work."""
 
-    def __init__(self, spec, given=None, holding=None):
+    def __init__(self, spec, given=None, holding=None, work=None):
         """`holding`: the Problem whose motion starts under the force that lets go, where this one is held by it."""
-        self.spec, self.given, self.holding = spec, dict(given or {}), holding
+        self.spec, self.given, self.holding, self.work = spec, dict(given or {}), holding, work or Work()
         self.costs, self.inner, self._cases = {}, 0.0, {}
-        self.progress = None    # told the instant that an integration has reached
         self.end = None         # of a motion in time [s], where it is not that of the file
         self.signed = False     # amplitudes have a sign, so that a search sees where they vanish
         self.chosen = None      # what was chosen (inverse), where this is the scene with its solution
 
     def with_values(self, given):
         """The same scene with values for its symbols."""
-        return Problem(self.spec, {**self.given, **given}, self.holding)
+        return Problem(self.spec, {**self.given, **given}, self.holding, self.work)
 
     def held_back(self):
         """The same scene under the force that lets go where its motion starts."""
-        return Problem(self.spec, self.given, holding=self)
+        return Problem(self.spec, self.given, self, self.work)
 
     def sharing(self, given):
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
@@ -57,7 +58,7 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """The problem of a case of the file."""
         if name not in self._cases:
             given = {key: value for key, value in self.given.items() if key not in self.spec.choices}
-            self._cases[name] = Problem(self.spec.cases[name], given)
+            self._cases[name] = Problem(self.spec.cases[name], given, work=self.work)
         return self._cases[name]
 
     def draw(self):

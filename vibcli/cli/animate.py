@@ -14,13 +14,13 @@ SUFFIXES = (".gif", ".html")
               help="Which mode, by ascending frequency (1 unless given).")
 @click.option("--response", is_flag=True, help="The motion in time instead of a mode.")
 @click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
-def command(file, settings, case, output, force, index, response, until):
+def command(file, settings, case, output, force, patience, index, response, until):
     """A mode shape or the motion in time, moving: a gif, or an html page with play, pause and a slider."""
     if response and index is not None:
         raise click.UsageError("--response and --mode exclude each other")
     if until is not None and not response:
         raise click.UsageError("--until belongs to --response")
-    problem = one(load(file, settings), case)
+    problem = one(load(file, settings, patience), case)
     path = target(file, output, SUFFIXES, force, case, "response" if response else f"mode{index or 1}")
     if until is not None:
         from vibcli.cli.response import set_end

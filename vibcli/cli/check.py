@@ -5,7 +5,7 @@ import os
 
 import click
 
-from vibcli.cli.common import _sources, color_option, load, show_diagnostics, show_refusal
+from vibcli.cli.common import _sources, color_option, load, patience_option, show_diagnostics, show_refusal
 from vibcli.errors import PhysicsError, SpecError
 
 GRAVEST = (3, 4, 1, 0)
@@ -15,8 +15,9 @@ GRAVEST = (3, 4, 1, 0)
 @click.argument("paths", nargs=-1, required=True, type=click.Path())
 @click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON.")
 @click.option("--quiet", "-q", is_flag=True, help="Print only what differs.")
+@patience_option
 @color_option
-def command(paths, as_json, quiet):
+def command(paths, as_json, quiet, patience):
     """Compare the answers in scene files (and in folders of them) with the results.
 
     Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the
@@ -26,7 +27,7 @@ def command(paths, as_json, quiet):
     counts = {"agree": 0, "differ": 0, "files": 0, "failed": 0}
     codes, data = [0], []
     for file in files:
-        code, verdicts = _check_file(file)
+        code, verdicts = _check_file(file, patience)
         codes.append(code)
         counts["files"] += 1
         counts["failed"] += code in (3, 4)
@@ -57,10 +58,10 @@ def _files(path):
     return found
 
 
-def _check_file(file):
+def _check_file(file, patience):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
     try:
-        problem = load(file)
+        problem = load(file, patience=patience)
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             _settle(problem)
             return 0, []

@@ -9,6 +9,7 @@ import click
 
 from vibcli.document import read_file
 from vibcli.errors import SpecError
+from vibcli.work import Work
 
 _sources = {}
 
@@ -21,10 +22,16 @@ def scene_options(function):
                      help="Give a parameter another value, in every case: k=500 in the file's unit, or 'k=0.5 N/mm'."),
         click.option("--case", "case", metavar="NAME", help="Only this case of the file."),
         click.option("--json", "as_json", is_flag=True, help="Machine-readable results in SI units."),
+        patience_option,
         click.option("--timings", is_flag=True, help="What each stage cost and which were skipped, on stderr."),
         color_option,
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
+
+
+def patience_option(function):
+    return click.option("--patience", type=click.IntRange(1, 1_000_000), default=1, metavar="N",
+                        help="Let long work take N times as many steps before it is given up.")(function)
 
 
 def color_option(function):
@@ -55,8 +62,9 @@ def _set_color(context, parameter, value):
     context.color = wanted
 
 
-def load(file, settings=()):
-    """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read."""
+def load(file, settings=(), patience=1):
+    """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
+    the factor of what its long work may take."""
     start = perf_counter()
     try:
         node, diagnostics, lines = read_file(file)
@@ -67,11 +75,12 @@ def load(file, settings=()):
     middle = perf_counter()
     if node is None:
         raise SpecError(diagnostics)
+    from vibcli.cli.progress import teller
     from vibcli.problem import Problem
     from vibcli.spec import read_spec
 
     spec = read_spec(node, os.fsdecode(file), diagnostics, _settings(settings, node))
-    problem = Problem(spec)
+    problem = Problem(spec, work=Work(patience, teller()))
     problem.costs.update(read=middle - start, spec=perf_counter() - middle)
     return problem
 

@@ -13,11 +13,11 @@ SUFFIXES = (".png", ".svg", ".pdf")
 @click.option("--mode", "index", type=click.IntRange(1), metavar="I",
               help="The shape of mode I over the scene at rest.")
 @click.option("--both", is_flag=True, help="With --mode: displaced the other way as well, dashed.")
-def command(file, settings, case, output, force, index, both):
+def command(file, settings, case, output, force, patience, index, both):
     """The scene as a textbook figure, or a mode shape on it: png, svg or pdf by the suffix of the file."""
     if both and index is None:
         raise click.UsageError("--both belongs to --mode")
-    problem = one(load(file, settings), case)
+    problem = one(load(file, settings, patience), case)
     path = target(file, output, SUFFIXES, force, case, f"mode{index}" if index else None)
     from vibcli.report.drawing.matplotlib_canvas import picture
 

@@ -10,9 +10,9 @@ from vibcli.cli.reports import output_of, report_options
 @click.command("equations")
 @scene_options
 @report_options
-def command(file, settings, case, as_json, timings, **report):
+def command(file, settings, case, as_json, patience, timings, **report):
     """Energies and equations of motion, full and for small oscillations."""
     output = output_of(file, as_json, **report)
-    problems = chosen(load(file, settings), case)
+    problems = chosen(load(file, settings, patience), case)
     return print_scenes(problems, lambda problem: ("chosen", "coordinates", "energies", "equations"), output,
                         timings, data=("equations",))

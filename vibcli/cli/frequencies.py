@@ -16,13 +16,13 @@ PICTURES = (".png", ".svg", ".pdf")
 @number_options
 @click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
 @click.option("--save", "saves", multiple=True, metavar="FILE", help="Write that picture (.png, .svg, .pdf).")
-def command(file, settings, case, as_json, timings, digits, normalise, plot, saves, **report):
+def command(file, settings, case, as_json, patience, timings, digits, normalise, plot, saves, **report):
     """Equilibrium, natural frequencies, damping and mode shapes."""
     refuse_targets(saves, report["force"], PICTURES)
     if plot and as_json:
         raise click.UsageError("--plot does not go with --json")
     output = output_of(file, as_json, **report)
-    problems = cases_to_show(chosen(load(file, settings), case), saves)
+    problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
     return print_scenes(problems, lambda problem: ("chosen", "equilibrium", "frequencies", "damping",
                                                               "modes"),
                         output, timings, digits, normalise, ("frequencies",),

@@ -29,7 +29,8 @@ from vibcli.cli.sampled import (
 @click.option("--up-to", "high", metavar="FREQUENCY", help="Where they end.")
 @click.option("--nyquist", is_flag=True, help="Plot the response in the complex plane.")
 @curve_options
-def command(file, settings, case, as_json, timings, signals, driver, low, high, nyquist, plot, saves, **report):
+def command(file, settings, case, as_json, patience, timings, signals, driver, low, high, nyquist, plot, saves,
+            **report):
     """Frequency responses: amplitude and phase lag, peaks, antiresonances, half-power points; plotted, or saved.
 
     Each is that of a signal to one unit of an input: vibcli explain frf.
@@ -39,7 +40,7 @@ def command(file, settings, case, as_json, timings, signals, driver, low, high, 
     refuse_targets(saves, report["force"])
     require_curves(plot, saves, as_json, {"--nyquist": nyquist, "--from": low, "--up-to": high})
     output = output_of(file, as_json, **report)
-    problems = cases_to_show(chosen(load(file, settings), case), saves)
+    problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
     ends = [text and size(text, option, "rad/s", "a frequency, as in 10 or '2 Hz'")
             for text, option in ((low, "--from"), (high, "--up-to"))]
     if None not in ends and not ends[0] < ends[1]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from vibcli.cli.common import chosen, color_option
+from vibcli.cli.common import chosen, color_option, patience_option
 from vibcli.errors import PhysicsError
 
 LONGEST = 80
@@ -22,6 +22,7 @@ def picture_options(suffixes):
         click.option("-o", "--output", metavar="FILE", type=click.Path(),
                      help=f"The file to write: {', '.join(suffixes)}; unless named, {suffixes[0]} in this folder."),
         click.option("--force", is_flag=True, help="Replace the file if it exists."),
+        patience_option,
         color_option,
     ]
     return lambda function: reduce(lambda f, option: option(f), reversed(options), function)

@@ -10,7 +10,6 @@ from vibcli.cli.sampled import (
     cases_to_show,
     curve_options,
     plot_width,
-    progress,
     refuse_targets,
     require_curves,
     save_to,
@@ -38,8 +37,8 @@ INSTANT = "a time, as in 2.5 or '40 ms'"
 @click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
-def command(file, settings, case, as_json, timings, signals, until, instants, digits, points, phase, steady, transient,
-            plot, saves, **report):
+def command(file, settings, case, as_json, patience, timings, signals, until, instants, digits, points, phase, steady,
+            transient, plot, saves, **report):
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
@@ -49,7 +48,7 @@ def command(file, settings, case, as_json, timings, signals, until, instants, di
     refuse_targets(saves, report["force"])
     require_curves(plot, saves, as_json, {"--steady": steady, "--transient": transient})
     output = output_of(file, as_json, **report)
-    problems = cases_to_show(chosen(load(file, settings), case), saves)
+    problems = cases_to_show(chosen(load(file, settings, patience), case), saves)
     parts = tuple(word for word, on in (("steady", steady), ("transient", transient)) if on)
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), None, phase, parts=parts, points=points,
                     at=tuple((text, size(text, "--at", "s", INSTANT, exact=True)) for text in instants), digits=digits)
@@ -57,8 +56,6 @@ def command(file, settings, case, as_json, timings, signals, until, instants, di
         raise click.UsageError("--digits belongs to --at")
     if until is not None:
         set_end(problems, until)
-    for _, problem in problems:
-        problem.progress = progress(problem)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves))
 

@@ -62,24 +62,6 @@ def plot_width():
     return min(max(shutil.get_terminal_size((80, 24)).columns, NARROWEST), WIDEST)
 
 
-def progress(problem):
-    """What tells on a terminal how far an integration has come, from a second on; None elsewhere."""
-    import sys
-    from time import monotonic
-
-    if not sys.stderr.isatty() or problem.spec.get("motion") != "full":
-        return None
-    started, told = monotonic(), [0.0]
-
-    def tell(t):
-        now, until = monotonic(), problem.motion.until
-        if now - started > 1.0 and (now - told[0] > 0.2 or t >= until):
-            told[0] = now
-            told_so_far = f"integrated to {t:.4g} of {until:.4g} s" if t < until else ""
-            click.echo("\r\x1b[K" + told_so_far, nl=False, err=True)
-    return tell
-
-
 def refuse_targets(paths, force, suffixes=(".png", ".svg", ".pdf", ".csv", ".npz", ".json")):
     """A usage error, before anything is computed, where one of the files cannot be written."""
     for path in map(Path, paths):

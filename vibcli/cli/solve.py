@@ -18,13 +18,13 @@ FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
 @number_options
 @click.option("--insight", is_flag=True, help="Also whose energy each mode has, what its frequency depends on, and "
               "estimates of the lowest one.")
-def command(file, settings, case, as_json, timings, digits, normalise, insight, **report):
+def command(file, settings, case, as_json, patience, timings, digits, normalise, insight, **report):
     """The solution of a scene: equilibrium, energies, equations of motion, frequencies, damping, modes; or what `find`
     in the file asks, responses too."""
     from vibcli.report.document import EVERYTHING
 
     output = output_of(file, as_json, **report)
-    problems = chosen(load(file, settings), case)
+    problems = chosen(load(file, settings, patience), case)
 
     def sections(problem):
         wanted = problem.spec.get("find")

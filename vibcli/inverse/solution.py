@@ -64,7 +64,7 @@ def defined(problem, forms):
         value = Expression(Scalar(text, spec.choices[name].where), tree, None, None)
         spec.parameters[name] = Record(old.element, name, old.where, {**old.values, "value": value}, old.keys)
     spec.sections = {**spec.sections, "parameters": spec.parameters}
-    found = Problem(spec, problem.given)
+    found = Problem(spec, problem.given, work=problem.work)
     found.costs = problem.costs
     return found
 
@@ -73,7 +73,7 @@ def choosing(problem, choices):
     """The problem with these to choose instead, {name: record}."""
     spec = copy(problem.spec)
     spec.choices = choices
-    found = Problem(spec, problem.given)
+    found = Problem(spec, problem.given, work=problem.work)
     found.costs = problem.costs
     return found
 

@@ -274,6 +274,18 @@ EDITORS = [
     "Dimensions, names and geometry are checked by vibcli alone: `vibcli check FILE`.",
 ]
 
+PATIENCE = [
+    "Work of more than a second is told of on a terminal, with the time that is left at its own pace. It is given up "
+    "beyond a limit, which counts steps and not seconds, so that every machine answers and refuses the same. What was "
+    "found until then is kept. `--patience N` multiplies the limits by N:",
+    [
+        ("a full motion", "100000 steps, each a few oscillations of its fastest part. It is stopped sooner, after 2000 "
+         "steps, where it would need ten times as many as it may take. Up to where it has come its values are known."),
+        ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
+         "listed, as a search that was cut short."),
+    ],
+]
+
 TOPICS = {
     "expressions": ("how numbers, units, names and derivatives are written", EXPRESSIONS),
     "units": ("the units that are known", None),
@@ -289,6 +301,7 @@ TOPICS = {
     "ground": ("the fixed end of springs and dampers", GROUND),
     "quantities": ("what `answers` may ask for, and how it is compared", None),
     "exit": ("exit codes", None),
+    "patience": ("long work: what is told of it, and where it is given up", PATIENCE),
     "pictures": ("figures of scenes, moving modes, plots of responses", PICTURES),
     "reports": ("text, Markdown, LaTeX, HTML", REPORTS),
     "data": ("responses as numbers for other programs", DATA),

@@ -11,6 +11,7 @@ from vibcli.mechanics.families import Family
 from vibcli.mechanics.found import Found
 from vibcli.mechanics.kinks import KINKED
 from vibcli.mechanics.scaled_forces import Forces, TooMuch, idle
+from vibcli.work import Spent
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
 SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
@@ -56,15 +57,16 @@ def find_equilibria(problem):
     else:
         limits, found = _prepared(problem, forces, rests)
     places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
-    forces.left = min(MOST, max(LEAST, MOST_WORK // len(names) ** 2))
-    try:
-        for place in places:
-            found.add(place)
-        if not linear:
-            _search(forces, found, [forces.vector(problem.drawn_floats)])
-    except TooMuch:
-        complete = False
-    forces.left = np.inf
+    with problem.work.task("the search for equilibria", min(MOST, max(LEAST, MOST_WORK // len(names) ** 2))) as task:
+        try:
+            for place in places:
+                found.add(place)
+            if not linear:
+                _search(forces, found, [forces.vector(problem.drawn_floats)])
+        except (Spent, TooMuch) as stopped:
+            if isinstance(stopped, Spent) and stopped.task is not task:
+                raise
+            complete = False
     known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
     items = [_item(forces, place, (), loose, known) for place in found.isolated]
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]

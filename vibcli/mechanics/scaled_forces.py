@@ -40,15 +40,15 @@ def _largest(F, size):
 
 
 class TooMuch(Exception):
-    """The search has used up its evaluations."""
+    """The search has found more than can be listed."""
 
 
 class Forces:
     """r(q) and K(q) of a scene along some of its coordinates, the others left as drawn. `periodic`: flags of the angles
-    after a turn of which nothing has changed; `left`: how many evaluations are allowed yet."""
+    after a turn of which nothing has changed; `work`: what counts the places that are looked at."""
 
     def __init__(self, problem, names):
-        self.problem, self.names, self.left = problem, list(names), np.inf
+        self.problem, self.names, self.work = problem, list(names), problem.work
         self.rows = [problem.scene.coordinates.index(name) for name in self.names]
         self.angle = np.array([not problem.dimension(name) for name in self.names], bool)
         self.open = np.array([_is_open(problem.spec.dimensions.of(name)) for name in self.names], bool)
@@ -82,9 +82,7 @@ class Forces:
 
     def at(self, z):
         """The Place at z, None where the forces are not defined."""
-        self.left -= 1
-        if self.left < 0:
-            raise TooMuch
+        self.work.step()
         try:
             numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **self.position(z)})
         except (PhysicsError, ArithmeticError, ValueError):

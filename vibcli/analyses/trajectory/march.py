@@ -6,12 +6,13 @@ from vibcli.analyses.trajectory.collocation import rule
 from vibcli.analyses.trajectory.sizes import EPSILON, Sizes
 from vibcli.analyses.trajectory.window import Window, iterated, newton
 from vibcli.errors import PhysicsError
+from vibcli.work import Spent
 
 POINTS, STIFF_POINTS = 40, 24
 TAIL = 3                    # coefficients which must be small
 LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
-MOST_TRIES, PACE, HOPELESS = 100_000, 2_000, 10
+PACE, HOPELESS = 2_000, 10   # steps after which the pace is looked at; how far beyond the limit is hopeless
 SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
@@ -24,8 +25,8 @@ CALM = 6                    # windows without a failure before they grow by much
 class March:
     """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
 
-    def __init__(self, system, switching, q, v, rtol, progress=None):
-        self.system, self.switching, self.rtol, self.progress = system, switching, rtol, progress
+    def __init__(self, system, switching, q, v, rtol, until, task):
+        self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
         self.rule, self.windows, self.ends, self.struck = rule(POINTS), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
@@ -59,7 +60,7 @@ class March:
         guess = np.repeat(a, self.rule.points, 1) if self.guess is None else self.guess
         tails = []
         while True:
-            self._count(left)
+            self._count()
             done, tail, used = self._attempt(H, guess, a[:, 0])
             if done is not None:
                 if tail <= 1:
@@ -76,13 +77,14 @@ class March:
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
         return window
 
-    def _count(self, left):
+    def _count(self):
         """Stop a motion which takes too many windows, or would at the pace of the last ones."""
+        self.task.step(self.t / self.until)
         self.tries += 1
         if self.tries % PACE == 0:
             before, self.paced = self.paced, self.t
-            if (self.t - before) * HOPELESS * MOST_TRIES < left * PACE or self.tries > MOST_TRIES:
-                raise self.endless(left)
+            if (self.t - before) * HOPELESS * self.task.limit < (self.until - self.t) * PACE:
+                raise Spent(self.task)
 
     def _attempt(self, H, guess, a):
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
@@ -156,8 +158,6 @@ class March:
         if window.end:
             self.windows.append(window)
             self.ends.append((self.q, self.v))
-        if self.progress is not None:
-            self.progress(self.t)
 
     def close(self):
         """Put the state on the constraints, from which it drifts by rounding."""
@@ -173,9 +173,11 @@ class March:
                             "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
                             "stiffness and damping")
 
-    def endless(self, left):
-        H = self.windows[-1].length if self.windows else self.H
-        return PhysicsError(f"after {self.tries} steps the motion has come to t = {self.t:.6g} s, and {left:.6g} s are "
-                            f"left: its fastest part takes steps of {H:.3g} s", "ask for a shorter time, damp what "
-                            "vibrates fast, or let what is very stiff be rigid")
+    def endless(self):
+        """(why it was stopped, what may be done)."""
+        H = self.windows[-1].length
+        return (f"after {self.task.steps} of at most {self.task.limit:.0f} steps the motion has come to "
+                f"t = {self.t:.6g} s of {self.until:.6g} s: its fastest part takes steps of {H:.3g} s",
+                f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; "
+                f"{self.task.hint()}")
 

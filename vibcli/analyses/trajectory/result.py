@@ -42,7 +42,7 @@ class Trajectory:
     def __init__(self, system, windows, until, events, balance, drift):
         self.system, self.names = system, list(system.scene.coordinates)
         self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
-        self.balance, self.drift, self.reason = balance, drift, None
+        self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
         self.lengths = np.array([window.length for window in windows])
         self.starts = np.array([window.start for window in windows])
 
@@ -64,16 +64,20 @@ class Trajectory:
 
     def cut(self, instant, name):
         """End at the instant at which a rope goes slack."""
-        self.end, self.reason = instant, f"the rope '{name}' goes slack at t = {instant:.6g} s"
+        self.stop(instant, f"the rope '{name}' goes slack at t = {instant:.6g} s",
+                  "let the rope be an elastic one: a spring that `acts: tension`")
         self.events = (*(event for event in self.events if event.time <= instant), Event(instant, "slack", name))
+
+    def stop(self, instant, reason, advice):
+        """End at an instant, for a reason that is told where more is asked for."""
+        self.end, self.reason, self.advice = instant, reason, advice
 
     def _require(self, times):
         late = times.max(initial=0.0)
         if late > self.end * (1 + LATE):
             reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
-            hint = "let the rope be an elastic one: a spring that `acts: tension`"
             raise PhysicsError(f"{reason}: its motion is not known at t = {late:.6g} s",
-                               hint if self.reason else "follow it for longer")
+                               self.advice or "follow it for longer")
 
     def values(self, nodes, times):
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""

@@ -14,17 +14,19 @@ from vibcli.analyses.trajectory.start import start, vectors
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.switching import Switching
 from vibcli.mechanics.system import System
+from vibcli.work import Spent
 
 ACCURACY = 1e-12
 LONGEST = 1e12
+MOST_STEPS = 100_000
 MOST_AT_ONCE = 20       # events at one instant
 
 
-def simulate(problem, until, rtol=ACCURACY, initial=None, progress=None):
+def simulate(problem, until, rtol=ACCURACY, initial=None):
     """The Trajectory of a problem in numbers up to t = `until` [s].
 
     rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
-    starts at rest in equilibrium. progress(t) is called after each step.
+    starts at rest in equilibrium. Where its work comes to its limit the motion is that which was found until then.
     """
     if not 0 < until < LONGEST:
         raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
@@ -32,9 +34,15 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, progress=None):
     scene = equations_of(problem)
     system = System(scene, problem.floats, problem.scene.freedom.redundant)
     owners, bounds = scene.law_switches()
-    march = March(system, Switching(system, bounds, owners), *vectors(scene, places, speeds), rtol, progress)
     stops = breaks(scene, system.parts.nodes(), problem.floats, until)
-    events = _marched(march, stops, until)
+    with problem.work.task("the integration", MOST_STEPS) as task:
+        march = March(system, Switching(system, bounds, owners), *vectors(scene, places, speeds), rtol, until, task)
+        events = []
+        try:
+            _marched(march, stops, events)
+        except Spent as spent:
+            if spent.task is not task or not march.windows:
+                raise
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
     found = Trajectory(system, march.windows, until, events, energies, drift(system, march.windows))
     if any(tie.form == "rope" for tie in problem.scene.constraints):
@@ -42,6 +50,8 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, progress=None):
         gone = slack(problem, all_of_it, found)
         if gone is not None:
             found.cut(*gone)
+    if march.t < until and not found.reason:
+        found.stop(march.t, *march.endless())
     return found
 
 
@@ -66,9 +76,9 @@ def _loose(problem):
     return loose
 
 
-def _marched(march, stops, until):
-    """March to the end; the events on the way."""
-    events, at_once = [], 0
+def _marched(march, stops, events):
+    """March to the end; the events on the way go to `events`."""
+    until, at_once = march.until, 0
     _strike(march, stops, until, events)
     march.begin(stops.after(0.0, until))
     while march.t < until:
@@ -91,7 +101,6 @@ def _marched(march, stops, until):
         before = march.g, march.slides
         march.begin(limit, which)
         events += _named(march, before)
-    return events
 
 
 def _event(march, window):

@@ -1,0 +1,129 @@
+"""Long work: counted in steps, told of on a terminal, given up beyond a limit that --patience multiplies."""
+
+import re
+from contextlib import suppress
+
+import pytest
+
+from vibcli.analyses.trajectory import simulate
+from vibcli.cli import COMMANDS, progress, run
+from vibcli.errors import PhysicsError
+from vibcli.mechanics import equilibria
+from vibcli.work import Spent, Work
+
+SCENELESS = {"explain", "schema", "new"}
+MOTION = """motion: full
+bodies: {b: {mass: 1 kg, slide: x}}
+springs: {s: {law: (10 N/m)*d + (4 N/m^3)*d^3, between: [ground, b]}}
+initial: {x: 0.5 m}
+find: [{response: {until: 200 s}}]
+"""
+TWO_PENDULUMS = """bodies:
+  a: {mass: 1 kg, at: [0, -1 m], pin: {at: [0, 0], by: p}}
+  b: {mass: 1 kg, at: [0, -2 m], pin: {at: [0, -1 m], carrier: a, by: r}}
+gravity: 9.81 m/s^2
+find: [{equilibria: all}]
+"""
+
+
+@pytest.fixture
+def scene(tmp_path):
+    def write(text):
+        path = tmp_path / "scene.yaml"
+        path.write_text(text)
+        return str(path)
+    return write
+
+
+def test_steps_count_for_the_tasks_around():
+    work = Work()
+    with work.task("outer", 10) as outer:
+        with work.task("inner", 8) as inner:
+            inner.step(steps=3)
+            work.step(4)
+        assert (inner.steps, outer.steps) == (7, 7)
+        with work.task("another", 8) as another:
+            another.step(steps=3)
+            with pytest.raises(Spent) as spent:
+                another.step()
+        assert spent.value.task is outer
+    assert not work.open
+    work.step(1000)
+
+
+def test_a_search_does_not_swallow_its_own_limit():
+    work = Work(patience=2)
+
+    def search():
+        with work.task("the search", 10):
+            for _ in range(100):
+                with suppress(PhysicsError), work.task("a place", 50) as place:
+                    place.step()
+
+    with pytest.raises(PhysicsError, match="the search is given up after 20 steps") as refusal:
+        search()
+    assert "--patience 20" in refusal.value.hint
+    assert not work.open
+
+
+def test_every_command_that_reads_a_scene_has_patience(capsys):
+    for command in COMMANDS.keys() - SCENELESS:
+        run([command, "--help"])
+        assert re.search(r"--patience N", capsys.readouterr().out), command
+
+
+def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
+    file = scene(MOTION)
+    assert run(["response", file, "--at", "2"]) == 0
+    whole = capsys.readouterr().out
+    monkeypatch.setattr(simulate, "MOST_STEPS", 30)
+    assert run(["response", file, "--at", "2"]) == 4
+    out, err = capsys.readouterr()
+    values = re.search(r"Values.*\n.*\n.*", out)[0]
+    assert values in whole
+    assert "of at most 30 steps" in err and "--patience 10" in err
+    assert run(["response", file, "--at", "2", "--patience", "100"]) == 0
+    assert run(["check", scene(MOTION + "answers: {'x(2 s)': 1 m, 'x(199 s)': 0 m}\n")]) == 4
+    assert run(["check", scene(MOTION + "answers: {'x(2 s)': 1 m}\n")]) == 1
+
+
+def test_equilibria_are_kept_and_not_called_complete(scene, capsys, monkeypatch):
+    monkeypatch.setattr(equilibria, "MOST_WORK", 1)
+    monkeypatch.setattr(equilibria, "LEAST", 10)
+    file = scene(TWO_PENDULUMS)
+    assert run(["solve", file]) == 0
+    assert "cut short" in capsys.readouterr().out
+    assert run(["solve", file, "--patience", "1000"]) == 0
+    assert "cut short" not in capsys.readouterr().out
+
+
+class Clock:
+    now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
+def test_what_is_told_on_a_terminal(capsys, monkeypatch):
+    clock = Clock()
+    monkeypatch.setattr(progress, "monotonic", clock)
+    work = Work(tell=progress.Progress())
+    told = []
+    with work.task("the integration", 1000) as task:
+        for number in range(1, 11):
+            clock.now = 2.0 * number
+            task.step(number / 40)
+            told.append(capsys.readouterr().err)
+    assert not told[0]
+    assert told[-1].endswith("the integration: 25 % done, 54 s left")
+    assert capsys.readouterr().err == "\r\x1b[K"
+    with work.task("the search", 100) as task, work.task("the integration", 1000) as inner:
+        inner.step(0.9)
+        clock.now += 4.0
+        inner.step(0.9, 24)
+        assert capsys.readouterr().err.endswith("the search: up to 25 % done, at most 12 s left")
+    assert task.steps == 25
+
+
+def test_nothing_is_told_where_there_is_no_terminal():
+    assert progress.teller() is None
