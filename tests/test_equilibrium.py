@@ -24,7 +24,7 @@ def potential(V, coordinates, start=""):
 
 
 @pytest.mark.parametrize("V, start, expected", [
-    ("450*y^2 + (x^2 - 1)^2/4", "x: 0.001, y: 0", {"x": 1.0, "y": 0.0}),
+    ("450*y^2 + ((x + 0.001)^2 - 1)^2/4", "", {"x": 0.999, "y": 0.0}),
     ("450*y^2 + (x - 1)^4 + x", "", {"x": 1 - 0.25 ** (1 / 3), "y": 0.0}),
     ("450*y^2 + (x^4/4 - x)*20 + x*y", "", None),
     ("450*(y - x)^2 + 20*x^4/4 - 20*x", "", {"x": 1.0, "y": 1.0}),
@@ -58,11 +58,11 @@ def test_slope_without_curvature_at_the_start():
 
 
 @pytest.mark.parametrize("V, names, falls", [
-    ("-3*x", "x", "x"), ("y^2 - x", "xy", "x"), ("y^2 - x^3", "xy", "x"), ("x^2 - exp(y) + y/2", "xy", "y"),
+    ("-3*x", "x", "x"), ("y^2 - x", "xy", "x"), ("y^2 - (x + 1/2)^3", "xy", "x"), ("x^2 - exp(y) + y/2", "xy", "y"),
     ("exp(-x) + y^2", "xy", "x")])
 def test_without_equilibrium(V, names, falls):
     with pytest.raises(PhysicsError, match=f"'{falls}'"):
-        potential(V, names, "" if "x^3" not in V else "x: 0.5").equilibrium  # noqa: B018
+        potential(V, names).equilibrium  # noqa: B018
 
 
 def test_a_mass_that_nothing_holds():
@@ -95,7 +95,7 @@ def test_the_upright_pendulum_is_kept_where_it_is_drawn(kt, stable):
 
 
 def test_the_buckled_pendulum_is_found_on_either_side():
-    for start in (0.2, -0.2):
+    for start in (0.9, -0.9):
         text = PENDULUM.replace("KT", "6").replace("AT", "[0, L]").replace("START", "angle")
         scene = problem(text + f"equilibrium: {{f: {start}}}")
         f = balanced(scene)["f"]
@@ -149,7 +149,7 @@ def test_linear_scenes_take_one_step():
 def test_relative_equilibrium_of_a_governor():
     """A bead on a hoop that spins about its upright axis: cos θ = g/(R Ω²) above the critical speed, 0 below."""
     for speed in (6.0, 4.0):
-        scene = problem(f"coordinates: [q]\nequilibrium: {{q: 0.3}}\nenergies:\n  T: 1/2*2*0.5^2*(q'^2 + "
+        scene = problem(f"coordinates: [q]\nequilibrium: {{q: 0.6}}\nenergies:\n  T: 1/2*2*0.5^2*(q'^2 + "
                         f"{speed}^2*sin(q)^2)\n"
                         "  V: -2*9.81*0.5*cos(q)\n")
         cosine = min(9.81 / (0.5 * speed**2), 1.0)

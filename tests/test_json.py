@@ -12,7 +12,7 @@ from vibcli.cli import run
 
 PROBLEMS = sorted((Path(__file__).parents[1] / "problems").rglob("*.yaml"))
 EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex"]
-EQUILIBRIUM = ["coordinates", "dependent", "stable", "residual", "condition", "warning"]
+EQUILIBRIUM = ["coordinates", "dependent", "from_start", "stable", "residual", "condition", "warning"]
 MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
 DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "decay", "growth_rate", "shape", "error"]
@@ -131,8 +131,8 @@ def test_numbers(ask):
     data = ask(SCENE)
     assert data["title"] == "Two cars"
     assert data["coordinates"] == ["x", "y"]
-    assert data["equilibrium"] == {"coordinates": {"x": 0.0, "y": 0.0}, "dependent": {}, "stable": True,
-                                   "residual": 0.0, "condition": 1.0, "warning": None}
+    assert data["equilibrium"] == {"coordinates": {"x": 0.0, "y": 0.0}, "dependent": {}, "from_start": None,
+                                   "stable": True, "residual": 0.0, "condition": 1.0, "warning": None}
     assert data["matrices"] == {"M": [[2.0, 0.0], [0.0, 2.0]], "C": [[3.0, -3.0], [-3.0, 3.0]], "G": None,
                                 "K": [[800.0, -800.0], [-800.0, 800.0]]}
     rigid, elastic = data["modes"]

@@ -246,8 +246,8 @@ def test_parts_and_holes():
 
 @pytest.mark.parametrize("angle", [0.0, 0.4, 2.1])
 def test_gravity_as_a_vector(angle):
-    found = scene("bodies: {b: {mass: m, at: [0, -L], pin: {at: [0, 0], by: f}}}\nequilibrium: {f: 0.1}",
-                  f"gravity: [g*sin({angle}), -g*cos({angle})]\n")
+    found = scene("bodies: {b: {mass: m, at: [0, -L], pin: {at: [0, 0], by: f}}}\n"
+                  f"equilibrium: {{f: 0.1 + {angle}/2}}", f"gravity: [g*sin({angle}), -g*cos({angle})]\n")
     assert value(found, "equilibrium[f]") == pytest.approx(atan2(sin(angle), cos(angle)), abs=1e-12)
     assert value(found, "omega[1]") == pytest.approx(sqrt(g / L), rel=1e-12)
 

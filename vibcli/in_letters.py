@@ -46,7 +46,8 @@ class InLetters:
 
     @cached_property
     def equilibrium_letters(self):
-        """The Settled equilibrium of a nonlinear scene with letters, not drawn in it; None where none is found."""
+        """The Settled equilibrium of a nonlinear scene with letters that is not the drawn position; None where none is
+        found."""
         if not self.symbolic or self.balanced_as_drawn or self.is_linear:
             return None
         from vibcli.mechanics.settled import settled
@@ -54,11 +55,23 @@ class InLetters:
         return settled(self)
 
     @cached_property
+    def start_in_letters(self):
+        """{symbol: expression} of the position that `equilibrium:` names; None where it is the drawn one."""
+        from vibcli.algebra.normal import is_zero
+
+        scene = self.scene
+        named = {scene.symbol(name): node for name, node in self.named_start.items()}
+        moved = any(not is_zero(node - scene.drawn[q]) for q, node in named.items())
+        return {**{q: scene.drawn[q] for q in scene.q}, **named} if moved else None
+
+    @cached_property
     def balanced_as_drawn(self):
+        """Is the equilibrium the drawn position? (Of linear equations its place does not matter.)"""
         if self.symbolic:
             from vibcli.mechanics.symbolic import vanishes
 
-            return all(vanishes(self.scene, terms) for terms in self.drawn_residual)
+            drawn = all(vanishes(self.scene, terms) for terms in self.drawn_residual)
+            return drawn and (self.is_linear or self.start_in_letters is None)
         return self.equilibrium.drawn
 
     @cached_property

@@ -53,28 +53,46 @@ class InNumbers:
     def equilibrium(self):
         from vibcli.mechanics import equilibrium
 
-        start = self.spec.get("equilibrium")
-        if start is None and self.drawn_numbers is not None:
+        if self.named_start:
+            from vibcli.mechanics.nearest import nearest_equilibrium
+
+            found = nearest_equilibrium(self, self._start())
+        elif self.drawn_numbers is not None:
             found = equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
         else:
-            found = equilibrium.find_equilibrium(self, self._start(start or {}))
+            found = equilibrium.find_equilibrium(self, self._start())
         if self.scene.timed:
             from vibcli.mechanics.steady import require_autonomous
 
             require_autonomous(self, self.at_rest_in(found.values))
         return found
 
-    def _start(self, start):
-        from vibcli.algebra.evaluate import evaluate
+    @cached_property
+    def named_start(self):
+        """{coordinate: expression} of the place that `equilibrium:` names, empty where it names none."""
         from vibcli.errors import PhysicsError
 
+        start = self.spec.get("equilibrium") or {}
         for name, expression in start.items():
             if name not in self.scene.coordinates:
                 raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints", "start "
                                    + " or ".join(f"'{other}'" for other in self.scene.coordinates), expression.where)
-        nodes = [self.scene.lower(expression) for expression in start.values()]
-        target = {**self.drawn_floats, **dict(zip(start, evaluate(nodes, _floats(), self.floats), strict=True))}
-        return self.closed(self.drawn_floats, target)
+        return {name: self.scene.lower(expression) for name, expression in start.items()}
+
+    def _start(self):
+        """The position from which the equilibrium is searched: as drawn but for what is named."""
+        from math import isfinite
+
+        from vibcli.algebra.evaluate import evaluate
+        from vibcli.errors import PhysicsError
+
+        start = self.named_start
+        values = evaluate(list(start.values()), _floats(), self.floats)
+        for name, value in zip(start, values, strict=True):
+            if not isfinite(value):
+                raise PhysicsError(f"the start of '{name}' is no real number", "name another place under "
+                                   "`equilibrium:`", self.spec.get("equilibrium")[name].where)
+        return self.closed(self.drawn_floats, {**self.drawn_floats, **dict(zip(start, values, strict=True))})
 
     @property
     def dependent_values(self):

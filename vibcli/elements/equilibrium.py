@@ -20,4 +20,6 @@ class ByCoordinate(Kind):
 
 
 KIND = ByCoordinate(Quantity(), "a mapping from coordinates to values")
-ABOUT = "Where the search for the equilibrium starts, `{x: 1 m}`; coordinates that are left out start as drawn."
+ABOUT = ("Which equilibrium is meant: the one nearest to this place, stable or not, as in `{x: 1 m}`; coordinates that "
+         "are left out count as drawn. Distances are those of the coordinates, lengths divided by the size of the "
+         "figure. The report says how far it lies from there.")

@@ -41,7 +41,8 @@ FUNCTIONS = {
 FIND = {
     "equations": "energies and equations of motion, in full and for small oscillations",
     "energies": "kinetic and potential energy and the dissipation function",
-    "equilibrium": "the position of rest that is reached from the drawn one, and whether it is stable",
+    "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "
+                   "`equilibrium:` names, and whether it is stable",
     "equilibria": "`{equilibria: all}`: all positions of equilibrium within bounds, each stable or not",
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
@@ -121,7 +122,8 @@ CONVENTIONS = [
         ("constraints", "They hold as drawn, and make later coordinates depend on earlier ones. Forces of ropes and "
          "links are positive in tension."),
         ("gravity", "`g` acts along −y, or as the vector given; without the section nothing has weight."),
-        ("equilibrium", "The one reached from the drawn position, or from the place that `equilibrium` gives. "
+        ("equilibrium", "The drawn position where that is one, else the one that is reached from there downhill; where "
+         "`equilibrium` names a place, the nearest one to it, stable or not. "
          "Frequencies are those of small oscillations about it. What depends on the time is left out of both."),
         ("omega, f, T", "omega is the angular frequency in rad/s, f = omega/(2 pi) the frequency in Hz, T = 1/f the "
          "period. They belong to the system without its dampers; gyroscopic terms stay."),

@@ -20,12 +20,18 @@ STEPS, POLISH, FAR, FARTHEST, HUGE = 300, 12, 1e6, 1e60, 1e140
 
 class Equilibrium:
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
-    relative to the magnitudes of its terms and of K q, the largest that the search met."""
+    relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
+    `equilibrium:` names, whose nearest one it is, or None."""
 
-    __slots__ = ("drawn", "residual", "steps", "values")
+    __slots__ = ("drawn", "residual", "start", "steps", "values")
 
-    def __init__(self, values, drawn, residual, steps=0):
-        self.values, self.drawn, self.residual, self.steps = values, drawn, residual, steps
+    def __init__(self, values, drawn, residual, steps=0, start=None):
+        self.values, self.drawn, self.residual, self.steps, self.start = values, drawn, residual, steps, start
+
+    @property
+    def from_start(self):
+        """{coordinate: how far it lies from the start}, None where none is named."""
+        return None if self.start is None else {name: self.values[name] - x for name, x in self.start.items()}
 
 
 def relative_residual(numbers):
@@ -218,7 +224,8 @@ class _Search:
             return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
                                 f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, "
                                 "or draw the scene nearer to its equilibrium")
-        return PhysicsError(f"no equilibrium is reached from the drawn position: nothing holds '{name}', "
+        place = "place that `equilibrium:` names" if self.problem.spec.get("equilibrium") else "drawn position"
+        return PhysicsError(f"no equilibrium is reached from the {place}: nothing holds '{name}', "
                             "the potential energy keeps falling along it",
                             "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
                             self.problem.spec.coordinates[name].where)

@@ -36,7 +36,7 @@ class Found:
 
     def holds(self, place):
         """Is a zero one of these?"""
-        return any(self._same(place, other) for other in self.isolated) or any(
+        return any(self.same(place, other) for other in self.isolated) or any(
             family.holds(self.forces, place) for family in self.families)
 
     def _in_box(self, place):
@@ -51,7 +51,7 @@ class Found:
         turned = self.forces.at(z)
         return None if turned is None else settled(self.forces, turned)
 
-    def _same(self, place, other):
+    def same(self, place, other):
         """Are two zeros one: at one place, or so near to one another that F vanishes between them too?"""
         d = self.forces.gap(place.z, other.z)
         far = float(np.abs(d).max())

@@ -58,8 +58,14 @@ class Forces:
         self.looped = problem.scene.loops is not None
         self.jumps = {name: JUMP * (1.0 if not problem.dimension(name) else typical_length(problem) or 1.0)
                       for name in problem.drawn_floats} if self.looped else {}
-        self.closed, self.closed_at = [problem.drawn_floats], np.zeros((MOST_CLOSED, len(self.names)))
-        self.closed_at[0] = self.vector(problem.drawn_floats)
+        self.closed, self.closed_at = [], np.zeros((MOST_CLOSED, len(self.names)))
+        self.know(problem.drawn_floats)
+
+    def know(self, position):
+        """Keep a position ({coordinate: float}) whose loops are closed."""
+        if len(self.closed) < MOST_CLOSED:
+            self.closed_at[len(self.closed)] = self.vector(position)
+            self.closed.append(position)
 
     def vector(self, values):
         """z of {coordinate: number}."""
@@ -75,9 +81,7 @@ class Forces:
         found = self.problem.closed(start, {**drawn, **moved})
         if any(abs(found[name] - start[name]) > size for name, size in self.jumps.items()):
             raise PhysicsError("the loops of this scene jump to another way of closing")
-        if len(self.closed) < MOST_CLOSED:
-            self.closed_at[len(self.closed)] = z
-            self.closed.append(found)
+        self.know(found)
         return found
 
     def at(self, z):

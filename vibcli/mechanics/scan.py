@@ -16,9 +16,10 @@ NARROW, WIDE, STEEP = 1e-10, 1e-2, 1e3
 EDGE = {False: 1e-6, True: 1e-4}  # how far cells are cut where forces end, or loops can no longer be closed
 
 
-def zeros(forces, low, high):
-    """[(place, (from, to) or None)]: isolated zeros, and stretches along which no force acts."""
-    cells = int(CELLS * np.clip((high - low) / TURN, 1, WIDEST))
+def zeros(forces, low, high, finest=1):
+    """[(place, (from, to) or None)]: isolated zeros, and stretches along which no force acts; `finest`: the least
+    part of a turn that is cut into as many cells as a part of it holds."""
+    cells = int(CELLS * np.clip((high - low) / TURN, finest, WIDEST))
     edges = _edges(forces, np.linspace(low, high, cells + 1))
     found, flat = [], []
     for a, b in pairwise(edges):

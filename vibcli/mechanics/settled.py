@@ -1,8 +1,9 @@
 """Equilibrium in letters of nonlinear scenes: coordinates that stay as drawn, and conditions with one unknown each.
 
-Of the solutions of a condition that is taken which the search in numbers reaches from the drawn position, at several
-sets of values of the letters. Where these lie in different regimes (a rotating pendulum hangs straight below some
-speed) the position that depends on letters is preferred.
+The place that `equilibrium:` names is taken where all conditions vanish there. Else, of the solutions of a condition
+that one is taken which the search in numbers reaches from the drawn position, or finds nearest to the place named, at
+several sets of values of the letters. Where these lie in different regimes (a rotating pendulum hangs straight below
+some speed) the position that depends on letters is preferred.
 """
 
 import math
@@ -24,12 +25,12 @@ ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
 class Settled:
     """values: {coordinate symbol: expression}; calls: {sin q or cos q: expression} of those that are angles; reached:
-    numeric problems that reach this equilibrium."""
+    numeric problems that reach this equilibrium; named: is it the place that `equilibrium:` names?"""
 
-    __slots__ = ("calls", "reached", "values")
+    __slots__ = ("calls", "named", "reached", "values")
 
     def __init__(self):
-        self.values, self.calls, self.reached = {}, {}, []
+        self.values, self.calls, self.reached, self.named = {}, {}, [], False
 
     def put(self, q, solution):
         self.values[q] = solution.value
@@ -55,6 +56,12 @@ def settled(problem):
     found.reached = tried.first(LEAST) if scene.loops is None else []
     if len(found.reached) < LEAST:
         return None
+    start = problem.start_in_letters
+    if start is not None and all(map(_at_start, tried.first(ENOUGH))):
+        for q in scene.q:
+            found.put(q, Solution(start[q]))
+        found.reached, found.named = tried.first(ENOUGH), True
+        return found
     for q in scene.q:
         if _stays(found.reached, q.name):
             found.put(q, Solution(scene.drawn[q]))
@@ -72,7 +79,8 @@ def settled(problem):
 
 
 class _Tried:
-    """Numeric problems at random values, each with a stable equilibrium, made when they are asked for."""
+    """Numeric problems at random values, made when they are asked for; each with a stable equilibrium, unless
+    `equilibrium:` names a place."""
 
     def __init__(self, problem):
         self.problem, self.known, self.left = problem, [], iter(range(ATTEMPTS))
@@ -85,8 +93,9 @@ class _Tried:
                 return
             candidate = self.problem.with_values(given_values(self.problem.scene, self.free, attempt))
             try:
-                if any(mode.growth_rate is not None for mode in candidate.modes):
+                if not self.problem.named_start and any(mode.growth_rate is not None for mode in candidate.modes):
                     continue
+                candidate.equilibrium  # noqa: B018
             except (SpecError, PhysicsError):
                 continue
             self.known.append(candidate)
@@ -103,6 +112,10 @@ class _Tried:
 def _stays(tried, name):
     return all(abs(problem.equilibrium.values[name] - problem.drawn_floats[name]) <= CLOSE * _size(problem, name)
                for problem in tried)
+
+
+def _at_start(problem):
+    return all(abs(way) <= CLOSE * _size(problem, name) for name, way in problem.equilibrium.from_start.items())
 
 
 def _size(problem, name):

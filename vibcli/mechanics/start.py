@@ -1,5 +1,7 @@
 """Where a motion starts: the values of `initial`, else at rest in the equilibrium without loads that depend on time."""
 
+from math import isfinite
+
 from vibcli.algebra.copied import copied
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.normal import textbook
@@ -20,6 +22,9 @@ def given_start(problem):
                                + " or ".join(f"'{other}'" for other in problem.scene.coordinates[:3]),
                                record.place(key))
         found[key], = evaluate([problem.scene.lower(expression)], Floats, problem.floats)
+        if not isfinite(found[key]):
+            raise PhysicsError(f"the start of '{key}' is no real number", "give another value under `initial:`",
+                               expression.where)
     return found
 
 

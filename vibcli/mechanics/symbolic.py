@@ -6,7 +6,7 @@ from vibcli.algebra.rationals import ONE
 from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.lagrange import matrices_in_letters
-from vibcli.mechanics.linearisation import at_position
+from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.preload import solve_linear
 from vibcli.mechanics.steady import steady
@@ -26,10 +26,17 @@ def vanishes(scene, terms):
     return True
 
 
+def residual_at(problem, place):
+    """The terms of each condition of equilibrium at {symbol: expression}, None: as drawn."""
+    if place is None:
+        return problem.drawn_residual
+    return residual_terms(at_position(problem.form, {**problem.scene.drawn_position, **place}))
+
+
 def equilibrium_in_letters(problem):
     """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
-    scene = problem.scene
-    if problem.balanced_as_drawn:
+    scene, start = problem.scene, problem.start_in_letters
+    if problem.balanced_as_drawn and start is None:
         return scene.drawn_coordinates
     if problem.equilibrium_letters is not None:
         settled = problem.equilibrium_letters.values
@@ -40,7 +47,7 @@ def equilibrium_in_letters(problem):
                            "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
     _, _, _, K = matrices_in_letters(problem.form)
     n, zero = len(scene.q), scene.table.zero
-    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in problem.drawn_residual]
+    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in residual_at(problem, start)]
     held = [i for i in range(n) if any((i, j) in K for j in range(n))]
     for i in range(n):
         if i not in held and not load[i].is_zero:
@@ -57,8 +64,8 @@ def equilibrium_in_letters(problem):
         from vibcli.algebra.quotient import single as simplest
     else:
         from vibcli.algebra.polynomials import factored as simplest
-    drawn = list(scene.drawn_coordinates.values())
-    return {name: simplest(drawn[i] + shift[i]) if i in shift else drawn[i] for i, name in enumerate(scene.coordinates)}
+    place = list(scene.drawn_coordinates.values()) if start is None else [start[q] for q in scene.q]
+    return {name: simplest(place[i] + shift[i]) if i in shift else place[i] for i, name in enumerate(scene.coordinates)}
 
 
 def drawn_stable(spec, given, scene):

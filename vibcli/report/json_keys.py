@@ -12,10 +12,12 @@ KEYS = {
     "chosen[].values": "its value in each solution, ascending; all else is of the first",
     "chosen[].closed_forms": "the same as expressions of the language of scenes, null where none was found",
     "chosen[].residuals": "what is left of the conditions after substitution, relative to their terms",
-    "equilibrium": "the equilibrium reached from the drawn position",
+    "equilibrium": "the equilibrium reached from the drawn position, or nearest to the place that `equilibrium:` names",
     "equilibrium.coordinates": "{name: value}",
     "equilibrium.dependent": "{name: value} of the coordinates that constraints tie to the others, as functions of "
                              "them where symbols have no value",
+    "equilibrium.from_start": "{name: how far it lies from the start that `equilibrium:` names}; null where none is "
+                              "named and in letters",
     "equilibrium.stable": "true or false (motion that costs no energy counts as stable); null where symbols leave it "
                           "open",
     "equilibrium.residual": "what is left of the forces, relative to the sum of the magnitudes of their terms",

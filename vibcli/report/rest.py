@@ -23,9 +23,22 @@ def _in_numbers(problem):
     told = separated(maths(Name(name), " = ", *measured(value, problem.dimension(name))) for name, value in values)
     where = "the drawn position" if found.drawn else "shifted from the drawn position"
     warning = equilibrium_warning(problem)
-    return [paragraph(*told, f"   ({where})"),
+    return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
             paragraph(warning) if warning else None]
+
+
+def _from_start(problem):
+    """How far an equilibrium lies from the start that `equilibrium:` names, None where it names none."""
+    found = problem.equilibrium
+    if found.start is None:
+        return None
+    def told(values, sign=""):
+        return separated(maths(Name(sign + name), " = ", *measured(values[name], problem.dimension(name)))
+                         for name in problem.scene.coordinates)
+
+    return paragraph("the nearest found to the start ", *told(found.start), ", from there ",
+                     *told(found.from_start, "Δ"), hang=None)
 
 
 def _in_letters(problem):
@@ -33,7 +46,11 @@ def _in_letters(problem):
     from vibcli.report.letters import equilibrium_parts
 
     parts = equilibrium_parts(equilibrium_in_letters(problem))
-    return [paragraph(*parts, "   (the drawn position)" if problem.balanced_as_drawn else "")]
+    settled = problem.equilibrium_letters
+    drawn = problem.balanced_as_drawn and problem.start_in_letters is None
+    searched = settled is not None and problem.start_in_letters is not None and not settled.named
+    return [paragraph(*parts, "   (the drawn position)" if drawn else ""),
+            paragraph("the nearest to the start at sample values of the letters", hang=None) if searched else None]
 
 
 def measured(value, dimension):

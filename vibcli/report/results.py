@@ -106,7 +106,7 @@ def reactions_data(problem):
 
 
 def equilibrium_data(problem):
-    """{coordinates: {name: value}, dependent: {name: value}, stable, residual, condition, warning}."""
+    """{coordinates: {name: value}, dependent: {name: value}, from_start, stable, residual, condition, warning}."""
     if problem.symbolic:
         from vibcli.mechanics.symbolic import equilibrium_in_letters
 
@@ -114,14 +114,16 @@ def equilibrium_data(problem):
         coordinates = {name: language(node) for name, node in values.items()}
         dependent = {name: language(node) for name, node in problem.scene.dependent.items()}
         return {"coordinates": coordinates, "dependent": dependent,
-                **dict.fromkeys(("stable", "residual", "condition", "warning"))}
+                **dict.fromkeys(("from_start", "stable", "residual", "condition", "warning"))}
     from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
     from vibcli.measured import is_stable
 
     found, condition = problem.equilibrium, stiffness_condition(problem)
     values = {name: found.values[name] for name in problem.scene.coordinates}
-    return {"coordinates": values, "dependent": problem.dependent_values, "stable": is_stable(problem),
-            "residual": found.residual, "condition": condition, "warning": bifurcation_warning(condition)}
+    from_start = found.from_start and {name: found.from_start[name] for name in values}
+    return {"coordinates": values, "dependent": problem.dependent_values, "from_start": from_start,
+            "stable": is_stable(problem), "residual": found.residual, "condition": condition,
+            "warning": bifurcation_warning(condition)}
 
 
 def modes_data(problem, modes, normalise="first", write=float):

@@ -56,6 +56,7 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False, opened=
             break
     if scene.diagnostics:
         raise SpecError(scene.diagnostics)
+    scene.built = True
     return scene
 
 
@@ -64,6 +65,7 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
 
     def __init__(self, spec, attempt, given, releasing=False, opened=False, holding=False):
         self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
+        self.built = False
         self.opened, self.inputs, self.holding = opened, {}, holding
         self.table = table = Table()
         table.records = {name: record["samples"] for name, record in (spec.get("records") or {}).items()}
@@ -144,7 +146,10 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
             self.report(self.constraints[0].where, "these constraints divide by zero as drawn", "draw them elsewhere")
 
     def report(self, where, message, hint=None):
+        """Keep what is wrong; of a scene that is built raise it, since nobody looks at what is kept any more."""
         self.diagnostics.append(Diagnostic(where, message, hint))
+        if self.built:
+            raise SpecError(self.diagnostics)
 
 
 def sample_values(names, attempt):

@@ -12,7 +12,8 @@ class Expressions:
     """The part of a Scene that lowers fields to nodes and compares nodes."""
 
     def lower(self, expression, local=None):
-        """The node of a parsed field; `local`: (name, node) of a name that is good there alone."""
+        """The node of a parsed field; `local`: (name, node) of a name that is good there alone. Who reads more of a
+        scene that is built has the values to judge it by."""
         def symbol(name, primes, tree):
             return local[1] if local and name == local[0] and not primes else self._symbol(name, primes, tree)
 
@@ -21,7 +22,9 @@ class Expressions:
         except ExpressionError as error:
             self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
-        problem = None if node.mask or node.op == "symbol" else unusable(self._constant(node), Floats)
+        if self.built or node.mask or node.op == "symbol":
+            return node
+        problem = unusable(self._constant(node), Floats)
         if problem:
             self.report(expression.scalar.place(0, len(expression.text)), "this value is " + problem[0], problem[1])
         return self.table.one if problem else node
