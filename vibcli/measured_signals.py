@@ -2,13 +2,14 @@
 
 from math import isfinite, pi
 
-from vibcli import read_off
+from vibcli import kept_up, read_off
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import counts_cycles, lower, quantities_in
 from vibcli.errors import PhysicsError
 from vibcli.fit import cyclic
 from vibcli.moving_signals import LinearSignal
+from vibcli.questions import PARTS
 
 TURN, ERROR = 2 * pi, 1e-12
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
@@ -20,7 +21,30 @@ def measure_response(problem, tree):
     in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
     if not in_time:
         return _OF_FREQUENCY[head](problem, tree)
-    return _IN_TIME[head](problem, tree), ERROR
+    try:
+        return _IN_TIME[head](problem, tree), ERROR
+    except PhysicsError as error:
+        if error.hint and "(x)" in error.hint:
+            error.hint = error.hint.replace("(x)", f"({_found(problem, tree)})")
+        raise
+
+
+def _found(problem, tree):
+    """The text of the signal that a quantity is asked of, or of that within it which is found: hints speak of x."""
+    arg = tree[7][0]
+    while arg[0] == "quantity" and arg[4] in PARTS and not _is_found(problem, arg):
+        arg = arg[7][0]
+    return tree[3][arg[1] - tree[1]:arg[2] - tree[1]]
+
+
+def _is_found(problem, arg):
+    import numpy as np
+
+    try:
+        problem.motion.signal(arg).values(np.zeros(1))
+    except PhysicsError:
+        return False
+    return True
 
 
 def number_of(problem, tree):
@@ -76,19 +100,18 @@ def _linear(problem, tree):
     """The signal as a linear output of a small motion."""
     signal = _signal(problem, tree)
     if not isinstance(signal, LinearSignal):
-        kind = "full equations" if problem.spec.get("motion") == "full" else "products of signals"
-        raise PhysicsError(f"'{tree[4]}' is not found of {kind}", "ask for max(x), min(x) or values in time")
+        raise PhysicsError(f"'{tree[4]}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
     return signal
 
 
 def _amplitude(problem, tree):
-    """Of the steady state; without excitation of the free vibration."""
+    """Of the steady state that loads keep up, else of the free vibration."""
     signal = _linear(problem, tree)
-    if not problem.motion.drive:
+    if not read_off.kept_up(signal):
         return read_off.amplitude(signal)
     if problem.signed and signal.motion.steady.period is None:
-        return sum(_signed(X) for _, X in read_off.harmonics(signal))
-    return read_off.steady_amplitude(signal)
+        return sum(_signed(X) for _, X in kept_up.harmonics(signal))
+    return kept_up.amplitude(signal)
 
 
 def _signed(X):
@@ -102,27 +125,34 @@ def _phase(problem, tree):
     import cmath
 
     signal = _linear(problem, tree)
-    if not problem.motion.drive:
-        return wrapped(read_off.vibration(signal).phase)
-    found = read_off.harmonics(signal)
+    if not read_off.kept_up(signal):
+        return wrapped(read_off.from_the_start(signal).phase)
+    found = kept_up.harmonics(signal)
     if len(found) != 1:
-        raise PhysicsError("this steady state has no one phase: it is not one harmonic", "ask for frf[…]")
+        raise PhysicsError(f"this steady state has no one phase: it holds {len(found) or 'no'} harmonics",
+                           "ask for max(steady(x)), or its value at a time")
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
 
 
 def wrapped(angle):
     """The angle in (−π, π]."""
-    angle = -((-angle + pi) % TURN - pi)
+    angle = -((-angle + pi) % TURN - pi) + 0.0
     return pi if angle == -pi else angle
 
 
 def _harmonic(problem, tree):
-    return abs(read_off.harmonic(_linear(problem, tree), int(tree[5][0])))
+    signal = _linear(problem, tree)
+    if not read_off.kept_up(signal):
+        raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
+    return abs(kept_up.harmonic(signal, int(tree[5][0])))
 
 
 def _over_a_period(which):
+    """Of the steady state that loads keep up, else of the free vibrations that last."""
     def value(problem, tree):
         signal = _linear(problem, tree)
+        if not read_off.kept_up(signal):
+            return getattr(read_off, which)(signal)
         return getattr(signal.motion.steady, which)(signal.output)
     return value
 
@@ -147,8 +177,10 @@ def _zero(problem, tree):
     number, signal = int(tree[5][0]), _signal(problem, tree)
     found = signal.zeros(0.0, problem.motion.until)
     if len(found) < number:
-        raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {problem.motion.until:.6g} s",
-                           "give a later end: find: {response: {until: 20 s}}")
+        until = problem.motion.until
+        raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
+                           f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
+                           f"{2 * until:.3g} s}}}}]")
     return found[number - 1]
 
 
@@ -160,11 +192,11 @@ def _free(find, fraction=False):
 
 
 def _period(problem, tree):
-    """Of the motion: of its steady state where it is driven, else of its free vibration."""
+    """Of the steady state that loads keep up, else of the free vibration."""
     if problem.spec.get("motion") == "full":
         return problem.motion.period(tree[7][0])
     signal = _linear(problem, tree)
-    return TURN / read_off.fundamental(signal) if problem.motion.drive else read_off.free_period(signal)
+    return TURN / kept_up.fundamental(signal) if read_off.kept_up(signal) else read_off.free_period(signal)
 
 
 def _frf(problem, tree):
@@ -228,8 +260,19 @@ def size_of(problem, tree):
         return abs(_frf(problem, inner)[0]) if inner[7] else 0.0
     if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
         return problem.motion.until
-    signal = _signal(problem, tree)
-    return max(abs(signal.extreme(0.0, problem.motion.until, sense)[1]) for sense in (1, -1))
+    signal, end = _signal(problem, tree), _end(problem, tree)
+    return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
+
+
+def _end(problem, tree):
+    """Until when the motion is looked at; of a value whose motion has no known end, until its instant and for a
+    second."""
+    try:
+        return problem.motion.until
+    except PhysicsError:
+        if tree[4] != "value":
+            raise
+        return max(number_of(problem, tree[7][1]), 1.0)
 
 
 _OF_FREQUENCY = {

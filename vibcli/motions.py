@@ -18,7 +18,6 @@ from vibcli.mechanics.signals import energy
 from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
 from vibcli.signals import ENERGIES
 
-PERIODIC = 1e-7     # how equal the periods of a periodic motion are
 LONGEST = 1e12      # seconds
 
 
@@ -183,10 +182,7 @@ class SmallMotion(Motion):
     def _one(self, part):
         if isinstance(part[0], Output):
             return self._linear(0.0, [(1.0, part)])
-        found = getattr(self.signal(part[0][7][0]), part[0][4], None)
-        if found is None:
-            raise PhysicsError(f"'{part[0][4]}' is not found of what is no sum of signals", "ask for it of each signal")
-        return found
+        return getattr(self.signal(part[0][7][0]), part[0][4])
 
     def _linear(self, constant, terms):
         direct = [node for _, (_, node) in terms if node is not None]
@@ -219,6 +215,15 @@ class FullMotion(Motion):
             self._trajectory = simulate(self.problem, until, initial=self.problem.given_start)
         return self._trajectory
 
+    def reaching(self, t):
+        """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
+        if self._trajectory is None or self._trajectory.until < t:
+            try:
+                return self.trajectory(max(t, self.until))
+            except PhysicsError:
+                return self.trajectory(t)
+        return self._trajectory
+
     def lasting(self):
         from vibcli.analyses.duration import duration
 
@@ -229,9 +234,9 @@ class FullMotion(Motion):
                                "say until when: find: [{response: {until: 10 s}}]") from None
 
     def period(self, tree):
-        """Of one conservative degree of freedom by quadrature; else the time from one upward passage of a signal
-        through the middle of its range to the next."""
+        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
         from vibcli.analyses.trajectory.period import exact_period
+        from vibcli.analyses.trajectory.repetition import searched_period
 
         problem = self.problem
         if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
@@ -239,14 +244,11 @@ class FullMotion(Motion):
             found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
             if found is not None:
                 return found
-        signal = self.signal(tree)
-        high, low = (signal.extreme(0.0, self.until, sense)[1] for sense in (1, -1))
-        found = signal.zeros(0.0, self.until, 0.5 * (high + low))
-        gaps = [later - early for early, later in zip(found, found[2:], strict=False)]
-        if not gaps or max(gaps) - min(gaps) > PERIODIC * gaps[0]:
-            raise PhysicsError("this motion has no one period" if gaps else "this motion has not yet gone through a "
-                               "period", "give a later end: find: [{response: {until: 20 s}}]" if not gaps else None)
-        return sum(gaps) / len(gaps)
+        try:
+            first = self.until
+        except PhysicsError:
+            first = None
+        return searched_period(self.signal(tree), first)
 
     def state_signal(self, node):
         """The signal of an expression of coordinates, velocities and accelerations."""
@@ -259,6 +261,8 @@ class FullMotion(Motion):
         scene = self.problem.scene
 
         def symbol(name, primes, part):
+            if part[0] == "quantity":
+                getattr(FullSignal(self, scene.table.zero), part[4])      # says why there is none
             if name in scene.parameters.nodes and not primes:
                 return scene.parameters.nodes[name]
             return moving(self.problem, name, primes)

@@ -21,11 +21,30 @@ def require_finite(values, times):
     return values
 
 
-class LinearSignal:
-    """A linear output of a linear motion."""
+class Signal:
+    """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
 
-    def __init__(self, motion, output):
-        self.motion, self.output = motion, output
+    KIND = "a signal"
+
+    @property
+    def steady(self):
+        raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
+
+    @property
+    def transient(self):
+        raise PhysicsError(f"{self.KIND} has no transient part that is found",
+                           "ask for max(x), min(x) or values in time")
+
+    @property
+    def envelope(self):
+        raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
+
+
+class LinearSignal(Signal):
+    """A linear output of a linear motion. part: "steady" or "transient" where it is that of another."""
+
+    def __init__(self, motion, output, part=""):
+        self.motion, self.output, self.part = motion, output, part
 
     def values(self, times, order=0):
         return self.motion.values(self.output, times, order)
@@ -42,11 +61,11 @@ class LinearSignal:
 
     @cached_property
     def steady(self):
-        return LinearSignal(self.motion.steady, self.output)
+        return LinearSignal(self.motion.steady, self.output, "steady")
 
     @cached_property
     def transient(self):
-        return LinearSignal(self.motion.transient, self.output)
+        return LinearSignal(self.motion.transient, self.output, "transient")
 
     @cached_property
     def envelope(self):
@@ -55,13 +74,15 @@ class LinearSignal:
     @property
     def phasors(self):
         """[(Ω, complex X)] of the steady state Re Σ X e^{iΩt}, by ascending Ω."""
-        from vibcli.read_off import harmonics
+        from vibcli.kept_up import harmonics
 
         return harmonics(self)
 
 
-class ComposedSignal:
+class ComposedSignal(Signal):
     """A function of signals, instant by instant; `node` in symbols that `signals` names."""
+
+    KIND = "a signal composed of others"
 
     def __init__(self, node, signals, floats):
         self.node, self.signals, self.floats = node, signals, floats
@@ -110,9 +131,13 @@ class ComposedSignal:
         return found
 
     def final(self):
-        values = {name: signal.final() for name, signal in self.signals.items()}
         from vibcli.algebra.evaluate import Floats
 
+        try:
+            values = {name: signal.final() for name, signal in self.signals.items()}
+        except PhysicsError as error:
+            raise PhysicsError("no limit of a signal composed of others is found where one of them has none: "
+                               + error.message, "ask for a value at a late instant") from None
         return evaluate([self.node], Floats, {**self.floats, **values})[0]
 
     @cached_property
@@ -124,8 +149,10 @@ class ComposedSignal:
         return Difference(self, self.steady)
 
 
-class Difference:
+class Difference(Signal):
     """One signal less another."""
+
+    KIND = "the transient part of a composed signal"
 
     def __init__(self, one, other):
         self.one, self.other = one, other
@@ -139,8 +166,10 @@ class Difference:
         return self.one.final() - self.other.final()
 
 
-class Envelope:
+class Envelope(Signal):
     """A e^{−δt} of a free vibration."""
+
+    KIND = "an envelope"
 
     def __init__(self, signal):
         self.signal = signal
@@ -152,9 +181,19 @@ class Envelope:
 
     extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
 
+    def final(self):
+        from vibcli.read_off import from_the_start
 
-class FullSignal:
+        part = from_the_start(self.signal)
+        if part.rate > 0:
+            raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
+        return 0.0 if part.rate else part.amplitude
+
+
+class FullSignal(Signal):
     """A function of the coordinates, velocities and accelerations of a motion that was integrated."""
+
+    KIND = "a motion that is integrated"
 
     def __init__(self, motion, node):
         self.motion, self.node = motion, node
@@ -168,7 +207,7 @@ class FullSignal:
 
         times = np.asarray(times, dtype=float)
         scene = self.motion.problem.scene
-        trajectory = self.motion.trajectory(max(times.max(initial=0.0), self.motion.until))
+        trajectory = self.motion.reaching(times.max(initial=0.0))
         values = {**self.motion.problem.floats, scene.time.name: times}
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
@@ -180,13 +219,13 @@ class FullSignal:
         """Instants at which the signal passes a level."""
         from vibcli.analyses.trajectory.passages import passages
 
-        return passages(self.motion.trajectory(max(end, self.motion.until)), self.values, start, end, level)
+        return passages(self.motion.reaching(end), self.values, start, end, level)
 
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.trajectory.passages import extreme
 
-        return extreme(self.motion.trajectory(max(end, self.motion.until)), self.values, start, end, sense)
+        return extreme(self.motion.reaching(end), self.values, start, end, sense)
 
     def final(self):
         raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")

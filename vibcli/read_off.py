@@ -1,21 +1,42 @@
-"""Numbers that are read off one signal of a small motion: of its free vibration, and of its steady state."""
+"""Numbers that are read off one signal of a small motion in free vibration: after the last change of the loads
+x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
-from math import pi
+from math import inf, pi
 
 from vibcli.errors import PhysicsError
 
 TURN = 2 * pi
-COMMENSURATE, MOST = 1e-9, 1000
 ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
+UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as none
+
+
+def kept_up(signal):
+    """Do loads that oscillate without end drive the motion?"""
+    forcing = signal.motion.forcing
+    if forcing.period is not None:
+        return True
+    return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient
+               for wave in forcing.segments(inf)[-1].waves)
+
+
+def free_parts(signal):
+    """The Parts of a signal after the last change of the loads, of which none oscillates without end."""
+    from vibcli.analyses.response.formula import formula
+
+    if kept_up(signal):
+        if signal.part == "steady":
+            raise PhysicsError("a steady state is no free vibration: it does not die out", "ask for max(x)")
+        raise PhysicsError("loads that oscillate without end keep this signal in motion: it is no free vibration",
+                           "the part of it that is free is transient(x)")
+    return formula(signal.motion, signal.output, -1)
 
 
 def vibration(signal):
-    """The one Part A e^{rate t} cos(ω t − φ) of a free vibration; PhysicsError where there are several or none."""
-    from vibcli.analyses.response.formula import formula
-
-    parts = formula(signal.motion, signal.output)
-    largest = max((abs(part.amplitude) for part in parts if part.omega), default=0.0)
-    waves = [part for part in parts if part.omega and abs(part.amplitude) > ALONE * largest]
+    """The one Part A e^{rate τ} cos(ω τ − φ) of a free vibration, τ from the last change of the loads; PhysicsError
+    where there are several or none."""
+    parts = [part for part in free_parts(signal) if not part.forced and part.omega]
+    largest = max((abs(part.amplitude) for part in parts), default=0.0)
+    waves = [part for part in parts if abs(part.amplitude) > ALONE * largest]
     if not waves:
         raise PhysicsError("this signal does not vibrate freely", "ask for max(x), or its value at a time")
     if len(waves) > 1:
@@ -24,20 +45,28 @@ def vibration(signal):
     return waves[0]
 
 
+def from_the_start(signal):
+    """The same of a vibration that is free from t = 0 on."""
+    part, last = vibration(signal), signal.motion.forcing.segments(inf)[-1].start
+    if last:
+        raise PhysicsError(f"this vibration is free only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not its "
+                           "motion from t = 0", "ask for max(x), or its value at a time")
+    return part
+
+
 def amplitude(signal):
     """Of the one free vibration; 0 of what stays at rest."""
-    from vibcli.analyses.response.formula import formula
-
-    if all(not part.amplitude or not (part.omega or part.rate) for part in formula(signal.motion, signal.output)):
+    if all(not part.amplitude or not (part.omega or part.rate or part.power) for part in free_parts(signal)):
         return 0.0
-    return vibration(signal).amplitude
+    part = vibration(signal)
+    return part.amplitude if abs(part.rate) <= UNDYING * part.omega else from_the_start(signal).amplitude
 
 
 def decrement(signal):
     from vibcli.analyses.response.free import decrement
 
     part = vibration(signal)
-    return decrement(part.rate, part.omega)
+    return decrement(part.rate, part.omega) + 0.0       # 0 and not −0 where nothing damps
 
 
 def time_to(signal, fraction):
@@ -61,66 +90,46 @@ def _decaying(signal):
 
 
 def beat_period(signal):
+    """Of two vibrations that last, one of which a load may keep up."""
     from vibcli.analyses.response.free import beat_period
 
-    found = beat_period(signal.motion, signal.output)
-    if found is None:
-        raise PhysicsError("this signal has no beats", "beats need two vibrations of nearly equal frequency and "
-                           "comparable amplitude that last")
-    return found
+    if signal.motion.forcing.period is None:
+        found = beat_period(signal.motion, signal.output, -1)
+        if found is not None:
+            return found
+    raise PhysicsError("this signal has no beats", "beats need two vibrations of nearly equal frequency and comparable "
+                       "amplitude that last")
 
 
 def free_period(signal):
     return TURN / vibration(signal).omega
 
 
+def mean(signal):
+    """Of what lasts of a free motion."""
+    return _lasting(signal)[0]
+
+
+def rms(signal):
+    """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
+    middle, sizes = _lasting(signal)
+    return (middle * middle + sum(A * A for A in sizes) / 2) ** 0.5
+
+
+def _lasting(signal):
+    """(constant, amplitudes) of the vibrations that do not die out."""
+    parts = free_parts(signal)
+    if any(part.amplitude and (part.rate > 0 or (part.power and not part.rate)) for part in parts):
+        raise PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")
+    waves = [part.amplitude for part in parts if part.omega and abs(part.rate) <= UNDYING * part.omega]
+    if not waves:
+        raise PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
+    return sum(part.amplitude for part in parts if not (part.omega or part.rate)), waves
+
+
 def envelope(signal, times):
     """A e^{rate t} of a free vibration."""
     import numpy as np
 
-    part = vibration(signal)
+    part = from_the_start(signal)
     return part.amplitude * np.exp(part.rate * np.asarray(times))
-
-
-def harmonics(signal):
-    """[(Ω, X)] of the waves of the steady state that is no constant, where it has finitely many."""
-    steady = signal.motion.steady
-    if steady.period is not None:
-        raise PhysicsError("this steady state has harmonics without end", "ask for harmonic[1](x), or max(steady(x))")
-    found = [(Omega, X) for Omega, X in steady.phasors(signal.output) if Omega]
-    largest = max((abs(X) for _, X in found), default=0.0)
-    return [(Omega, X) for Omega, X in found if abs(X) > ALONE * largest]
-
-
-def fundamental(signal):
-    """The angular frequency of a periodic steady state; PhysicsError where it is not periodic."""
-    steady = signal.motion.steady
-    if steady.period is not None:
-        return TURN / steady.period
-    speeds = [Omega for Omega, _ in harmonics(signal)]
-    if not speeds:
-        raise PhysicsError("this steady state is at rest: it has no period", "ask for final(x)")
-    for parts in range(1, MOST):
-        ratios = [parts * speed / speeds[0] for speed in speeds]
-        if all(abs(ratio - round(ratio)) <= COMMENSURATE * ratio for ratio in ratios):
-            return speeds[0] / parts
-    raise PhysicsError("the frequencies of this steady state have no common period", "ask for max(x) and min(x)")
-
-
-def harmonic(signal, number):
-    """The complex amplitude X of harmonic n of a periodic steady state."""
-    steady, Omega = signal.motion.steady, fundamental(signal)
-    if steady.period is not None:
-        return steady.harmonic(signal.output, number)
-    near = [X for speed, X in harmonics(signal) if abs(speed - number * Omega) <= COMMENSURATE * speed]
-    return near[0] if near else 0j
-
-
-def steady_amplitude(signal):
-    """Of one harmonic |X|, of several half the range over a period."""
-    if signal.motion.steady.period is None:
-        found = harmonics(signal)
-        if len(found) < 2:
-            return abs(found[0][1]) if found else 0.0
-    period, steady = TURN / fundamental(signal), signal.steady
-    return 0.5 * (steady.extreme(0.0, period, 1)[1] - steady.extreme(0.0, period, -1)[1])

@@ -56,8 +56,19 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
         raise click.UsageError("--digits belongs to --at")
     if until is not None:
         set_end(problems, until)
+    for _, problem in problems:
+        refuse_parts(problem, parts)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
                         wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves))
+
+
+def refuse_parts(problem, parts):
+    """PhysicsError, before anything is integrated, where a motion has no such parts."""
+    from vibcli.errors import PhysicsError
+    from vibcli.moving_signals import FullSignal
+
+    if parts and problem.spec.get("motion") == "full":
+        raise PhysicsError(f"{FullSignal.KIND} has no {parts[0]} part that is found", f"leave --{parts[0]} out")
 
 
 def set_end(problems, text):

@@ -13,7 +13,7 @@ RESPONSE = [
         ("small", "`motion: small`, the default: small oscillations about the equilibrium, exact at any time."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
          "Events and the balance of the energies are printed. Values in time, `max`, `min`, `zero` and `period` can be "
-         "asked, no steady states."),
+         "asked, no steady states. A period is looked for beyond the end, up to eight times as long."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, or what grows fastest has grown to 1000 times, between 2 and 60 of the longest periods; without "
          "either 10 periods, or two beats. That is counted from where the loads last change their form."),
@@ -30,11 +30,12 @@ RESPONSE = [
          "it, `--digits 30` exactly"),
         ("max(x)", "likewise `min`, `argmax`, `argmin`, `zero[1]`"),
         ("final(x)", "its limit; `overshoot(x)` is (max − final)/(final − start)"),
-        ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load depends on the time of "
-         "the free vibration"),
-        ("mean(x)", "with `rms(x)`, `harmonic[3](x)`: of a periodic steady state"),
+        ("amplitude(x)", "with `phase(x)`, `period(x)`: of the steady state, or where no load oscillates without end "
+         "of the free vibration"),
+        ("mean(x)", "with `rms(x)`: of the steady state, or of free vibrations that do not die out; `harmonic[3](x)` "
+         "of a periodic steady state"),
         ("decrement(x)", "with `time_to[0.1](x)`, `cycles_to[0.1](x)`, `envelope(x)`: of a free vibration of one "
-         "frequency"),
+         "frequency, after the last change of the loads; of what a load keeps up ask for `decrement(transient(x))`"),
         ("beat_period(x)", "of two neighbouring frequencies"),
         ("steady(x)", "with `transient(x)`: signals again, as in `max(steady(x))`, `steady(x)(2 s)`"),
     ],

@@ -135,7 +135,7 @@ def phase_in(convention, X):
 
 def harmonics_of(signal):
     """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
-    from vibcli.read_off import fundamental, harmonic
+    from vibcli.kept_up import fundamental, harmonic
 
     if not hasattr(signal, "output"):
         return []
