@@ -6,6 +6,7 @@ import random
 from fractions import Fraction
 
 import mpmath
+import numpy as np
 import pytest
 from scenes import problem, value
 
@@ -187,6 +188,24 @@ def test_identities_of_random_chains(seed):
     whole = sum(1 / float(mode.omega) ** 2 for mode in chain.modes)
     assert estimate.dunkerley == pytest.approx(whole**-0.5, rel=1e-13)
     assert sum(alone**-2 for alone in estimate.alone.values()) == pytest.approx(whole, rel=1e-13)
+
+
+def test_estimates_of_lengths_and_angles_together():
+    """A bar on two springs: δ is the deflection under inertia forces of a motion x alone, in metres or millimetres."""
+    m, J, k, n, a, b = 3.0, 0.2, 900.0, 2500.0, 0.3, 0.5
+    stiff = np.array([[k + n, n * b - k * a], [n * b - k * a, k * a * a + n * b * b]])
+    deflection = np.linalg.solve(stiff, [m, 0.0])
+    rayleigh = math.sqrt(deflection @ stiff @ deflection / (m * deflection[0] ** 2 + J * deflection[1] ** 2))
+    dunkerley = np.trace(np.linalg.solve(stiff, np.diag([m, J]))) ** -0.5
+    for lengths in ({"a": "0.3 m", "b": "0.5 m"}, {"a": "300 mm", "b": "500 mm"}):
+        found = scene({"m": "3 kg", "J": "0.2 kg*m^2", "k": "900 N/m", "n": "2500 N/m"} | lengths, """
+        bodies: {bar: {mass: m, inertia: J, at: [0, 0], move: [0, y, phi]}}
+        points: {A: {body: bar, at: [-a, 0]}, B: {body: bar, at: [b, 0]}}
+        springs: {s: {k: k, between: [A, [-a, -1 m]]}, r: {k: n, between: [B, [b, -1 m]]}}
+        """).estimates
+        assert found.rayleigh == pytest.approx(rayleigh, rel=1e-13)
+        assert found.dunkerley == pytest.approx(dunkerley, rel=1e-13)
+        assert found.deflection["y"] == pytest.approx(deflection[0] / max(deflection, key=abs), rel=1e-13)
 
 
 def test_scaling_of_units():

@@ -305,7 +305,7 @@ def test_many_coordinates_stay_within_their_bounds(family, monkeypatch):
 def test_jacobi_reads_small_singular_values_of_rows_of_any_size():
     rng = np.random.default_rng(4)
     rows = 10.0 ** rng.uniform(-8, 8, 12)[:, None] * rng.normal(size=(12, 9))
-    r, order = pivoted_qr(rows)
+    r, order, _ = pivoted_qr(rows)
     u, sigma = jacobi(r.T)
     with mpmath.workdps(60):
         a = mpmath.matrix(rows.tolist())

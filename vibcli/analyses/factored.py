@@ -2,8 +2,8 @@
 
 Plain SVD knows each value to 4 √n ε of the largest. Where that is too little: rows sorted by size, QR with
 complete pivoting (Powell & Reid 1969; Cox & Higham 1998), then one-sided Jacobi on Rᵀ (Drmač & Veselić
-2008), in NumPy for some hundred columns, by LAPACK's dgejsv beyond: the error then depends on the condition
-of R with its rows made equally long, and the ratio of the stiffnesses drops out.
+2008), in NumPy for some hundred columns, by LAPACK's dgejsv beyond: X + δX = X (1 + X⁺δX), and with |δX| ≤ ε|X| each
+value is off by ε ‖|X⁺||X|‖ at most, in which the sizes of the rows, and so the ratio of the stiffnesses, drop out.
 """
 
 import numpy as np
@@ -31,12 +31,11 @@ def singular_vectors(x, zeros, known=1.0):
         bound[:n - zeros] = error * sigma[0] / elastic
     if not len(elastic) or bound.max() <= (ENOUGH if n <= JACOBI_UP_TO else ENOUGH_WHEN_MANY):
         return sigma, vt.T, bound
-    r, order = pivoted_qr(tall) if n <= JACOBI_UP_TO else _pivoted_by_lapack(tall)
+    r, order, turned = (pivoted_qr if n <= JACOBI_UP_TO else _pivoted_by_lapack)(tall)
     r = r[:n - zeros]
-    rows = r / np.linalg.norm(r, axis=1)[:, None]
-    better = np.full(n, 4 * error * np.linalg.cond(rows))
-    better[n - zeros:] = 0.0
-    if better[0] >= bound.max():
+    better = np.full(n, row_error(tall[:, order], r, turned[:n - zeros], known))
+    better = np.minimum(better, 2 * bound)      # what QR adds is no more, off as the factor is as a whole
+    if better.max() >= bound.max():
         return sigma, vt.T, bound
     u, sigma = jacobi(r.T) if n <= JACOBI_UP_TO else _jacobi_by_lapack(r.T)
     v = np.empty((n, n))
@@ -44,13 +43,30 @@ def singular_vectors(x, zeros, known=1.0):
     return np.concatenate([sigma, np.zeros(zeros)]), v, better
 
 
+def row_error(x, r, turned, known):
+    """The relative error of each value: that of the data and of QR, 8 ε ‖|X⁺||X|‖ with X⁺ = R⁺Qᵀ, `turned` being
+    Qᵀ diag(lengths of the rows of X), and that of Jacobi's rotations, 16 √n ε times the condition of the rows of R."""
+    sizes = np.linalg.norm(r, axis=1)[:, None]
+    rows = r / sizes
+    back = np.linalg.pinv(rows) @ (turned / sizes)
+    growth = np.linalg.norm(np.abs(back) @ np.abs(x / _lengths(x)[:, None]), 2)
+    return UNIT * (8 * known * growth + 16 * np.sqrt(x.shape[1]) * np.linalg.cond(rows))
+
+
+def _lengths(x):
+    """The lengths of the rows; 1 of a row of zeros."""
+    lengths = np.linalg.norm(x, axis=1)
+    return np.where(lengths > 0, lengths, 1.0)
+
+
 def pivoted_qr(a):
-    """R and the order with a[:, order] = Q R; rows sorted, columns and rows exchanged for the pivots."""
-    a = a[np.argsort(-np.abs(a).max(axis=1), kind="stable")]
+    """R, the order with a[:, order] = Q R, and Qᵀ diag(lengths of the rows of a); rows sorted, columns and rows
+    exchanged for the pivots."""
     n = a.shape[1]
+    a = np.hstack([a, np.diag(_lengths(a))])[np.argsort(-np.abs(a).max(axis=1), kind="stable")]
     order = np.arange(n)
     for k in range(n):
-        j = k + int(np.argmax((a[k:, k:] ** 2).sum(axis=0)))
+        j = k + int(np.argmax((a[k:, k:n] ** 2).sum(axis=0)))
         a[:, [k, j]], order[[k, j]] = a[:, [j, k]], order[[j, k]]
         i = k + int(np.argmax(np.abs(a[k:, k])))
         a[[k, i]] = a[[i, k]]
@@ -61,7 +77,7 @@ def pivoted_qr(a):
         v[0] += np.copysign(size, v[0])
         a[k:, k:] -= np.multiply.outer(v, (2 / (v @ v)) * (v @ a[k:, k:]))
         a[k + 1:, k] = 0.0
-    return a[:n], order
+    return a[:n, :n], order, a[:n, n:]
 
 
 def jacobi(a):
@@ -101,10 +117,11 @@ def _rounds(n):
 
 
 def _pivoted_by_lapack(a):
-    from scipy.linalg import qr
+    from scipy.linalg import qr_multiply
 
-    r, order = qr(a[np.argsort(-np.abs(a).max(axis=1), kind="stable")], mode="r", pivoting=True)
-    return r[:a.shape[1]], order
+    sort = np.argsort(-np.abs(a).max(axis=1), kind="stable")
+    turned, r, order = qr_multiply(a[sort], np.diag(_lengths(a))[sort].T, pivoting=True)
+    return r[:a.shape[1]], order, turned.T[:a.shape[1]]
 
 
 def _jacobi_by_lapack(a):
