@@ -1,12 +1,14 @@
 """Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
 
 from vibcli import units
-from vibcli.algebra.meaning import DimensionCheck, counts_cycles, names_in, quantities_in, whole_literal
+from vibcli.algebra.cycles import left_over
+from vibcli.algebra.meaning import DimensionCheck, names_in, quantities_in
 from vibcli.algebra.parse import ExpressionError
 from vibcli.asking_signals import arguments_fit, input_dimension, inputs, output_dimension, response_dimension
+from vibcli.counting import check_radians, check_same, check_terms, is_frequency
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
-from vibcli.fit import check, cyclic
+from vibcli.fit import check
 from vibcli.parameters import independent
 from vibcli.questions import (
     ALL,
@@ -24,6 +26,7 @@ from vibcli.questions import (
 from vibcli.signals import near_signals, signal_dimension
 
 MOST_COUNTED = 1000
+ANGULAR = ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
 
 
 def check_answers(spec, reader):
@@ -103,12 +106,12 @@ def _answer(spec, reader, answer):
         reader.report(expected.scalar.place(quantity[1], quantity[2] - quantity[1]),
                       f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
         return
-    refuse_cycles(spec, reader, head, expected)
     names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
-    check(spec, reader, asked, spec.parameters, None)
+    fits = check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
     expected.unit = unit_asked(tree) if whole and not is_choice(spec, tree) else None
-    check(spec, reader, expected, names, dimension_asked)
+    if check(spec, reader, expected, names, dimension_asked) and fits:
+        check_cycles(spec, reader, asked, expected)
     if answer.rtol is not None:
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
 
@@ -216,16 +219,21 @@ def _is_fraction(text):
         return False
 
 
-def refuse_cycles(spec, reader, head, expected):
-    """Hz is not rad/s: an angular frequency refuses it, and a frequency refuses the other."""
-    angular = head in ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
-    if angular and counts_cycles(expected.tree, cyclic(spec, expected.tree)):
+def check_cycles(spec, reader, asked, expected):
+    """Hz is not rad/s: an angular frequency refuses it, and a frequency the other; all else counts no cycles."""
+    tree = asked.tree
+    head = tree[4] if tree[0] == "quantity" and not is_choice(spec, tree) else None
+    asks_frequency = head is not None and declared(tree).unit == "Hz"
+    count = check_terms(spec, reader, expected)
+    if count is None or check_terms(spec, reader, asked) is None:
+        return
+    if asks_frequency and not is_frequency(spec, expected):
+        reader.report(expected.where, f"expected a frequency (Hz) for '{head}', found an angular frequency",
+                      "divide by 2*pi, or ask for omega[i]")
+    elif head in ANGULAR and left_over(count) == 1:
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
-    tree = expected.tree
-    if tree[0] == "name" and "value" in spec.parameters.get(tree[3], ()):
-        tree = spec.parameters[tree[3]]["value"].tree
-    literal = whole_literal(tree)
-    if head == "frequency" and literal and any(unit in ("rad", "rpm") for unit, _, _, _ in literal[4]):
-        reader.report(expected.where, "expected a frequency (Hz) for 'frequency', found an angular frequency",
-                      "divide by 2*pi, or ask for omega[i]")
+    elif head is None:
+        check_same(spec, reader, asked, expected)
+    elif not asks_frequency:
+        check_radians(spec, reader, expected)

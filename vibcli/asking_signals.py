@@ -1,8 +1,10 @@
 """Quantities of responses: are their signals, instants, inputs and frequencies such that they can be asked for?"""
 
 from vibcli import units
+from vibcli.algebra.cycles import left_over
 from vibcli.algebra.meaning import DimensionCheck, literals_in, names_in, quantities_in
 from vibcli.algebra.parse import VALUE, ExpressionError
+from vibcli.counting import cycles
 from vibcli.diagnostics import quoted
 from vibcli.fit import applied
 from vibcli.questions import ASKED, IN_FREQUENCY, OF_VALUES, PARTS, SIGNAL, declared, usage
@@ -139,7 +141,9 @@ def _signal(spec, reader, expression, tree, arg):
     if len(reader.diagnostics) == before and not any(_moves(spec, name) for name, *_ in _all_names(arg)):
         reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]), "this does not depend on the motion",
                       "signals are made of coordinates, points, springs and forces")
-    return len(reader.diagnostics) == before and _dimension(spec, reader, expression, arg) is not False
+    if len(reader.diagnostics) > before or _dimension(spec, reader, expression, arg) is False:
+        return False
+    return _counted(reader, expression, lambda: cycles(spec, expression.text).count(arg))
 
 
 def _all_names(tree):
@@ -214,8 +218,24 @@ def _number(spec, reader, expression, kind, arg):
     wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (RATE, "a frequency (rad/s or Hz)")
     bare = spec.free_numbers and not any(part[4] for part in literals_in(arg))
     if found is None or bare or spec.dimensions.equate(found, wanted):
-        return True
+        return _counted(reader, expression, lambda: _counts(cycles(spec, expression.text), kind, arg))
     reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]),
                   f"expected {words}, found {units.name(spec.dimensions.resolve(found))}",
                   "write for example 2.5 s" if kind == "time" else "write for example 20 rad/s or 5 Hz")
     return False
+
+
+def _counts(counter, kind, arg):
+    """An instant is no number of cycles, and a frequency one in rad/s or Hz."""
+    if kind == "time" or left_over(counter.count(arg)) not in (0, 1):
+        counter.require_radians(arg)
+
+
+def _counted(reader, expression, count):
+    """Can the cycles be counted? Reports where they stand for radians."""
+    try:
+        count()
+    except ExpressionError as error:
+        reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+        return False
+    return True

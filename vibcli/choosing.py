@@ -2,7 +2,7 @@
 
 from vibcli import units
 from vibcli.algebra.meaning import names_in, quantities_in
-from vibcli.asking import asked_dimension, can_be_asked, dimension_of, refuse_cycles, unit_asked
+from vibcli.asking import asked_dimension, can_be_asked, check_cycles, dimension_of, unit_asked
 from vibcli.fit import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS
 from vibcli.reading import Record
@@ -61,28 +61,30 @@ def _equation(spec, reader, name, condition):
             reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it is not a number",
                           "conditions are made of numbers, parameters and quantities such as omega[1]")
             return
-    refuse_cycles(spec, reader, _head(left), right)
-    refuse_cycles(spec, reader, _head(right), left)
     asked, expected = (right, left) if _head(right) and not _head(left) else (left, right)
     if not check(spec, reader, asked, spec.parameters, None):
         return
     if _head(asked):
         expected.unit = unit_asked(asked.tree)
-        check(spec, reader, expected, spec.parameters, asked_dimension(spec, asked.tree))
-    elif check(spec, reader, expected, spec.parameters, None):
-        _same(spec, reader, asked, expected)
+        fits = check(spec, reader, expected, spec.parameters, asked_dimension(spec, asked.tree))
+    else:
+        fits = check(spec, reader, expected, spec.parameters, None) and _same(spec, reader, asked, expected)
+    if fits:
+        check_cycles(spec, reader, asked, expected)
     if not quantities and not any(part[0] in spec.choices for side in condition.sides for part in names_in(side.tree)):
         reader.report(condition.where, f"this does not determine '{name}': it holds no quantity and nothing chosen",
                       "write an equation such as omega[1] = 20 rad/s")
 
 
 def _same(spec, reader, left, right):
-    """Both sides of an equation measure the same."""
+    """Do both sides of an equation measure the same?"""
     one, other = (dimension_of(spec, side) for side in (left, right))
     if one is not None and other is not None and not spec.dimensions.equate(one, other):
         found = [units.name(spec.dimensions.resolve(part)) for part in (one, other)]
         reader.report(right.where, f"the two sides measure different things: {found[0]} and {found[1]}",
                       "both sides of an equation have one dimension")
+        return False
+    return True
 
 
 def _head(side):

@@ -7,7 +7,6 @@ from vibcli.algebra.meaning import (
     ANY,
     DimensionCheck,
     calls_in,
-    counts_cycles,
     literal_unit,
     literals_in,
     names_in,
@@ -53,9 +52,6 @@ def check(spec, reader, expression, names, expected, local=None):
         checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
         found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
-        in_cycles = expression.unit == "rad/s" and counts_cycles(expression.tree, cyclic(spec, expression.tree))
-        if in_cycles and not spec.asked_dimension:
-            reader.report(expression.where, "expected an angular frequency (rad/s), found Hz", "write 2*pi*f")
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
@@ -133,12 +129,6 @@ def applied(reader, expression, tree):
     bracket = expression.text.index("(", inner[2])
     reader.report(expression.scalar.place(bracket, 1), "expected an operator before '('",
                   "there is no implicit multiplication: write a * between factors")
-
-
-def cyclic(spec, tree):
-    """The parameters named in a tree whose value is in Hz."""
-    values = {name: spec.parameters[name].get("value") for name, _, _, _ in names_in(tree) if name in spec.parameters}
-    return {name for name, value in values.items() if value is not None and counts_cycles(value.tree)}
 
 
 def _only_numbers(tree):

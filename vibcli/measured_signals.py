@@ -5,9 +5,9 @@ from math import isfinite, pi
 from vibcli import kept_up, read_off
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.meaning import counts_cycles, lower, quantities_in
+from vibcli.algebra.meaning import lower, quantities_in
+from vibcli.counting import counts_cycles
 from vibcli.errors import PhysicsError
-from vibcli.fit import cyclic
 from vibcli.moving_signals import LinearSignal
 from vibcli.questions import PARTS
 
@@ -60,7 +60,7 @@ def number_of(problem, tree):
         return table.parameter(name, positive=False) if part[0] == "quantity" else problem.scene.parameters.nodes[name]
 
     value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
-    return value * TURN if counts_cycles(tree, cyclic(problem.spec, tree)) else value
+    return value * TURN if counts_cycles(problem.spec, tree) else value
 
 
 def _signal(problem, tree):

@@ -34,7 +34,7 @@ def resolve(spec, reader):
     spec.free_numbers = not any(part[4] for e in reader.expressions for part in literals_in(e.tree)) and not any(
         "unit" in p for p in (*spec.parameters.values(), *(spec.get("records") or {}).values()))
     record_dimensions(spec)
-    _parameters(spec, reader)
+    circular = _parameters(spec, reader)
     _matrices(spec, reader)
     _start(spec, reader)
     _bounded(spec, reader)
@@ -51,6 +51,8 @@ def resolve(spec, reader):
             local = reader.local_names.get(id(expression))
             check(spec, reader, expression, names if local is None else {**names, local[0]: None}, expression.dimension,
                   local)
+    if not circular:
+        _cycles(spec, reader, apart | parameters)
     if spec.choices and reader.sound and len(reader.diagnostics) == before:
         from vibcli.choosing import check_choices
 
@@ -63,6 +65,21 @@ def resolve(spec, reader):
         from vibcli.asking import check_answers
 
         check_answers(spec, reader)
+
+
+def _cycles(spec, reader, apart):
+    """Cycles (Hz) stand nowhere where radians are due; the expressions in `apart` are no such places, or come later."""
+    from vibcli.counting import check_radians, check_terms, uses_cycles
+
+    if uses_cycles(spec, reader):
+        values = [record["value"] for record in spec.parameters.values() if "value" in record]
+        bounds = [record[key] for record in spec.choices.values() for key in ("from", "to") if key in record]
+        for expression in (*values, *bounds):
+            check_terms(spec, reader, expression)
+        apart = apart | set(map(id, bounds))
+        for expression in reader.expressions:
+            if id(expression) not in apart:
+                (check_terms if expression.unit == "Hz" else check_radians)(spec, reader, expression)
 
 
 def _time_is_taken(spec, reader):
@@ -148,7 +165,8 @@ def _units_of_symbols(spec, reader):
 
 
 def _parameters(spec, reader):
-    """Dimensions of the parameters that are given, and no circles among their definitions."""
+    """Dimensions of the parameters that are given; are there circles among their definitions?"""
+    circular = False
     for name, record in spec.parameters.items():
         value = record.get("value")
         if value is None:
@@ -160,6 +178,8 @@ def _parameters(spec, reader):
         message = f"'{circle[0]}' is defined by itself" if len(circle) == 1 else (
             "these parameters are defined by one another: " + " → ".join([*circle, circle[0]]))
         reader.report(spec.parameters[circle[0]].where, message, "give one of them a value of its own")
+        circular = True
+    return circular
 
 
 def _circles(spec):

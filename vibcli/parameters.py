@@ -57,7 +57,7 @@ class Parameters:
     def __init__(self, spec, table):
         self.table = table
         self.records = spec.parameters
-        self.order = _order(spec.parameters)
+        self.order = definition_order(spec.parameters)
         unsigned = {name for name, record in spec.parameters.items() if record.get("sign") == "any"}
         unsigned |= self._not_positive()
         self.nodes = {name: table.parameter(name, name not in unsigned) for name in spec.parameters}
@@ -151,7 +151,7 @@ def independent(records):
             or not any(other in records for other, *_ in names_in(record["value"].tree))]
 
 
-def _order(records):
+def definition_order(records):
     """Names in an order in which each comes after those it is defined by (there are no circles)."""
     needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in records] if "value" in record else []
              for name, record in records.items()}

@@ -79,8 +79,8 @@ INSTEAD = {
 class Spec:
     """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
-    __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "dimensions", "file", "free_numbers",
-                 "named", "parameters", "sections", "used", "velocities")
+    __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "counts", "dimensions", "file",
+                 "free_numbers", "named", "parameters", "sections", "used", "velocities")
 
     def __init__(self, file, sections, named):
         """`named`: the names that stand in each section, of what could not be read as well."""
@@ -88,6 +88,7 @@ class Spec:
         self.parameters = sections.get("parameters", {})
         self.answers, self.choices = sections.get("answers", []), {}
         self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
+        self.counts = None      # of cycles, by name: see counting.py
 
     def get(self, section, default=None):
         return self.sections.get(section, default)

@@ -33,12 +33,13 @@ def _dimension(kg=0, m=0, s=0):
 
 
 class Unit:
-    """value·πᵖ in SI, a dimension, and whether it counts cycles (Hz)."""
+    """value·πᵖ in SI, a dimension, and the powers in which it counts cycles (1 of Hz) and radians (1 of rpm)."""
 
-    __slots__ = ("cycles", "dimension", "pi", "value")
+    __slots__ = ("cycles", "dimension", "pi", "radians", "value")
 
-    def __init__(self, value, dimension, pi=0, cycles=False):
-        self.value, self.dimension, self.pi, self.cycles = Fraction(value), dimension, pi, cycles
+    def __init__(self, value, dimension, pi=0, cycles=0, radians=0):
+        self.value, self.dimension, self.pi = Fraction(value), dimension, pi
+        self.cycles, self.radians = cycles, radians
 
 
 _FORCE, _ENERGY, _PRESSURE = _dimension(1, 1, -2), _dimension(1, 2, -2), _dimension(1, -1, -2)
@@ -57,10 +58,12 @@ UNITS = {
     "W": Unit(1, _dimension(1, 2, -3)), "kW": Unit(1000, _dimension(1, 2, -3)),
     "Pa": Unit(1, _PRESSURE), "kPa": Unit(1000, _PRESSURE), "MPa": Unit(10**6, _PRESSURE),
     "GPa": Unit(10**9, _PRESSURE),
-    "rad": Unit(1, NONE), "mrad": Unit("1e-3", NONE), "deg": Unit(Fraction(1, 180), NONE, pi=1),
-    "°": Unit(Fraction(1, 180), NONE, pi=1), "%": Unit("0.01", NONE),
-    "Hz": Unit(1, _dimension(s=-1), cycles=True), "kHz": Unit(1000, _dimension(s=-1), cycles=True),
-    "MHz": Unit(10**6, _dimension(s=-1), cycles=True), "rpm": Unit(Fraction(1, 30), _dimension(s=-1), pi=1),
+    "rad": Unit(1, NONE, radians=1), "mrad": Unit("1e-3", NONE, radians=1),
+    "deg": Unit(Fraction(1, 180), NONE, pi=1, radians=1), "°": Unit(Fraction(1, 180), NONE, pi=1, radians=1),
+    "%": Unit("0.01", NONE),
+    "Hz": Unit(1, _dimension(s=-1), cycles=1), "kHz": Unit(1000, _dimension(s=-1), cycles=1),
+    "MHz": Unit(10**6, _dimension(s=-1), cycles=1),
+    "rpm": Unit(Fraction(1, 30), _dimension(s=-1), pi=1, radians=1),
     "in": Unit(_INCH, LENGTH), "ft": Unit(12 * _INCH, LENGTH), "lb": Unit(_POUND, MASS),
     "lbf": Unit(_POUND_FORCE, _FORCE),
     "slug": Unit(_POUND_FORCE / (12 * _INCH), MASS), "psi": Unit(_POUND_FORCE / _INCH**2, _PRESSURE),
@@ -70,13 +73,15 @@ UNITS = {
 @lru_cache(maxsize=256)
 def combine(chain):
     """The unit of ((name, power), …), e.g. (("N", 1), ("m", -1))."""
-    value, dimension, pi = Fraction(1), {}, 0
+    value, dimension, pi, cycles, radians = Fraction(1), {}, 0, 0, 0
     for name, power in chain:
         unit = UNITS[name]
         value *= unit.value**power
         dimension = times(dimension, unit.dimension, power)
         pi += unit.pi * power
-    return Unit(value, dimension, pi, cycles=len(chain) == 1 and chain[0][1] == 1 and UNITS[chain[0][0]].cycles)
+        cycles += unit.cycles * power
+        radians += unit.radians * power
+    return Unit(value, dimension, pi, cycles, radians)
 
 
 _NAMED = (("N/m", _dimension(1, 0, -2)), ("N·s/m", _dimension(1, 0, -1)), ("N", _FORCE), ("N·m", _ENERGY),

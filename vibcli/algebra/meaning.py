@@ -17,7 +17,7 @@ def _within(tree, kind):
         part = pending.pop()
         if part[0] == kind:
             found.append(part)
-        pending.extend(_children(part))
+        pending.extend(children(part))
     return found
 
 
@@ -41,7 +41,7 @@ def literals_in(tree):
     return _within(tree, "number")
 
 
-def _children(tree):
+def children(tree):
     kind = tree[0]
     if kind in ("sum", "product"):
         return [part for _, part in tree[3]]
@@ -61,21 +61,6 @@ def whole_literal(tree):
     if tree[0] == "sum" and len(tree[3]) == 1:
         tree = tree[3][0][1]
     return tree if tree[0] == "number" else None
-
-
-def counts_cycles(tree, cyclic=()):
-    """Does the tree give cycles (Hz) and not radians? True for a literal in Hz or a name in `cyclic`, times numbers."""
-    tree = whole_literal(tree) or tree
-    if tree[0] == "number":
-        return bool(tree[4]) and literal_unit(tree[4]).cycles
-    if tree[0] == "name":
-        return tree[3] in cyclic
-    if tree[0] == "sum":
-        return any(counts_cycles(part, cyclic) for _, part in tree[3])
-    if tree[0] == "product":
-        others = [part for _, part in tree[3] if not counts_cycles(part, cyclic)]
-        return len(others) < len(tree[3]) and all(part[0] == "number" for part in others)
-    return False
 
 
 class DimensionCheck:

@@ -1,12 +1,12 @@
 """Amplitudes of responses in letters, as conditions: amplitude(x), abs(frf[x, F](Ω)), transmissibility[x, base](Ω)."""
 
 from vibcli.algebra.copied import copied
-from vibcli.algebra.meaning import counts_cycles, lower, quantities_in
+from vibcli.algebra.meaning import lower, quantities_in
 from vibcli.analyses.frequency.in_letters import formula
 from vibcli.analyses.frequency.steady_letters import steady_state
 from vibcli.analyses.solving import polynomial
+from vibcli.counting import counts_cycles
 from vibcli.errors import NotInLetters
-from vibcli.fit import cyclic
 
 
 def response_of(problem, tree):
@@ -33,7 +33,7 @@ def _frequency(problem, tree):
         raise NotInLetters("a response at such a frequency is found in numbers")
     scene = problem.scene
     node = lower(tree, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
-    return node * 2 * scene.table.pi if counts_cycles(tree, cyclic(problem.spec, tree)) else node
+    return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
 
 
 def response_is(problem, response, value):

@@ -97,8 +97,9 @@ EXPRESSIONS = [
     "Dimensions are checked in every expression. In a scene that uses units a plain number has none, save that 0 "
     "fits everywhere. A scene that uses no unit at all is taken in consistent SI numbers. A parameter without "
     "value takes its dimension from where it stands, or from its `unit`.",
-    "`Hz` is not `rad/s`: an angular frequency refuses Hz (write `2*pi*f`), a frequency the reverse; `rpm` is "
-    "angular. `rad` is 1.",
+    "`Hz` is not `rad/s`: a cycle needs a factor π before it stands in an angle, an angular frequency or a stiffness, "
+    "as in `sin(2*pi*f*t)` and `m*4*pi^2*f^2`; `frf[x, F](5 Hz)` takes either. `1/f` is a period. `rpm` is angular, "
+    "`rad` is 1, and a rate in 1/s, such as `v/R`, fits both.",
     "Where a scene has a name that is also a unit, `2 N*m` within a longer expression could mean two things and is "
     "refused: write `(2 N)*m` or `(2 N*m)`.",
     "An expression has at most 2000 characters and 64 levels of parentheses. In YAML, put quotes around a key "
