@@ -467,7 +467,6 @@ def test_the_reduction_against_multipliers(name):
 
 # driven supports
 
-@pytest.mark.xfail(strict=True, reason="what is tied to a driven support does not count its motion as small")
 @pytest.mark.parametrize(("turn", "tie"), [("phi", "join: [A, S]"), ("0", "link: [rod, S]")])
 def test_a_pendulum_tied_to_a_shaken_support(turn, tie):
     """As one pinned to it: about the drawn position ω² = g/L + k/m."""

@@ -80,15 +80,22 @@ class InLetters:
         equilibrium that is not the drawn one."""
         from vibcli.mechanics.steady import excitation
 
-        scene, settled = self.scene, self.equilibrium_letters
-        if not scene.timed:
+        if not self.scene.timed:
             return {}
+        scene, settled = self.scene.vibrating, self.equilibrium_letters
         if settled is not None:
-            return excitation(scene, self.timed_form, settled.position(self.timed_form))
-        if self.linear_in_letters or self.symbolic:
-            return excitation(scene, self.timed_form, scene.drawn_position)
-        place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
-        return excitation(scene, self.timed_form, place)
+            place = settled.position(self.timed_form)
+        elif self.linear_in_letters or self.symbolic:
+            place = scene.drawn_position
+        else:
+            place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        found = excitation(scene, self.timed_form, place)
+        if scene is not self.scene:
+            from vibcli.mechanics.through_constraints import excitation_through
+
+            for i, node in excitation_through(self).items():
+                found[i] = found.get(i, scene.table.zero) + node
+        return found
 
     @Stage
     def energies(self):

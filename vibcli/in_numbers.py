@@ -41,12 +41,12 @@ class InNumbers:
         """V of the whole scene less the kinetic energy at rest, as an expression."""
         from vibcli.mechanics.energies import effective_potential
 
-        return defined_as_drawn(effective_potential, self.scene)
+        return defined_as_drawn(effective_potential, self.scene.vibrating)
 
     @cached_property
     def conservative(self):
         """Have all loads a potential: constant forces alone, and no driven motion?"""
-        scene = self.scene
+        scene = self.scene.vibrating
         return not scene.timed and not any(term.weight.mask for term in scene.forces)
 
     @Stage
@@ -99,7 +99,7 @@ class InNumbers:
         """{name: float} of the dependent coordinates in equilibrium."""
         from vibcli.algebra.evaluate import evaluate
 
-        nodes = self.scene.dependent
+        nodes = self.scene.resting.dependent
         values = dict(zip(nodes, evaluate(list(nodes.values()), _floats(), self.at_rest), strict=True))
         return {name: value if abs(value) > 1e-14 * self.scene.unit_of(name) else 0.0 for name, value in values.items()}
 
@@ -113,12 +113,19 @@ class InNumbers:
         return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
 
     def closed(self, start, target):
-        """The position `target` ({coordinate: float}) with its dependent coordinates, reached from the closed position
-        `start`; PhysicsError where its loops cannot close there."""
-        if self.scene.loops is None:
+        """The position at rest `target` ({coordinate: float}) with its dependent coordinates, reached from the closed
+        position `start`; PhysicsError where its loops cannot close there."""
+        return self._followed(self.scene.resting.loops, start, target)
+
+    def closed_at_start(self, start, target):
+        """The same with what is driven to and fro where it is at t = 0."""
+        return self._followed(self.scene.loops, start, target)
+
+    def _followed(self, loops, start, target):
+        if loops is None:
             return target
         floats = {**self.floats, self.scene.time.name: 0.0}
-        found = self.scene.loops.followed({**floats, **start}, {**floats, **target})
+        found = loops.followed({**floats, **start}, {**floats, **target})
         if found is None:
             from vibcli.errors import PhysicsError
 

@@ -138,7 +138,7 @@ def _shape(problem, indices, attribute):
 
 def _along(problem, shape, signal):
     """How far a signal moves where the coordinates move by `shape`: Σ (∂s/∂qᵢ) φᵢ."""
-    scene = problem.scene
+    scene = problem.scene.resting
     if signal in scene.coordinates:
         return shape[scene.coordinates.index(signal)]
     node = displacement(scene, signal)
@@ -208,7 +208,7 @@ def _estimate(which):
 
 def _equilibrium(problem, indices, attribute):
     signal = coordinate_name(problem.spec, indices[0]) or indices[0]
-    node = displacement(problem.scene, signal)
+    node = displacement(problem.scene.resting, signal)
     if node is None:
         return force(problem, signal), ROUNDING
     return evaluate([node], Floats, problem.at_rest)[0], ROUNDING

@@ -126,7 +126,7 @@ class SmallMotion(Motion):
         if any(slope.mask for slope in slopes.values()) or not all(isinstance(part[0], Output)
                                                                   for part in parts.values()):
             signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-            return ComposedSignal(node, signals, self.problem.floats)
+            return ComposedSignal(node, signals, self.problem.floats, self.problem.scene.time)
         used = [symbol for symbol in parts if symbol in slopes]
         values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
         constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
@@ -161,7 +161,7 @@ class SmallMotion(Motion):
         parts = {}
         node = self._at_states(parts, node)
         return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
-                              self.problem.floats)
+                              self.problem.floats, self.problem.scene.time)
 
     def _at_states(self, parts, node):
         """The same with the coordinates and their rates replaced by symbols of their signals."""

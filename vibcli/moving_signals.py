@@ -80,12 +80,12 @@ class LinearSignal(Signal):
 
 
 class ComposedSignal(Signal):
-    """A function of signals, instant by instant; `node` in symbols that `signals` names."""
+    """A function of signals, instant by instant; `node` in symbols that `signals` names, and in the time."""
 
     KIND = "a signal composed of others"
 
-    def __init__(self, node, signals, floats):
-        self.node, self.signals, self.floats = node, signals, floats
+    def __init__(self, node, signals, floats, time):
+        self.node, self.signals, self.floats, self.time = node, signals, floats, time
 
     def values(self, times, order=0):
         from vibcli.algebra.arrays import Arrays
@@ -96,7 +96,7 @@ class ComposedSignal(Signal):
 
         values = {name: signal.values(times) for name, signal in self.signals.items()}
         with np.errstate(all="ignore"):
-            found = evaluate([self.node], Arrays, {**self.floats, **values})[0]
+            found = evaluate([self.node], Arrays, {**self.floats, self.time.name: np.asarray(times), **values})[0]
         return require_finite(np.broadcast_to(found, np.shape(times)), times)
 
     def extreme(self, start, end, sense):
@@ -131,6 +131,7 @@ class ComposedSignal(Signal):
         return found
 
     def final(self):
+        self._require_no_time("limit")
         from vibcli.algebra.evaluate import Floats
 
         try:
@@ -142,7 +143,14 @@ class ComposedSignal(Signal):
 
     @cached_property
     def steady(self):
-        return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats)
+        self._require_no_time("steady state")
+        return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
+                              self.time)
+
+    def _require_no_time(self, what):
+        if self.node.mask & self.time.mask:
+            raise PhysicsError(f"the {what} of what holds a driven motion in a product is not found",
+                               "ask for its values at instants, or for max and min")
 
     @cached_property
     def transient(self):

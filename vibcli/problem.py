@@ -123,20 +123,20 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
-        found = defined_as_drawn(linearise, self.scene)
+        found = defined_as_drawn(linearise, self.scene.vibrating)
         if not self.scene.timed:
             return found
         from vibcli.mechanics.steady import steady
 
         self.timed_form = found
-        return steady(self.scene, found)
+        return steady(self.scene.vibrating, found)
 
     @cached_property
     def drawn_form(self):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
         from vibcli.mechanics.linearisation import at_position
 
-        return defined_as_drawn(at_position, self.form, self.scene.drawn_position)
+        return defined_as_drawn(at_position, self.form, self.scene.vibrating.drawn_position)
 
     @cached_property
     def is_linear(self):

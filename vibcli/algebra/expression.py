@@ -111,9 +111,10 @@ class Table:
         self.variables.append(node)
         return node
 
-    def dependent(self, name, mask):
-        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved."""
-        return self._make("symbol", (self.one,), ONE, mask, name)
+    def dependent(self, name, mask, at_rest=False):
+        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved.
+        `at_rest`: that of this name in the scene at rest, which has another gradient."""
+        return self._make("symbol", (self.zero if at_rest else self.one,), ONE, mask, name)
 
     def scaled(self, node, factor):
         """factor·node, the factor rational; over a sum it is distributed."""

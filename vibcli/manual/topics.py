@@ -111,7 +111,8 @@ CONVENTIONS = [
         ("axes", "x to the right, y up; angles and moments counter-clockwise. Everything is drawn in one fixed frame, "
          "in the position that the figure shows."),
         ("coordinates", "Zero as drawn, unless `coordinates` says `drawn`. A motion is the change of its expression "
-         "since the drawn position, so constants in it do not matter."),
+         "since the drawn position, so constants in it do not matter; what is prescribed in time counts as it stands "
+         "(`vibcli explain time`)."),
         ("carriers", "`carrier` makes a motion relative to another body, and its directions turn with it. The "
          "angle of a pin is that in the fixed frame unless `relative: true`; so is the `turn` of a rolling body."),
         ("springs", "Stretch, tension and preload are positive in lengthening. A spring is undeformed as drawn "
@@ -185,14 +186,15 @@ MOTIONS = [
 ]
 
 TIME = [
-    "`t` is the time, in seconds. The scene is drawn at t = 0, and driven motions are counted from there. The time may "
-    "stand in",
+    "`t` is the time, in seconds. A prescribed motion is the displacement from the drawn position as it stands, "
+    "constants included: `Y*(1 - cos(w*t))` leaves that position at t = 0, and with `Y*cos(w*t)` the motion starts at "
+    "Y. The time may stand in",
     [
         ("motions", "`pin: {at: O, by: Omega*t}`, `slide: Y*sin(Omega*t)`: a motion that is prescribed. Where all of "
          "it is, the body needs no mass."),
         ("points", "`S: {at: [0, 0], moves: [0, Y*sin(Omega*t)]}`: a support that is shaken"),
         ("forces", "`{at: block, force: F0*sin(Omega*t)}`, and any other load"),
-        ("constraints", "`x2 = x1 + Y*sin(Omega*t)`"),
+        ("constraints", "`x2 = x1 + Y*sin(Omega*t)`, true as drawn, at t = 0"),
         ("energies", "`V: -F0*sin(Omega*t)*x`"),
         ("answers", "in energies and equations: `equation[x]: m*x'' + k*x = F0*sin(Omega*t)`"),
     ],
@@ -209,7 +211,8 @@ TIME = [
     "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
     "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
-    "modes and damping are those of the scene without the terms that hold `t`; centrifugal and gyroscopic terms of a "
+    "modes and damping are those of the scene without the terms that hold `t`, all small motions being held where they "
+    "are drawn; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
     "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so; `vibcli equations` works, and so "
     "do motions in time with `motion: full`.",

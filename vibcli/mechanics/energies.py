@@ -12,11 +12,24 @@ def rate(scene, s):
 
 def potential(scene):
     """V = Σ (N s + ½ k s²) + Σ f s + what is written out."""
-    terms = [(term.force * term.s + term.weight * term.s * term.s * HALF, ONE) for term in scene.springs]
-    terms += [(term.weight * term.s, ONE) for term in scene.weights]
-    if "K" in scene.matrices:
-        terms += _quadratic(scene, "K", scene.q)
-    return scene.table.sum(*terms, (scene.energies["V"], ONE))
+    return scene.table.sum(*_stored(scene.springs, scene.weights), *_quadratic(scene, "K", scene.q),
+                           (scene.energies["V"], ONE))
+
+
+def potential_as_drawn(scene):
+    """V with the driven displacements as symbols that are zero as drawn."""
+    if not scene.shaken:
+        return potential(scene)
+    laws = [(scene.law_at(law._replace(s=term.s), law.energy) - scene.law_at(law, law.energy), ONE)
+            for law, term in zip(scene.laws, scene.shaken["laws"], strict=True) if not law.damper]
+    return scene.table.sum(*_stored(scene.shaken["springs"], scene.shaken["weights"]), *laws,
+                           *_quadratic(scene, "K", scene.q), (scene.energies["V"], ONE))
+
+
+def _stored(springs, weights):
+    """N s + ½ k s² and f s of each term, as terms of a sum."""
+    return [*((term.force * term.s + term.weight * term.s * term.s * HALF, ONE) for term in springs),
+            *((term.weight * term.s, ONE) for term in weights)]
 
 
 def kinetic(scene):

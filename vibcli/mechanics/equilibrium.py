@@ -91,9 +91,9 @@ class _Search:
         """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
         cannot be."""
         target = self.named_plainly(q)
-        if self.scene.loops is None:
+        loops, floats = self.scene.resting.loops, {**self.problem.floats, self.scene.time.name: 0.0}
+        if loops is None:
             return target
-        loops, floats = self.scene.loops, {**self.problem.floats, self.scene.time.name: 0.0}
         found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
         self.blocked |= found is None
         return None if found is None else {name: found[name] for name in self.here}

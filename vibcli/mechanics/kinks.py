@@ -12,7 +12,7 @@ SAME = 1e-9
 
 def require_smooth(problem):
     """PhysicsError where a load, energy or constraint has a kink at the equilibrium."""
-    scene = problem.scene
+    scene = problem.scene.resting
     if not scene.table.called.intersection(KINKED):
         return
     terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)

@@ -14,7 +14,7 @@ from vibcli.mechanics.signals import displacement
 
 def coefficients(problem, signal, driven_by):
     """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
-    opened, place = problem.opened, _place(problem)
+    opened, place = problem.opened, place_in_letters(problem)
     chosen = named_input(problem, driven_by)
     if any(isinstance(weight, complex) for weight in chosen.weights.values()):
         raise NotInLetters(f"what turns as '{driven_by}' does has no amplitudes in letters here",
@@ -39,7 +39,7 @@ def outputs(problem, signal):
     """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
     function of the time in the scene."""
     opened, table = problem.opened, problem.scene.table
-    rows, direct = _slopes(problem, signal, _place(problem)), table.zero
+    rows, direct = _slopes(problem, signal, place_in_letters(problem)), table.zero
     for j, opening in enumerate(opened.scene.inputs.values(), opened.n):
         moved = opening.node
         for part in rows if moved is not None else ():
@@ -49,7 +49,7 @@ def outputs(problem, signal):
     return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
 
 
-def _place(problem):
+def place_in_letters(problem):
     """{symbol: node} of the equilibrium in letters."""
     scene = problem.opened.scene
     rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)

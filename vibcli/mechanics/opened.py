@@ -40,15 +40,17 @@ class Opened:
     def values(self):
         """{name: float} of every symbol in equilibrium."""
         known = self.problem
-        return {**self._rest(), **known.dependent_values, **known.at_rest}
+        return {**self.at_zero, **known.dependent_values, **known.at_rest}
 
-    def _rest(self):
+    @property
+    def at_zero(self):
+        """{name: 0} of every coordinate, input, velocity and acceleration."""
         return {node.name: 0.0 for nodes in (self.scene.q, self.scene.v, self.scene.a) for node in nodes}
 
     @cached_property
     def sample(self):
         """The same as drawn where the scene has letters, with sample values for them."""
-        return {**self._rest(), **drawn_values(self.scene)} if self.problem.symbolic else self.values
+        return {**self.at_zero, **drawn_values(self.scene)} if self.problem.symbolic else self.values
 
     @property
     def place(self):

@@ -42,13 +42,14 @@ def _moved(scene, arithmetic, values, slopes):
     import mpmath
 
     values = values | {q: dual(values[q], x) for q, x in zip(scene.coordinates, slopes, strict=True)}
-    if scene.loops is not None:
+    loops = scene.resting.loops
+    if loops is not None:
         values |= {scene.time.name: mpmath.mpf(0)}
-        n = len(scene.loops.names)
-        found = evaluate([*scene.loops.conditions, *scene.loops.slopes], arithmetic, values)
+        n = len(loops.names)
+        found = evaluate([*loops.conditions, *loops.slopes], arithmetic, values)
         G = mpmath.matrix([[value(x) for x in found[n + i * n:n + (i + 1) * n]] for i in range(n)])
         steps = mpmath.lu_solve(G, mpmath.matrix([-slope(x) for x in found[:n]]))
-        values |= {z: dual(values[z], step) for z, step in zip(scene.loops.names, steps, strict=True)}
+        values |= {z: dual(values[z], step) for z, step in zip(loops.names, steps, strict=True)}
     return values
 
 

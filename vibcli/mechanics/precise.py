@@ -24,7 +24,7 @@ def place_to(problem, values, arithmetic):
     """{coordinate: number} of the equilibrium at the working precision; of a linear scene in floats, where it is of no
     matter."""
     if problem.equilibrium.drawn:
-        drawn = problem.scene.drawn
+        drawn = problem.scene.resting.drawn
         return dict(zip((q.name for q in drawn), evaluate(list(drawn.values()), arithmetic, values), strict=True))
     return problem.equilibrium.values if problem.is_linear else equilibrium_to(problem, values, arithmetic)
 
@@ -33,7 +33,7 @@ def equilibrium_to(problem, values, arithmetic):
     """{coordinate: mpf} in equilibrium at the working precision, dependent coordinates included."""
     import mpmath
 
-    names, loops = problem.scene.coordinates, problem.scene.loops
+    names, loops = problem.scene.coordinates, problem.scene.resting.loops
     position = {name: mpmath.mpf(value) for name, value in problem.equilibrium.values.items()}
     for _ in range(60):
         if loops is not None:

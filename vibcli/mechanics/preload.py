@@ -22,7 +22,8 @@ def settle_static_preloads(scene):
         return {}
     names = [record.name for _, record in scene.static_preloads]
     unknowns = [node for node, _ in scene.static_preloads]
-    form = at_position(steady(scene, linearise(scene)), scene.drawn_position)
+    vibrating = scene.vibrating
+    form = at_position(steady(vibrating, linearise(vibrating)), vibrating.drawn_position)
     columns = [_column(form, unknown) for unknown in unknowns]
     sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
@@ -34,7 +35,7 @@ def settle_static_preloads(scene):
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
-    scene.replace(values)
+    scene.put(values)
     return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 
@@ -139,4 +140,4 @@ def take_over(scene, preloads):
     from vibcli.algebra.copied import copied
 
     tensions = copied([preloads[record.name] for _, record in scene.static_preloads], scene.table)
-    scene.replace({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})
+    scene.put({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})

@@ -43,15 +43,15 @@ class Released:
         if self.scene.static_preloads and not problem.symbolic:
             nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
                      in self.scene.static_preloads}
-            self.scene.replace(nodes)
+            self.scene.put(nodes)
         count = len(problem.spec.coordinates)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
-    def slopes(self):
+    def slopes_at_rest(self):
         """∂G_k/∂q over all coordinates, releases last, as lists of expressions."""
         zero = self.scene.table.zero
         return [[gradient(constraint.node).get(q, zero) for q in self.scene.q]
-                for constraint in self.scene.constraints]
+                for constraint in self.scene.resting.constraints]
 
 
 def _float_of(problem, record):
@@ -65,12 +65,12 @@ def reactions(problem):
     import numpy as np
 
     released = Released(problem)
-    scene, n = released.scene, len(released.real)
+    scene, n = released.scene.resting, len(released.real)
     values = _at_rest(problem, released)
     terms = residual_terms(linearise(scene, still=True))
     nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
     sizes = evaluate([term for row in terms for term in row], Floats, values)
-    flat = evaluate([*nodes, *(node for row in released.slopes() for node in row)], Floats, values)
+    flat = evaluate([*nodes, *(node for row in released.slopes_at_rest() for node in row)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
     multipliers, loose = solved(G[:, :n], E[:n])
@@ -97,7 +97,7 @@ def signal_of(constraint):
 
 def _at_rest(problem, released):
     """{symbol: float} of the released scene in equilibrium."""
-    scene = problem.scene
+    scene = problem.scene.resting
     nodes = [scene.symbol(name) for name in problem.spec.coordinates]
     values = dict(zip(problem.spec.coordinates, evaluate(nodes, Floats, problem.at_rest), strict=True))
     return {**problem.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),

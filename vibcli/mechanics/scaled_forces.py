@@ -55,7 +55,7 @@ class Forces:
         self.D = np.where(self.angle | self.open, 1.0, typical_length(problem) or 1.0)
         self.E, self.typical = 1.0, np.zeros(len(self.names))
         self.periodic = np.zeros(len(self.names), bool)
-        self.looped = problem.scene.loops is not None
+        self.looped = problem.scene.resting.loops is not None
         self.jumps = {name: JUMP * (1.0 if not problem.dimension(name) else typical_length(problem) or 1.0)
                       for name in problem.drawn_floats} if self.looped else {}
         self.closed, self.closed_at = [], np.zeros((MOST_CLOSED, len(self.names)))

@@ -3,7 +3,7 @@
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import HALF, ONE
 from vibcli.errors import PhysicsError
-from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.reading import Name
 from vibcli.signals import ENERGIES
 
@@ -14,17 +14,18 @@ def displacement(scene, text):
         return scene.symbol(text)
     name, _, part = text.partition(".")
     if part == "x" and name in scene.bodies and scene.bodies[name].frame is None:
-        place = _along_the_axis(scene.bodies[name])
-    elif part in ("x", "y"):
-        place = scene.place(Name(name, None))[1]["xy".index(part)]
-    elif part == "angle":
+        return _along_the_axis(scene.bodies[name])
+    if part in ("x", "y"):
+        drawn, place, _ = scene.place(Name(name, None))
+        return place["xy".index(part)] - drawn["xy".index(part)]
+    if part == "angle":
         body = scene.bodies[name]
-        place = body.frame.angle if body.frame is not None else body.lumped[1]
-    elif part == "stretch":
-        place = _stretch(scene, name)
-    else:
-        return None
-    return place - scene.at_drawn(place)[0]
+        return body.frame.angle if body.frame is not None else body.lumped[1]
+    if part == "stretch":
+        kinds = "springs", "dampers", "laws"
+        drawn, = scene.at_drawn(_stretch(scene, name, map(scene.undriven, kinds)))
+        return _stretch(scene, name, (getattr(scene, kind) for kind in kinds)) - drawn
+    return None
 
 
 def _along_the_axis(body):
@@ -34,8 +35,8 @@ def _along_the_axis(body):
     return node
 
 
-def _stretch(scene, name):
-    terms = [term for term in (*scene.springs, *scene.dampers, *scene.laws) if term.owner == name]
+def _stretch(scene, name, kinds):
+    terms = [term for kind in kinds for term in kind if term.owner == name]
     if len(terms) == 1:
         return terms[0].s
     square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length
@@ -65,7 +66,7 @@ def energy(scene, text, primes=0):
     """T, V or Φ of a scene along a motion, V counted from the drawn position."""
     node = {"T": kinetic, "V": potential, "Phi": dissipation}[text](scene)
     if text == "V":
-        node = node - scene.at_drawn(node)[0]
+        node = node - scene.at_drawn(potential_as_drawn(scene))[0]
     for _ in range(primes):
         node = scene.rate(node)
     return node
@@ -133,8 +134,9 @@ def _of_outputs(problem, text):
 
 
 def _tension(problem, name):
-    terms = [term for term in problem.scene.springs if term.owner == name]
-    nodes = [term.force + term.weight * term.s for term in terms] or problem.scene.law_forces(name)
+    scene = problem.scene.resting
+    terms = [term for term in scene.springs if term.owner == name]
+    nodes = [term.force + term.weight * term.s for term in terms] or scene.law_forces(name)
     values = evaluate(nodes, Floats, problem.at_rest)
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
@@ -151,7 +153,7 @@ def pinned_at(problem, point):
 
 def _contact(problem, name, part, known):
     """The reaction of a body on a surface along its normal, or along its tangent."""
-    body = problem.scene.bodies[name]
+    body = problem.scene.resting.bodies[name]
     if body.normal is None:
         raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
     nx, ny = evaluate(list(body.normal), Floats, problem.at_rest)

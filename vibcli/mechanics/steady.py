@@ -96,11 +96,17 @@ def _at(terms, start):
 def require_autonomous(problem, values):
     """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
     scene = problem.scene
-    wanted = matrices_at(problem.form, values)
+    if scene.vibrating is not scene:
+        from vibcli.mechanics.through_constraints import carried_into
+
+        i = carried_into(problem.opened, values)
+        if i is not None:
+            raise _periodic(scene, i, "K")
+    wanted, loops = matrices_at(problem.form, values), scene.vibrating.loops
     for instant in INSTANTS:
         at = {**values, scene.time.name: instant}
-        if scene.loops is not None:
-            at = scene.loops.followed({**values, scene.time.name: 0.0}, at) or at
+        if loops is not None:
+            at = loops.followed({**values, scene.time.name: 0.0}, at) or at
         found = matrices_at(problem.timed_form, at)
         for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
             _compare(scene, key, wanted[key], found[key], size)
@@ -117,29 +123,49 @@ def _compare(scene, key, wanted, found, size):
     for pair in {*wanted, *found}:
         scale = max(abs(found.get(pair, 0.0)), (size or {}).get(pair, 0.0), 1e-6 * largest)
         if not abs(found.get(pair, 0.0) - wanted.get(pair, 0.0)) <= SAME * scale:
-            raise PhysicsError(f"{WORDS[key]} of '{scene.coordinates[pair[0]]}' depends on the time: there are no "
-                               "natural frequencies", "such a motion is excited through its parameters; its full "
-                               "equations are those of `vibcli equations`, its motion from `initial` that of motion: "
-                               "full")
+            raise _periodic(scene, pair[0], key)
+
+
+def _periodic(scene, i, key):
+    return PhysicsError(f"{WORDS[key]} of '{scene.coordinates[i]}' depends on the time: there are no natural "
+                        "frequencies", "such a motion is excited through its parameters; its full equations are those "
+                        "of `vibcli equations`, its motion from `initial` that of motion: full")
 
 
 def excitation(scene, form, position):
-    """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters."""
+    """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters.
+
+    Of the residual it is the terms that hold the time, as the others are in equilibrium; of driven displacements it is
+    the whole, the constants in them included, as the equilibrium is that of the scene with all of them left out.
+    """
     place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
-    rows = residual_terms(at_position(form, place))
-    for i, terms in _shaken(scene).items():
-        rows[i] += substitute(terms, place)
-    found = {}
+    rows, shaken, found = residual_terms(at_position(form, place)), _shaken(scene), {}
     for i, terms in enumerate(rows):
-        total = scene.table.sum(*((term, -ONE) for term in terms))
-        if "impulse" in scene.table.called:
-            total = at_impulses(total, scene.time)
-        if total.mask & scene.time.mask:
-            parts = {monomial: value for monomial, value in _terms(scene, total).items()
-                     if any(atom.mask & scene.time.mask for atom, _ in monomial)}
-            if parts:
-                found[i] = collected(scene.table, parts)
+        node = _with_time(scene, _negative(scene, terms))
+        if i in shaken:
+            node = _whole(scene, node + _negative(scene, substitute(shaken[i], place)))
+        if not node.is_zero:
+            found[i] = node
     return found
+
+
+def _negative(scene, terms):
+    """−Σ terms, with f·δ(t − t₁) as f(t₁)·δ(t − t₁)."""
+    total = scene.table.sum(*((term, -ONE) for term in terms))
+    return at_impulses(total, scene.time) if "impulse" in scene.table.called else total
+
+
+def _whole(scene, node):
+    return collected(scene.table, _terms(scene, node)) if node.mask & scene.time.mask else node
+
+
+def _with_time(scene, node):
+    """The terms of an expression that depend on the time."""
+    time = scene.time.mask
+    if not node.mask & time:
+        return scene.table.zero
+    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
+                                   if any(atom.mask & time for atom, _ in monomial)})
 
 
 def _shaken(scene):

@@ -81,7 +81,8 @@ def _falls_as_drawn(scene):
     """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
     values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
     try:
-        numbers = in_numbers(at_position(steady(scene, linearise(scene)), scene.drawn_position), Floats, values)
+        form = steady(scene.vibrating, linearise(scene.vibrating))
+        numbers = in_numbers(at_position(form, scene.vibrating.drawn_position), Floats, values)
     except ZeroDivisionError:  # said where the drawn position is asked for
         return False
     return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)

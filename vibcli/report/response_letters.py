@@ -55,7 +55,8 @@ def _steady_section(problem, name, steady, number):
     formula, X, theta = steady.formula, letter(problem, "X") + number, letter(problem, "theta") + number
     lag = () if formula.undamped or formula.ahead else (" − ", Name(theta))
     sign, wave = AHEAD[steady.wave] if formula.ahead else ("", steady.wave)
-    lines = [line(Name(name), f" = {sign}", Name(X), f"·{wave}(", steady.argument, *lag, ")"),
+    mean = () if steady.mean is None or steady.mean.is_zero else (steady.mean, " + " if not sign else " ")
+    lines = [line(Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
              line(Name(X), " = ", formula.amplitude)]
     if lag:
         lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
@@ -115,8 +116,9 @@ def _about_steady(problem, table, start, steady):
     at = still - lag
     sine, cosine = table.call("sin", at), table.call("cos", at)
     place, speed = (sine, cosine) if steady.wave == "sin" else (cosine, -sine)
-    start = x - X * place, v - Omega * X * speed
-    prefix = (X * table.call(steady.wave, argument - lag),)
+    mean, = copied([table.zero if steady.mean is None else steady.mean], table)
+    start = x - mean - X * place, v - Omega * X * speed
+    prefix = *(() if mean.is_zero else (mean,)), X * table.call(steady.wave, argument - lag)
     if formula.undamped:
         return start, prefix, None
     A, B = (table.parameter(letter(problem, name)) for name in "AB")
@@ -150,7 +152,7 @@ def _regime(name, motion, prefix, matrices):
     if motion.decay is None:
         parts = [Terms((*prefix, *wave))]
     else:
-        parts = [*prefix, " + " * bool(prefix), motion.decay, "·(", Terms(wave), ")"]
+        parts = [*([Terms(prefix), " + "] if prefix else []), motion.decay, "·(", Terms(wave), ")"]
     lines = [line(Name(name), " = ", *parts)]
     if motion.value is not None:
         lines.append(line(motion.rate, " = ", motion.value))

@@ -23,7 +23,8 @@ from vibcli.scene.geometry import Geometry
 from vibcli.scene.laws import Laws
 from vibcli.scene.motion import Motion
 from vibcli.scene.order import carriers_first
-from vibcli.scene.terms import SHAKEN, Terms
+from vibcli.scene.resting import held_still
+from vibcli.scene.terms import Terms
 
 ATTEMPTS = 12
 SAMPLES = range(20, 28)     # where other samples start
@@ -56,7 +57,7 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False, opened=
             break
     if scene.diagnostics:
         raise SpecError(scene.diagnostics)
-    scene.built = True
+    scene.built = scene.resting.built = True
     return scene
 
 
@@ -66,6 +67,7 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
     def __init__(self, spec, attempt, given, releasing=False, opened=False, holding=False):
         self.spec, self.diagnostics, self.attempt, self.releasing = spec, [], attempt, releasing
         self.built = False
+        self.resting, self.at_rest = self, False      # the scene at rest, where something is driven to and fro
         self.opened, self.inputs, self.holding = opened, {}, holding
         self.table = table = Table()
         table.records = {name: record["samples"] for name, record in (spec.get("records") or {}).items()}
@@ -121,18 +123,23 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
             if "moves" in record:
                 self.place(Name(name, record.where))
         if self.driven:
-            shaken = {kind: list(getattr(self, kind)) for kind in SHAKEN}
+            if any(map(self.oscillates, self.driven)):
+                self.resting = held_still(self)
+            shaken = self.keep_shaken()
             self.replace(self.driven)
             self.shaken = shaken
         if self.opened:
             self.open_loads()
-        self.settle_laws()
+        scenes = (self,) if self.resting is self else (self, self.resting)
+        for scene in scenes:
+            scene.settle_laws()
         if self.constraints and not loose and not self.diagnostics:
             try:
-                self.dependent = close(self)
+                close(scenes)
             except ZeroDivisionError:
                 self._report_singular()
-        self.timed = self.depends_on_time()
+        for scene in scenes:
+            scene.timed = scene.depends_on_time()
 
     def _report_singular(self):
         """Name the constraints that have no slope as drawn, as of √x at x = 0."""

@@ -39,26 +39,35 @@ class Freedom(NamedTuple):
     redundant: tuple
 
 
-def close(scene):
-    """Express dependent coordinates by the others throughout the scene; returns {name: expression}.
+def close(scenes):
+    """Express dependent coordinates by the others throughout a scene, and the same ones in the scene at rest if that is
+    another: {name: expression} in `dependent` of each.
 
     Where the file lists its coordinates, the first of them stay independent as far as can be; else those that no
     condition gives explicitly.
     """
+    scene, still = scenes[0], scenes[-1]
     raw = [q for q in scene.q if q not in scene.inputs]
-    nodes = dict(enumerate(textbook(constraint.node) for constraint in scene.constraints))
+    nodes, *others = [dict(enumerate(textbook(tie.node) for tie in one.constraints)) for one in scenes]
     if _contradictory(scene, nodes.values()):
-        return {}
+        return
     allowed = raw
     if "coordinates" in scene.spec.sections:
-        allowed = [q for _, q in _pivots(scene, nodes, raw)]
-    values = _explicit(scene, nodes, allowed)
-    pivots = _pivots(scene, nodes, [q for q in allowed if q not in values])
+        allowed = [q for _, q in _pivots(still, dict([nodes, *others][-1]), raw)]
+    values, order = _explicit(scene, nodes, allowed)
+    found = [(scene, nodes, values), *((still, rest, _the_same(rest, order)) for rest in others)]
+    pivots = _pivots(still, dict(found[-1][1]), [q for q in allowed if q not in values])
     if scene.diagnostics:
-        return {}
+        return
+    left = [q for q in raw if q not in values and q not in {z for _, z in pivots}] + list(scene.inputs)
+    for one, conditions, given in found:
+        _settle(one, conditions, given, pivots, left)
+        one.freedom = Freedom(len(raw), len(given), tuple(scene.constraints[k].name for k in conditions))
+
+
+def _settle(scene, nodes, values, pivots, left):
+    """Put what the dependent coordinates are into a scene: `values`, and those that `pivots` leave implicit."""
     tied = [nodes.pop(k) for k, _ in pivots]
-    left = [q for q in raw if q not in values and q not in {z for _, z in pivots}]
-    left += scene.inputs
     scene.rename(left)
     scene.loops = _implicit(scene, tied, [z for _, z in pivots], values, left) if pivots else None
     used = 0
@@ -69,8 +78,7 @@ def close(scene):
     for z, node in values.items():
         scene.define(z.name, node)
     _redundant(scene, nodes, substitute(list(nodes.values()), values))
-    scene.freedom = Freedom(len(raw), len(values), tuple(scene.constraints[k].name for k in nodes))
-    return {z.name: node for z, node in values.items()}
+    scene.dependent = {z.name: node for z, node in values.items()}
 
 
 def _contradictory(scene, nodes):
@@ -115,26 +123,42 @@ def _pivots(scene, nodes, columns):
 
 def _explicit(scene, nodes, allowed):
     """{z: expression} of coordinates that stand with a constant coefficient in a condition, which is taken out of
-    `nodes` ({number: condition}); of those of the shortest condition the last."""
-    found, order, ranked = {}, {q: i for i, q in enumerate(scene.q) if q not in scene.inputs}, {}
+    `nodes` ({number: condition}); of those of the shortest condition the last. And [(number, z)] in this order."""
+    found, taken, ranked = {}, [], {}
+    order = {q: i for i, q in enumerate(scene.q) if q not in scene.inputs}
     while True:
         for k in nodes.keys() - ranked.keys():
             ranked[k] = _shortest(scene, nodes[k], order, allowed)
         choices = [(*rank, k) for k, rank in ranked.items() if rank is not None]
         if not choices:
-            return found
+            return found, taken
         _, place, k = min(choices)
         z = scene.q[-place]
         del ranked[k]
-        node = nodes.pop(k)
-        expression = textbook(z - node / gradient(node)[z])
-        for other, node in found.items():
-            found[other] = _with(node, z, expression)
-        found[z] = expression
-        for other, node in nodes.items():
-            nodes[other] = _with(node, z, expression)
-            if nodes[other] is not node:
-                del ranked[other]
+        taken.append((k, z))
+        for changed in _solve_for(nodes, found, k, z):
+            del ranked[changed]
+
+
+def _the_same(nodes, order):
+    """{z: expression} of the same coordinates, from the conditions of the scene at rest."""
+    found = {}
+    for k, z in order:
+        _solve_for(nodes, found, k, z)
+    return found
+
+
+def _solve_for(nodes, found, k, z):
+    """Take condition k out of `nodes` and z from it, `found` being {z: expression}; the numbers of those with z."""
+    node = nodes.pop(k)
+    expression = textbook(z - node / gradient(node)[z])
+    for other, value in found.items():
+        found[other] = _with(value, z, expression)
+    found[z] = expression
+    moved = {other: _with(value, z, expression) for other, value in nodes.items()}
+    changed = [other for other, value in moved.items() if value is not nodes[other]]
+    nodes.update(moved)
+    return changed
 
 
 def _shortest(scene, node, order, allowed):
@@ -156,7 +180,7 @@ def _implicit(scene, nodes, waiting, values, left):
     mask = 0
     for x in depends:
         mask |= x.mask
-    symbols = {z: table.dependent(z.name, mask) for z in waiting}
+    symbols = {z: table.dependent(z.name, mask, scene.at_rest) for z in waiting}
     partial = [[gradient(node).get(x, table.zero) for x in (*waiting, *depends)] for node in nodes]
     moved = substitute([node for row in partial for node in row], symbols)
     width = len(waiting) + len(depends)

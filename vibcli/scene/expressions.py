@@ -3,7 +3,7 @@
 from vibcli import units
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower
-from vibcli.algebra.normal import TooLong, expanded, is_zero, reduced
+from vibcli.algebra.normal import TooLong, collected, expanded, is_zero, reduced
 from vibcli.algebra.parse import ExpressionError
 from vibcli.parameters import unusable
 
@@ -59,6 +59,15 @@ class Expressions:
             return True
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
+
+    def terms_with(self, node, mask):
+        """The terms of an expression that depend on one of these symbols, multiplied out as far as it can be."""
+        try:
+            terms = reduced(expanded(node))
+        except (TooLong, ZeroDivisionError):
+            return node
+        return collected(self.table, {monomial: value for monomial, value in terms.items()
+                                      if any(atom.mask & mask for atom, _ in monomial)})
 
     def vanishes(self, node):
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""

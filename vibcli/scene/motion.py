@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 
 
@@ -138,7 +139,17 @@ class Motion:
         return substitute(nodes, self._drawn_at_rest) if any(node.mask for node in nodes) else list(nodes)
 
     def change(self, expression):
-        """How much an expression has changed since the drawn position."""
+        """A displacement from the drawn position: how much the terms that hold coordinates have changed since then, and
+        what is prescribed in time, which counts as it stands, constants included."""
         node = self.lower(expression)
-        change = node - self.at_drawn(node)[0]
-        return self.driven_by(change, self.owner) if change.mask == self.time.mask else change
+        if node.mask == self.time.mask:
+            return self.driven_by(node, self.owner)
+        drawn, = self.at_drawn(node)
+        held = self.terms_with(node, ~self.time.mask) if node.mask & self.time.mask else node
+        driven = textbook(node - held)
+        if not driven.mask:
+            return node - drawn
+        at_start, = self.at_drawn(held)
+        if drawn.is_zero:
+            driven = driven + at_start
+        return held - at_start + self.driven_by(driven, self.owner)

@@ -6,7 +6,7 @@ from vibcli.algebra.calculus import gradient, substitute
 from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
-SHAKEN = ("inertias", "springs", "dampers")     # kept as functions of driven displacements
+SHAKEN = ("inertias", "springs", "dampers", "weights")  # kept as functions of driven displacements
 
 
 class Term(NamedTuple):
@@ -88,6 +88,27 @@ class Terms:
         self.energies = {key: new[node] for key, node in self.energies.items()}
         self.laws = [law._replace(s=new[law.s]) for law in self.laws]
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
+
+    def put(self, values):
+        """The same throughout the scene and the scene at rest."""
+        for scene in (self,) if self.resting is self else (self, self.resting):
+            scene.replace(values)
+
+    @property
+    def vibrating(self):
+        """The scene whose small oscillations are those of this one: itself; but the one at rest where constraints tie
+        its coordinates to what is driven to and fro."""
+        tied = self.resting is not self and any(node.mask & self.time.mask for node in self.dependent.values())
+        return self.resting if tied else self
+
+    def keep_shaken(self):
+        """Keep the terms as functions of the symbols of driven displacements, and the stretches of the laws."""
+        kept = {kind: list(getattr(self, kind)) for kind in SHAKEN}
+        return {**kept, "laws": [Term(self.table.one, law.s, owner=law.owner) for law in self.laws]}
+
+    def undriven(self, kind):
+        """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
+        return self.shaken[kind] if self.shaken else getattr(self, kind)
 
     def at_still(self, kind):
         """The springs, dampers or inertias with the driven displacements that oscillate left out; those in `shaken` are

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import TooLong, expanded, is_zero, textbook
+from vibcli.algebra.quotient import shorter
 from vibcli.algebra.rationals import ONE
 from vibcli.analyses.frequency.in_letters import from_parts, require_few
 from vibcli.errors import NotInLetters
@@ -19,11 +20,13 @@ WAVES = ("sin", "cos")
 
 
 class Steady(NamedTuple):
-    """formula: the Formula of X and θ; wave: sin or cos; argument: Ωt + φ as a node of the scene."""
+    """formula: the Formula of X and θ; wave: sin or cos; argument: Ωt + φ as a node of the scene; mean: what constants
+    of the drive shift y by, None where there are none."""
 
     formula: object
     wave: str
     argument: object
+    mean: object = None
 
 
 def steady_state(problem, signal):
@@ -31,8 +34,8 @@ def steady_state(problem, signal):
     require_few(problem)
     scene, n = problem.scene, len(problem.scene.q)
     rows, direct = outputs(problem, signal)
-    waves = {i: _waves(scene, node) for i, node in problem.excitation.items()}
-    waves[n] = _waves(scene, direct)
+    drive = {**problem.excitation, n: direct}
+    waves = {i: _waves(scene, node) for i, node in drive.items()}
     arguments = {argument for found in waves.values() for argument, _ in found}
     if len(arguments) != 1:
         raise NotInLetters("steady states in letters are those of one harmonic" if arguments else
@@ -49,7 +52,21 @@ def steady_state(problem, signal):
         raise NotInLetters("this scene is driven at a natural frequency without damping: its amplitude grows with the "
                            "time, and there is no steady state",
                            "give numbers with --set, and see the motion from its start")
-    return Steady(found, wave, argument)
+    return Steady(found, wave, argument, _mean(problem, rows, drive))
+
+
+def _mean(problem, rows, drive):
+    """What the constants in {i: function of the time} do to the signal of these rows."""
+    scene, n = problem.scene, len(problem.scene.q)
+    fixed = {i: textbook(node - scene.terms_with(node, scene.time.mask)) for i, node in drive.items()}
+    fixed = {i: node for i, node in fixed.items() if not node.is_zero}
+    if not fixed:
+        return None
+    b = [{i: node for i, node in fixed.items() if i < n}, {}, {}]
+    found = from_parts(problem, b, rows, [{0: fixed[n]} if n in fixed else {}, {}, {}], scene.table.zero, order=1)
+    if is_zero(found.denominator[0]):
+        raise NotInLetters("nothing holds this scene where what drives it stays displaced", "give numbers with --set")
+    return shorter(textbook(found.scale * found.numerator[0] / found.denominator[0]))
 
 
 def _waves(scene, node):
@@ -63,7 +80,7 @@ def _waves(scene, node):
         moving = [(atom, e) for atom, e in monomial if atom.mask & time]
         rest = table.product((table.number(value), ONE), *(pair for pair in monomial if pair not in moving))
         if not moving:
-            raise NotInLetters("a load that does not oscillate has no amplitude", "give numbers with --set")
+            continue
         atom, e = moving[0]
         slope = gradient(atom.args[0]).get(scene.time) if atom.name in WAVES else None
         if len(moving) > 1 or e != 1 or slope is None or slope.mask:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 SAME = 1e-6
-NOTHING = 1e-14
+NOTHING, ROUNDING = 1e-14, 1e-15
 REGIMES = ("undamped", "under-damped", "critically damped", "over-damped")
 
 
@@ -52,13 +52,16 @@ def formula(motion, output, segment=0):
     pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
     terms = pieces.terms(output, 0)
     segment = segment % terms.count
-    found = {}
+    found, summed = {}, {}
     for nodes, factor in terms.on(segment):
         for (node, power), c in fractions(nodes).items():
             key = _known(found, node, power)
             found[key] = found.get(key, 0j) + factor * c
+            summed[key] = summed.get(key, 0.0) + abs(factor * c)
     real = {}
     for (node, power), c in found.items():
+        if abs(c if node.imag else c.real) <= ROUNDING * summed[node, power]:
+            continue
         if node.imag < 0:
             node, c = node.conjugate(), c.conjugate()
         real[node, power] = real.get((node, power), 0j) + c

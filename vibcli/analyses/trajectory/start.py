@@ -18,7 +18,7 @@ def start(problem, initial):
     drawn = problem.drawn_floats
     places = {name: value for name, value in given.items() if not name.endswith("'")}
     rest = drawn if set(places) >= set(known) else _rest(problem)
-    q = problem.closed(rest, {**rest, **places})
+    q = problem.closed_at_start(rest, {**rest, **places})
     v = {name: given.get(name + "'", 0.0) for name in known}
     return _with_dependent(problem, q, v)
 

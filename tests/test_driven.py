@@ -1,0 +1,91 @@
+"""Prescribed motions: displacements from the drawn position as they stand, small and full alike."""
+
+import numpy as np
+import pytest
+from scenes import problem, value
+
+from vibcli.errors import PhysicsError
+
+MOTIONS = ["Y*(1 - exp(-r*t))", "Y*(1 - cos(w*t))", "Y*cos(w*t)", "Y + Y*sin(w*t)", "Y - Y*exp(-r*t)*cos(w*t)"]
+FIGURES = {
+    "a lumped body": ("bodies: {S: {slide: MOTION}, b: {mass: m, slide: x}}", "[S, b]", "S.x"),
+    "a placed body": ("bodies: {S: {at: [0, 0], slide: MOTION}, b: {mass: m, at: [1 m, 0], slide: x}}",
+                      "[S, b]", "S.x"),
+    "a point": ("points: {S: {at: [0, 0], moves: ['MOTION', 0]}}\n"
+                "bodies: {b: {mass: m, at: [1 m, 0], slide: x}}", "[S, b]", "S.x"),
+    "a carrier": ("bodies: {S: {at: [0, 0], slide: MOTION}, b: {mass: m, at: [1 m, 0], slide: {by: x, carrier: S}}}",
+                  "[[0, 0], b]", "b.x"),
+    "beside a coordinate": ("bodies: {b: {mass: m, at: [1 m, 0], slide: x + MOTION}}", "[[0, 0], b]", "b.x"),
+}
+SIGNALS = "x", "s.force", "s.stretch", "s.energy", "d.force", "V"
+
+
+def scene_of(figure, motion, kind):
+    bodies, ends, moved = FIGURES[figure]
+    return problem(f"""
+parameters: {{m: 1.3 kg, k: 80 N/m, c: 2 N*s/m, Y: 0.02 m, r: {{value: 3 s^-1, unused: allowed}},
+  w: {{value: 3 rad/s, unused: allowed}}}}
+coordinates: {{x: of the block}}
+{bodies.replace("MOTION", motion)}
+springs: {{s: {{k: k, between: {ends}, preload: 3 N}}, u: {{k: 50 N/m, between: {ends}, preload: -3 N}}}}
+dampers: {{d: {{c: c, between: {ends}}}}}
+initial: {{x: 0.01 m, x': 0}}
+motion: {kind}
+find: [{{response: {{until: 2 s}}}}]
+"""), moved
+
+
+def values(scene, signal):
+    return scene.motion.signal(("name", 0, 0, signal, 0)).values(np.array([0.0, 0.3, 1.0, 1.9]))
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize("figure", FIGURES)
+def test_a_prescribed_motion_counts_as_it_stands_small_and_full_alike(figure, motion):
+    small, moved = scene_of(figure, motion, "small")
+    full, _ = scene_of(figure, motion, "full")
+    for signal in (*SIGNALS, moved):
+        expected = values(full, signal)
+        assert values(small, signal) == pytest.approx(expected, rel=1e-9, abs=1e-10 * abs(expected).max()), signal
+
+
+LINKAGE = """
+parameters: {{W: 3 rad/s, A: 1e-6}}
+points: {{P: {{body: crank, at: [0.3 m, 0.2 m]}}, E: {{body: rod, at: [1 m, 0]}}}}
+bodies:
+  crank: {{at: [0, 0], pin: "{motion}"}}
+  rod: {{shape: rod, mass: 0.5 kg, from: [0.3 m, 0.2 m], to: [1 m, 0], pin: {{at: P, by: psi}}}}
+  piston: {{mass: 1 kg, at: [1 m, 0], slide: x}}
+  bob: {{mass: 1 kg, at: [2 m, 0], slide: y}}
+constraints: {{c: {{join: [E, piston]}}}}
+springs: {{s: {{k: 30 N/m, between: [piston, bob]}}}}
+dampers: {{d: {{c: 0.3 N*s/m, between: [piston, bob]}}}}
+motion: {kind}
+find: [{{response: {{until: 2 s}}}}]
+"""
+
+
+@pytest.mark.parametrize("motion", ["A*sin(W*t)", "A*cos(W*t)", "A*(1 - exp(-2*W*t))"])
+def test_what_is_tied_to_a_driven_body_vibrates_with_it(motion):
+    """A small motion of the crank of a closed loop: to first order as by the full equations."""
+    small, full = (problem(LINKAGE.format(motion=motion, kind=kind)) for kind in ("small", "full"))
+    assert small.equilibrium.values["y"] == pytest.approx(0, abs=1e-14)
+    for signal in ("y", "x", "psi", "s.force", "d.force", "rod.y"):
+        expected = values(full, signal)
+        assert values(small, signal) == pytest.approx(expected, abs=1e-4 * abs(expected).max()), signal
+
+
+@pytest.mark.parametrize(("shaken", "refused"), [("[A*cos(W*t), 0]", False), ("[0, A*cos(W*t)]", True)])
+def test_a_pendulum_on_a_link_that_is_shaken_upwards_has_no_frequencies(shaken, refused):
+    scene = problem(f"""
+        gravity: 10 m/s^2
+        parameters: {{A: 0.01 m, W: 3 rad/s}}
+        points: {{S: {{at: [0, 0], moves: {shaken}}}}}
+        bodies: {{bob: {{mass: 2 kg, at: [0, -1 m], move: [x, y, 0]}}}}
+        constraints: {{tie: {{link: [bob, S]}}}}
+        """)
+    if refused:
+        with pytest.raises(PhysicsError, match="depends on the time"):
+            value(scene, "omega[1]")
+    else:
+        assert value(scene, "omega[1]") == pytest.approx(10**0.5, rel=1e-12)
