@@ -18,8 +18,9 @@ from vibcli.mechanics.energies import effective_potential
 
 FIRST, MOST = 16, 1 << 15
 ACCURACY, ENOUGH = 1e-14, 1e-9
-INNER = 40
+INNER, MOST_PARTS = 40, 64
 STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring would go
+FARTHER = 0.05                # of the way gone and of q, if more: near an unstable place a spring says little
 
 
 def exact_period(scene, floats, q, v):
@@ -72,10 +73,8 @@ def _functions(scene, floats):
 
 
 def _gain(slope, start, end):
-    """V(end) − V(start) as ∫ V′, by Gauss's rule."""
-    x, w = leggauss(INNER)
-    half = 0.5 * (end - start)
-    return half * float(slope(0.5 * (start + end) + half * x) @ w)
+    """V(end) − V(start)."""
+    return float(_integrals(slope, np.array([start]), np.array([end - start]))[0])
 
 
 def _turn(slope, q, speed, side):
@@ -91,7 +90,8 @@ def _turn(slope, q, speed, side):
         if gained + more >= speed and (speed or gained + more > 0):
             high = trial
             break
-        low, gained, step = trial, gained + more, min(1.1 * step, WIDEST * scale)
+        low, gained = trial, gained + more
+        step = min(1.1 * step, max(WIDEST * scale, FARTHER * min(abs(low - q), abs(q))))
         if not math.isfinite(gained):
             break
     if high is None:
@@ -134,9 +134,23 @@ def _scale(slope, q, speed):
 
 def _drops(slope, middle, reach, theta):
     """E − V at the places, each integrated from the nearer end: with s = sin θ, the way to it is reach·(1 ∓ s)."""
-    x, w = leggauss(INNER)
     side = np.where(theta >= 0, 1.0, -1.0)
     gap = reach * 2 * np.sin(0.25 * math.pi - 0.5 * np.abs(theta)) ** 2       # 1 − sin|θ| without a difference
-    ends = middle + side * reach
-    places = ends[:, None] - (side * gap)[:, None] * (0.5 * (1 + x))[None, :]
-    return side * gap * (slope(places) @ (0.5 * w))
+    return -_integrals(slope, middle + side * reach, -side * gap)
+
+
+def _integrals(slope, starts, ways):
+    """V(start + way) − V(start) = ∫ V′ of each, by Gauss's rule on 1, 2, 4 … equal parts, until halving them changes
+    nothing."""
+    x, w = leggauss(INNER)
+
+    def by(parts):
+        c = ((np.arange(parts)[:, None] + 0.5 * (1 + x)) / parts).ravel()
+        return ways * (slope(starts[:, None] + ways[:, None] * c) @ np.tile(0.5 * w / parts, parts))
+
+    parts, found = 1, by(1)
+    while parts < MOST_PARTS:
+        parts, before, found = 2 * parts, found, by(2 * parts)
+        if not np.any(np.abs(found - before) > ACCURACY * np.abs(found)):
+            break
+    return found
