@@ -66,9 +66,10 @@ ELEMENT = Element(
     "choice",
     "A parameter that a condition determines: `c: zeta[1] = 1`, an equation between quantities and parameters; "
     "`P: equilibrium`, which makes the drawn position one of equilibrium; `k: stability limit`, at which a natural "
-    "frequency passes through zero. Several entries are solved together. Chosen parameters need no line under "
-    "`parameters`; they are positive unless that says `sign: any`. All solutions are given; the scene is solved with "
-    "the first, the smallest. `answers` may ask for them: `c: 2*sqrt(k*m)`, `c[2]: …`.",
+    "frequency passes through zero, or a limit point (fold), at which the equilibrium that is followed as the "
+    "parameter goes vanishes together with an unstable one. Several entries are solved together. Chosen parameters "
+    "need no line under `parameters`; they are positive unless that says `sign: any`. All solutions are given; the "
+    "scene is solved with the first, the smallest. `answers` may ask for them: `c: 2*sqrt(k*m)`, `c[2]: …`.",
     {
         "so": Field(_Condition(), "the condition that must hold", required=True),
         "from": Field(Quantity(), "the least value that is admissible; else all of the sign of the parameter are"),

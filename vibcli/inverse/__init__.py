@@ -51,8 +51,8 @@ def _balanced_first(problem):
 
 
 def _in_numbers(problem, rest, thorough):
-    found = solve(rest, thorough) if rest.spec.choices else [((), ())]
     system, solutions, refusal = System(problem), [], None
+    found = solve(rest, thorough, system.limits) if rest.spec.choices else [((), ())]
     for values, nodes in found:
         everything = _all_values(problem, rest, values)
         try:
@@ -65,9 +65,9 @@ def _in_numbers(problem, rest, thorough):
     found = None
     if all(form is not None for form in first.forms.values()):
         nodes = list(first.forms.values())
-        if stable_in_floats(rest, nodes, [first.values[name] for name in first.forms]):
+        if not system.limits and stable_in_floats(rest, nodes, [first.values[name] for name in first.forms]):
             found = defined(problem, first.forms)
-    return _chosen(problem.with_values(first.values) if found is None else found, problem, solutions)
+    return _chosen(system.numeric(list(first.values.values())) if found is None else found, problem, solutions)
 
 
 def _chosen(found, problem, solutions):
@@ -119,7 +119,8 @@ def _tried(problem, system, values, forms):
         if any(c.word == BALANCE for c in system.conditions) and any(abs(misfit(pair, 0.0)) > HOLDS for pair in pairs):
             raise refusals.unbalanced(problem, numeric, pairs)
         raise refusals.none_found(system, None)
-    return Solution(dict(zip(system.names, in_order, strict=True)), forms, residual)
+    limit = system.limit(in_order)
+    return Solution(dict(zip(system.names, in_order, strict=True)), forms, residual, limit is not None and limit.fold)
 
 
 def _in_letters(problem, rest):

@@ -32,43 +32,87 @@ def _texts(problem):
     return listed(list(dict.fromkeys(words.get(condition.word, condition.text) for condition in conditions)))
 
 
-def none_found(system, scan):
-    """No solution: what the quantity does over the admissible range, or why it is never defined."""
+def none_found(system, scan, proven=False):
+    """No solution: what the quantity does at the values that were tried, or why it is never defined.
+
+    `proven`: do letters tell that there is none? Else none was found where it was looked for.
+    """
     where, condition = _where(system.problem), system.conditions[0]
     if scan is None:
-        return PhysicsError(f"no admissible values of {listed(system.names)} give {_texts(system.problem)}",
-                            "is each of these within reach of the scene? try one of them alone", where)
+        return _of_several(system, proven)
     name, span = system.names[0], system.ranges[0]
+    none = f"no value of {name} {_within(system, span)}" + " was found that" * (not proven)
+    gives = f"{none} gives {_texts(system.problem)}"
     if not scan.defined():
         error = system.refusal
         if isinstance(error, SpecError):
             return error
         message = error.message if error is not None else "nothing there has a finite value"
-        return PhysicsError(f"no value of {name} {_within(system, span)} gives {_texts(system.problem)}: {message}",
-                            getattr(error, "hint", None), where)
+        return PhysicsError(f"{gives}: {message}", getattr(error, "hint", None), where)
     if condition.word == BALANCE:
-        return PhysicsError(f"no value of {name} {_within(system, span)} keeps the drawn position in equilibrium",
+        return PhysicsError(f"{none} keeps the drawn position in equilibrium",
                             "look at the forces that act as drawn: does one depend on it, in the right sense?", where)
     if condition.word:
-        signs = {h > 0 for _, h in scan.defined()}
-        always = "stable" if signs == {True} else "unstable" if signs == {False} else None
-        return PhysicsError(f"no value of {name} {_within(system, span)} is a limit of stability" + (
-            f": the equilibrium is {always} for all of them" if always else ""), "choose another parameter", where)
-    return PhysicsError(f"no value of {name} {_within(system, span)} gives {condition.text}: {_reach(system, scan)}",
-                        "ask for what lies in that range, or choose another parameter", where)
+        return PhysicsError(f"{none} is a limit of stability{_stability(system, scan, proven)}",
+                            "choose another parameter", where)
+    reach, within = _reach(system, scan)
+    return PhysicsError(f"{gives}: {reach}", "give a narrower range with from and to, or choose another parameter"
+                        if within else "ask for what lies in that range, or choose another parameter", where)
+
+
+def _of_several(system, proven):
+    """No common solution of several conditions."""
+    names, where = listed(system.names), _where(system.problem)
+    if proven:
+        return PhysicsError(f"no admissible values of {names} give {_texts(system.problem)}",
+                            "is each of these within reach of the scene? try one of them alone", where)
+    return PhysicsError(f"no admissible values of {names} were found that give {_texts(system.problem)}",
+                        "is each of these within reach of the scene? try one of them alone, or give the range of each "
+                        "with from and to", where)
+
+
+def _stability(system, scan, proven):
+    """Is the equilibrium stable or unstable wherever it was looked at, and where does it end?"""
+    if system.ends:
+        end = system.ends[0]
+        unit = units.text(system.problem.spec.dimensions.of(system.names[0]))
+        sense = "up" if end.value > end.start else "down"
+        way = f" from {figure(end.start)} {sense} to {figure(end.value)} {unit}".rstrip()
+        goes = f"runs off without bound along '{end.runs}'" if end.runs else "ends: no equilibrium follows it beyond"
+        return f": the equilibrium is stable{way}, where it {goes}"
+    signs = {(h > 0) - (h < 0) for _, h in scan.defined()}
+    if len(signs) > 1 or signs == {0}:
+        return ""
+    kind = "stable" if signs == {1} else "unstable"
+    return f": the equilibrium is {kind} " + ("for all of them" if proven else _tried(system, scan))
+
+
+def _tried(system, scan):
+    """The values at which there is an answer, in words, and why there is none at others."""
+    places, unit = [x for x, _ in scan.defined()], units.text(system.problem.spec.dimensions.of(system.names[0]))
+    count = f"all {len(places)}" if len(places) == len(scan.points) else f"{len(places)} of {len(scan.points)}"
+    found = f"at {count} values tried, from {figure(places[0])} to {figure(places[-1])} {unit}".rstrip()
+    if len(places) == len(scan.points) or system.refusal is None or isinstance(system.refusal, SpecError):
+        return found
+    return f"{found} (elsewhere for example: {system.refusal.message})"
 
 
 def _reach(system, scan):
-    """From where to where the sides of an equation go."""
+    """(from where to where the sides of an equation go, does that hold what is asked for?)"""
     pairs = [system.measured([x])[0][0] for x, _ in scan.defined()]
     left, right = zip(*pairs, strict=True)
-    condition = system.conditions[0]
+    condition, tried = system.conditions[0], _tried(system, scan)
     for side, values, other in ((condition.left, left, right), (condition.right, right, left)):
         if min(other) == max(other):
             low, high = _figure(min(values)), _figure(max(values))
-            return f"{side.text} " + (f"is {low} for all of them" if low == high else f"ranges from {low} to {high}")
-    sense = "larger" if misfit(pairs[0], 0.0) > 0 else "smaller"
-    return f"{condition.left.text} is always {sense} than {condition.right.text}"
+            within = min(values) <= other[0] <= max(values)
+            return f"{side.text} " + (f"is {low} {tried}" if low == high else f"ranges from {low} to {high} {tried}" + (
+                ", and jumps over this" * within)), within
+    senses = {misfit(pair, 0.0) > 0 for pair in pairs}
+    if len(senses) > 1:
+        return f"{condition.left.text} jumps from one side of {condition.right.text} to the other {tried}", True
+    sense = "larger" if senses == {True} else "smaller"
+    return f"{condition.left.text} is {sense} than {condition.right.text} {tried}", False
 
 
 def _figure(value):

@@ -8,19 +8,21 @@ from vibcli.analyses.several import common_zeros
 from vibcli.analyses.zeros import holds_everywhere, longest_plateau, zeros
 from vibcli.errors import PhysicsError
 from vibcli.inverse import refusals
+from vibcli.inverse.folds import followed
 from vibcli.inverse.letters import candidates, determined_alone
 from vibcli.inverse.ranges import grid
 from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.system import System
 from vibcli.reading import Record
 
-SAME, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1.0 - 1e-15, 10, 3, 8
+SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 
 
-def solve(problem, thorough=False):
-    """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses."""
-    system = System(problem)
+def solve(problem, thorough=False, limits=None):
+    """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses; `limits` takes
+    up the Limits that equilibria were followed to."""
+    system = System(problem, limits)
     system.settle_scales([[span.scale * factor for span in system.ranges] for factor in PLACES])
     letters = candidates(problem, thorough)
     if letters is not None and letters.always:
@@ -30,13 +32,30 @@ def solve(problem, thorough=False):
         values = in_numbers(problem, nodes)
         if values is not None and _new(values, accepted) and system.admits(values) and system.holds(values)[0]:
             accepted.append((values, nodes))
-    if letters is None or not letters.complete or not system.shares:
+    proven = letters is not None and letters.complete and system.shares and _in_place(problem)
+    if not proven:
         found = _one_by_one(problem, system, thorough) if len(system.names) > 1 and system.shares else None
-        found = [(values, (None,) * len(values)) for values in _looked_for(system)] if found is None else found
+        if found is None:
+            found = [(values, _form_of(problem, letters, values)) for values in _looked_for(system)]
         accepted += [pair for pair in found if _new(pair[0], accepted)]
     if not accepted:
-        raise refusals.none_found(system, _scanned(system)[1] if len(system.names) == 1 else None)
+        raise refusals.none_found(system, _scanned(system)[1] if len(system.names) == 1 else None, proven)
     return sorted(accepted, key=lambda pair: pair[0])
+
+
+def _in_place(problem):
+    """Is the equilibrium the same one for all values, so that conditions in letters are those of the scene?"""
+    return problem.is_linear or problem.balanced_as_drawn
+
+
+def _form_of(problem, letters, values):
+    """The closed forms of a solution that was looked for, where letters give the same numbers: at a fold they hold
+    though the equilibrium there is none that a search would reach."""
+    for nodes in letters.tuples if letters is not None else ():
+        known = in_numbers(problem, nodes)
+        if known is not None and all(abs(x - y) <= ALIKE * abs(y) for x, y in zip(known, values, strict=True)):
+            return nodes
+    return (None,) * len(values)
 
 
 def _new(values, accepted):
@@ -84,10 +103,19 @@ def _looked_for(system):
         plateau = longest_plateau(scan)
         if plateau and (not found or any(plateau[0] <= x <= plateau[1] for x in found)):
             raise refusals.undetermined(system.problem, plateau)
-        places = [[x] for x in found]
+        places = [*_followed_to(system, scan), *([x] for x in found)]
     else:
         places = _newton(system)
     return [values for values in (_shortened(system, place) for place in places) if values is not None]
+
+
+def _followed_to(system, scan):
+    """The limits of an equilibrium that moves with the parameter, followed from value to value."""
+    if _in_place(system.problem):
+        return []
+    limits, system.ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])
+    system.limits.update({Fraction(limit.value): limit for limit in limits})
+    return [[limit.value] for limit in limits if system.admits([limit.value])]
 
 
 def _shortened(system, place):
@@ -96,7 +124,8 @@ def _shortened(system, place):
     if not good:
         return None
     short = [Fraction(f"{x:.{SHORT}g}") for x in place]
-    if all(abs(y - Fraction(x)) <= abs(x) * 1e-12 for x, y in zip(place, short, strict=True)):
+    near = all(abs(y - Fraction(x)) <= abs(x) * 1e-12 for x, y in zip(place, short, strict=True))
+    if near and system.limit(place) is None:
         better, rest = system.holds(short)
         if better and rest <= max(residual, 1e-14):
             return short

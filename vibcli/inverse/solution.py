@@ -18,12 +18,13 @@ DIGITS, READABLE, TRACE = 60, 70, 1e-20
 
 
 class Solution:
-    """values: {name: number, None in letters}; forms: {name: closed form or None}; residual of the substitution."""
+    """values: {name: number, None in letters}; forms: {name: closed form or None}; residual of the substitution; fold:
+    is this a limit point, at which the equilibrium and an unstable one vanish?"""
 
-    __slots__ = ("forms", "residual", "values")
+    __slots__ = ("fold", "forms", "residual", "values")
 
-    def __init__(self, values, forms, residual):
-        self.values, self.forms, self.residual = values, forms, residual
+    def __init__(self, values, forms, residual, fold=False):
+        self.values, self.forms, self.residual, self.fold = values, forms, residual, fold
 
 
 class Chosen:

@@ -24,24 +24,39 @@ HOLDS = 1e-8
 class System:
     """Conditions on the parameters `names` of a problem in which nothing else is without value."""
 
-    def __init__(self, problem):
+    def __init__(self, problem, limits=None):
         self.problem, self.names = problem, list(problem.spec.choices)
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
         self.shares = not in_geometry(problem, self.names)
         self.refusal, self._measured, self.rigid = None, {}, None
         self.scales = [0.0] * len(self.conditions)
+        self.rest, self.ends = {}, []                               # equilibria as found, and where following them ends
+        self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
 
     def measured(self, values):
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
         key = tuple(values)
         if key not in self._measured:
-            self._measured[key] = self._measure(self.numeric(values, self.shares))
+            numeric = self.numeric(values, self.shares)
+            self._measured[key] = self._measure(numeric)
+            if "equilibrium" in vars(numeric):
+                self.rest[key] = numeric
         return self._measured[key]
 
     def numeric(self, values, shared=False):
         given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
-        return self.problem.sharing(given) if shared else self.problem.with_values(given)
+        found = self.problem.sharing(given) if shared else self.problem.with_values(given)
+        limit = self.limit(values)
+        if limit is None:
+            return found
+        from vibcli.mechanics.degenerate import at_limit
+
+        return at_limit(found, limit.position, limit.felt)
+
+    def limit(self, values):
+        """The Limit that was followed to at these values; None elsewhere."""
+        return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
 
     def _measure(self, numeric):
         import numpy as np
@@ -105,6 +120,9 @@ class System:
 
     def residual(self, values):
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
+        limit = self.limit(values)
+        if limit is not None and self.conditions[0].word:
+            return limit.residual
         found = [self._pairs(self.numeric(values), condition) for condition in self.conditions]
         return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
 
@@ -115,7 +133,8 @@ class System:
         except (SpecError, PhysicsError, ArithmeticError):
             return False, None
         limits = [i for i, condition in enumerate(self.conditions) if condition.word and condition.word != BALANCE]
-        return residual <= HOLDS and all(self._passed(i, values) for i in limits), residual
+        followed = self.limit(values) is not None
+        return residual <= HOLDS and (followed or all(self._passed(i, values) for i in limits)), residual
 
     def _passed(self, i, values):
         """Does the slowest mode change its stability with its parameter?"""

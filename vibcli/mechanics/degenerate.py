@@ -6,14 +6,17 @@ the scene, and what is below that as zero.
 """
 
 from contextlib import suppress
+from math import sqrt
 
 from vibcli.algebra.evaluate import Floats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
+from vibcli.mechanics.equilibrium import Equilibrium, relative_residual
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.neutral import FREE
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
+LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
 UNIT = 2.0**53
 
 
@@ -26,6 +29,19 @@ def about(problem, item):
         rigid = [mode.index for mode in found.modes if mode.rigid] if item.free else ()
         if item.free and len(rigid) == len(item.free):
             found.zero_modes = dict.fromkeys(rigid, FREE)
+    return found
+
+
+def at_limit(problem, position, felt):
+    """The Problem in an equilibrium ({coordinate: float}) whose K is singular but for rounding; felt: what counts as
+    stiff along each coordinate."""
+    found = problem.sharing({})
+    numbers = in_numbers(found.form, Floats, {**found.floats, found.scene.time.name: 0.0, **position})
+    found.equilibrium = Equilibrium(position, False, relative_residual(numbers))
+    sizes = {(i, j): sqrt(a * b) for i, a in enumerate(felt) for j, b in enumerate(felt)}
+    elements = _known_to(numbers.elements, {pair: UNIT * LIMIT * size for pair, size in sizes.items()})
+    elements.K = {pair: x for pair, x in elements.K.items() if abs(x) > LIMIT * sizes[pair]}
+    found.elements, found.sources = elements, (None, None)
     return found
 
 
@@ -46,6 +62,10 @@ def _blur(found, forces, blur):
     exact = in_numbers(found.form, Floats, {**found.floats, **found.equilibrium.values}).elements
     felt = dict(zip(forces.rows, forces.D, strict=True))
     size = {(i, j): UNIT * blur * forces.E / (a * b) for i, a in felt.items() for j, b in felt.items()}
-    found.elements = OscillatorElements(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
-                                        drag=exact.drag, K=exact.stiffness(), K_size=size, massless=exact.massless)
-    found.sources = (None, None)
+    found.elements, found.sources = _known_to(exact, size), (None, None)
+
+
+def _known_to(exact, size):
+    """Elements whose stiffness counts as known to 2⁻⁵³ of `size`."""
+    return OscillatorElements(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
+                              drag=exact.drag, K=exact.stiffness(), K_size=size, massless=exact.massless)

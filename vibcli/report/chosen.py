@@ -29,7 +29,11 @@ def _lines(problem, several):
     for number, solution in enumerate(problem.chosen.solutions, 1):
         for i, name in enumerate(problem.chosen.conditions):
             mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
-            yield line(*mark, *_equation(problem, name, solution), hang=6 if several else 2, inset=inset)
+            fold = (Words(FOLD),) * solution.fold
+            yield line(*mark, *_equation(problem, name, solution), *fold, hang=6 if several else 2, inset=inset)
+
+
+FOLD = "   a limit point (fold): there the equilibrium meets an unstable one, and beyond it both are gone"
 
 
 def _equation(problem, name, solution):
@@ -59,7 +63,7 @@ def _with_units(condition):
 
 
 def chosen_data(problem):
-    """[{parameter, condition, values, closed_forms, residuals}], a list entry of the last three to each solution."""
+    """[{parameter, condition, values, closed_forms, residuals, limit_points}], of lists an entry to each solution."""
     chosen = problem.chosen
     found = []
     for name, condition in chosen.conditions.items():
@@ -69,5 +73,6 @@ def chosen_data(problem):
         found.append({"parameter": name, "condition": condition,
                       "values": [text if value is None else float(value)
                                  for value, text in zip(values, texts, strict=True)],
-                      "closed_forms": texts, "residuals": [solution.residual for solution in chosen.solutions]})
+                      "closed_forms": texts, "residuals": [solution.residual for solution in chosen.solutions],
+                      "limit_points": [solution.fold for solution in chosen.solutions]})
     return found
