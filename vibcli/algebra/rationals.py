@@ -24,10 +24,10 @@ def rational_power(base, exponent):
         return base
     if base == 1:
         return ONE
+    if not base and exponent <= 0:
+        raise ZeroDivisionError("division by zero")
     if exponent.denominator == 1:
         power = exponent.numerator
-        if not base and power <= 0:
-            raise ZeroDivisionError("division by zero")
         return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
     if exponent.denominator == 2 and base >= 0:
         up, down = isqrt(base.numerator), isqrt(base.denominator)

@@ -5,9 +5,9 @@ from vibcli.algebra.rationals import HALF, ONE
 SHORT = 2           # roots of fewer terms are left in place
 
 
-def abbreviated(table, nodes, known):
+def abbreviated(nodes, known):
     """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to."""
-    new = []
+    table, new = nodes[0].table if nodes else None, []
     for node in nodes:
         for base in _rooted(node):
             if base not in known:

@@ -37,6 +37,7 @@ def _in_letters(problem, name, driver):
                                "give the parameters values with --set")
         return
     from vibcli.analyses.frequency.in_letters import formula
+    from vibcli.report.letters import turned
     from vibcli.report.response_letters import conditions
 
     try:
@@ -45,10 +46,14 @@ def _in_letters(problem, name, driver):
         if problem.symbolic:
             raise
         return
-    tangent, heads = found.tangent, ("H = ", "H = i·", "|H| = ")
-    head = heads[0 if found.undamped else 1 if found.ahead else 2]
-    lag = line("θ = ±π/2") if tangent is None else line("tan θ = ", tangent)
-    yield blocks.equations([line(head, found.amplitude), *([lag] if head == heads[2] else ())])
+    if found.undamped:
+        lines = [line("H = ", found.amplitude)]
+    elif found.ahead:
+        lines = [line("H = ", *turned(found.amplitude))]
+    else:
+        lag = line("θ = ±π/2") if found.tangent is None else line("tan θ = ", found.tangent)
+        lines = [line("|H| = ", found.amplitude), lag]
+    yield blocks.equations(lines)
     yield from conditions(found)
 
 

@@ -32,7 +32,7 @@ class Language(Plain):
     def product(self, value, args):
         value, above, below, root_above, root_below = self.factors(value, args)
         tops = [self.powered(base, e, False) for base, e in above]
-        bottoms = [self.powered(base, e, False) for base, e in below]
+        bottoms = self.divisors(below)
         if root_above:
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:

@@ -146,7 +146,7 @@ def shape_blocks(names, forms):
         shape = mode.pattern or mode.shape
         parts = []
         for i, (name, value) in enumerate(zip(names, shape, strict=True)):
-            parts += [",  "] * bool(i) + [Name(name), " = ", *(_turned(value) if mode.turns and i else (value,))]
+            parts += [",  "] * bool(i) + [Name(name), " = ", *(turned(value) if mode.turns and i else (value,))]
         if any(part.name == OMEGA for part in reachable(shape)):
             parts += _with(same)
         label = Words(f"mode{'s' * (len(same) > 1)} {', '.join(str(other.index) for other in same)}")
@@ -154,7 +154,7 @@ def shape_blocks(names, forms):
     return [equations(lines) or paragraph(NONE, hang=None)]
 
 
-def _turned(value):
+def turned(value):
     """Parts of i times an amplitude: a quarter period ahead."""
     negative = value.op != "sum" and value.coefficient < 0
     value = -value if negative else value

@@ -13,7 +13,7 @@ WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in 
 
 def energies(problem, report):
     for key, symbol, title in ENERGIES:
-        (shown,), lengths = abbreviated(problem.scene.table, [problem.energies[key]], report.roots)
+        (shown,), lengths = abbreviated([problem.energies[key]], report.roots)
         if not shown.is_zero:
             yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), hang=2)]),
                                *with_lengths(lengths))
@@ -50,7 +50,7 @@ def _full(problem, report):
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
-    shown, lengths = abbreviated(loose.table, found.full + found.conditions, report.roots)
+    shown, lengths = abbreviated(found.full + found.conditions, report.roots)
     labels = [*map(Name, found.names), *[None] * len(found.conditions)]
     lines = []
     for label, node in zip(labels, shown, strict=True):

@@ -48,7 +48,7 @@ class Notation:
 
     def _number(self, node, tightness):
         text = self.number(node.coefficient)
-        loose = node.coefficient < 0 or (tightness > 1 and node.coefficient.denominator > 1)
+        loose = node.coefficient < 0 or (tightness > 1 and not decimal(node.coefficient).isdigit())
         return self.brackets(text) if loose and tightness else text
 
     def _pi(self, node, tightness):
@@ -119,15 +119,23 @@ class Notation:
             return self.call(node.name, node.args[0], ONE)
         return self.function(node.name, [self.write(arg, 0) for arg in node.args])
 
+    @staticmethod
+    def bare(call):
+        """Does the argument of a function stand behind it without brackets?"""
+        table = call.table
+        return call.args[0].op in ("symbol", "pi") and call.name not in PULSES and call.name not in table.records
+
     def factors(self, value, args):
         """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
         return split(value, sorted(args, key=factor_rank))
 
     def powered(self, base, exponent, alone):
-        if base.op == "call" and base.name in ("abs", "sign") and exponent != 1:
-            return self.power(self.brackets(self.write(base, 0)), self.number(exponent))
-        if base.op == "call" and base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh") and exponent != 1:
-            return self.call(base.name, base.args[0], exponent)
+        if base.op == "call" and exponent != 1:
+            angled = base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+            if angled and exponent.denominator == 1:
+                return self.call(base.name, base.args[0], exponent)
+            if angled or base.name in ("abs", "sign") or self.bare(base):      # exp φ² is exp(φ²)
+                return self.power(self.brackets(self.write(base, 0)), self.number(exponent))
         if exponent == 1:
             return self.write(base, 0 if alone else 1)
         if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
@@ -170,6 +178,12 @@ class Plain(Notation):
     def function(self, name, args):
         return f"{name}({', '.join(args)})"
 
+    def divisors(self, below):
+        """The factors below a line; a quotient has brackets: x/(y/z) is not x/y/z."""
+        texts = [self.powered(base, e, False) for base, e in below]
+        return [self.brackets(text) if base.op == "product" and "/" in text else text
+                for (base, _), text in zip(below, texts, strict=True)]
+
     def call(self, name, arg, exponent):
         if name == "abs":
             return f"|{self.write(arg, 0)}|"
@@ -181,7 +195,7 @@ class Plain(Notation):
         value, above, below, root_above, root_below = self.factors(value, args)
         single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
         tops = [self.powered(base, e, single and value == 1) for base, e in above]
-        bottoms = [self.powered(base, e, False) for base, e in below]
+        bottoms = self.divisors(below)
         if root_above:
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:

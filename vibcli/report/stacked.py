@@ -53,7 +53,8 @@ class Stacked(Notation):
             if value != 1 or not tops:
                 tops.insert(0, self.numeral(decimal(value)))
             return self.times(tops)
-        bottoms = [self.powered(base, e, len(below) == 1 and value.denominator == 1) for base, e in below]
+        only = len(below) == 1 and value.denominator == 1 and not lone_root
+        bottoms = [self.powered(base, e, only) for base, e in below]
         if lone_root:
             bottoms.append(self.root(root_below, []))
         if value.denominator > 1:

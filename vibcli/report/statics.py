@@ -37,7 +37,7 @@ def virtual_work(problem, report):
     from vibcli.mechanics.virtual_work import generalised_forces
 
     names = [plain.symbol(name) for name in scene.coordinates]
-    shown, lengths = abbreviated(scene.table, generalised_forces(scene), report.roots)
+    shown, lengths = abbreviated(generalised_forces(scene), report.roots)
     lines = [line("δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names), hang=2)]
     for name, node in zip(names, shown, strict=True):
         rests = scene.constraints or node.is_zero
