@@ -9,13 +9,15 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
 G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements
 that oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
-excitation; and so are loads that depend on the time, which add nothing to Σ P ∇²s.
+excitation; and so are loads that depend on the time, which add nothing to Σ P ∇²s unless it is steady, as where they
+turn with what they act on.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.linearisation import Linearisation
+from vibcli.mechanics.steady import without_time
 
 
 def linearise(scene, still=False):
@@ -37,9 +39,11 @@ def linearise(scene, still=False):
         row = _row(term.s, number)
         found.curved.append((term.weight, _curvature(row, number), row))
     _written_out(scene, found, number)
-    slips = {}
+    slips, turning = {}, {}
     for term in scene.forces:
-        _loaded(scene, found, number, term, slips, still)
+        _loaded(scene, found, number, term, slips, turning, still)
+    found.K.append({pair: -without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
+                    for pair, nodes in turning.items()})
     _split(found, slips, found.drag)
     slips = {}
     if scene.timed:
@@ -50,13 +54,20 @@ def linearise(scene, still=False):
     return found
 
 
-def _loaded(scene, found, number, term, slips, still):
-    """A force F with the virtual work F δs."""
+def _loaded(scene, found, number, term, slips, turning, still):
+    """A force F with the virtual work F δs; `turning`: where its parts that hold the time add F ∂²s, of which that
+    remains whose time cancels, as of a force that turns with what it acts on."""
     rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
     force, row = substitute([term.weight], rest)[0], _row(term.s, number)
     at_once = scene.table.sum(*((part, c) for part, c in _parts(force) if part.mask & scene.time.mask))
-    found.curved.append((at_once - force, _curvature(row, number), row))
-    found.residual.append({i: -(at_once * slope) for i, slope in row.items() if not (still or at_once.is_zero)})
+    curvature = _curvature(row, number)
+    found.curved.append((at_once - force, curvature, row))
+    if not at_once.is_zero:
+        if still:       # what the frames turn that carry it
+            at_once = scene.table.zero if term.force is None else substitute([term.force], rest)[0] - force + at_once
+        for pair, second in curvature.items():
+            turning.setdefault(pair, []).append(at_once * second)
+        found.residual.append({i: -(at_once * slope) for i, slope in row.items()})
     slopes = gradient(term.weight)
     by_place = {number[q]: slope for q, slope in slopes.items() if q in number}
     by_speed = {speeds[v]: slope for v, slope in slopes.items() if v in speeds}

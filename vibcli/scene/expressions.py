@@ -3,7 +3,7 @@
 from vibcli import units
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower
-from vibcli.algebra.normal import TooLong, collected, expanded, is_zero, reduced
+from vibcli.algebra.normal import TooLong, collected, expanded, is_zero, reduced, textbook
 from vibcli.algebra.parse import ExpressionError
 from vibcli.parameters import unusable
 
@@ -68,6 +68,10 @@ class Expressions:
             return node
         return collected(self.table, {monomial: value for monomial, value in terms.items()
                                       if any(atom.mask & mask for atom, _ in monomial)})
+
+    def terms_without(self, node, mask):
+        """The other terms."""
+        return textbook(node - self.terms_with(node, mask)) if node.mask & mask else node
 
     def vanishes(self, node):
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""

@@ -20,9 +20,10 @@ class Loops:
         self.slopes = [node for row in partial for node in row[:len(unknowns)]]
 
     def followed(self, start, target):
-        """{name: float} of `target` ({name: float}) with z, along the straight path from the closed position `start`;
-        None where the loops cannot follow."""
-        n = len(self.names)
+        """{name: float} of `target` ({name: float}) with z, along the straight path from the position `start`; None
+        where the loops cannot follow. What `start` leaves open, as a drawn position that is driven away from at once,
+        is closed on the way."""
+        n, gaps = len(self.names), evaluate(self.conditions, Floats, start)
         moving = [name for name in target if name not in self.names and target[name] != start.get(name, target[name])]
         here, done, step, sense = dict(start), 0.0, 1.0, self._sense(start)
         while done < 1.0:
@@ -30,7 +31,7 @@ class Loops:
             trial = {**target, **{name: here[name] for name in self.names}}
             for name in moving:
                 trial[name] = target[name] if reach == 1.0 else (1 - reach) * start[name] + reach * target[name]
-            if self._closed(trial, n) and self._sense(trial) == sense:
+            if self._closed(trial, n, [(1.0 - reach) * gap for gap in gaps]) and self._sense(trial) == sense:
                 here, done, step = trial, reach, 2 * step
             else:
                 step *= 0.5
@@ -50,8 +51,8 @@ class Loops:
         trial = {**target, **{name: here[name] for name in self.names}}
         return trial if self._closed(trial, len(self.names)) else None
 
-    def _closed(self, values, n):
-        """Newton's method in place; False where it does not contract from the first step on."""
+    def _closed(self, values, n, gaps=0.0):
+        """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""
         import numpy as np
 
         before = None
@@ -61,7 +62,7 @@ class Loops:
             if not np.isfinite(flat).all():
                 return False
             try:
-                step = np.linalg.solve(Gz, -G)
+                step = np.linalg.solve(Gz, gaps - G)
             except np.linalg.LinAlgError:
                 return False
             for name, change in zip(self.names, step, strict=True):

@@ -10,8 +10,9 @@ SHAKEN = ("inertias", "springs", "dampers", "weights")  # kept as functions of d
 
 
 class Term(NamedTuple):
-    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, `owner`
-    the name of the element that it came from."""
+    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, of a load
+    that driven frames carry that part which depends on the time through them alone; `owner` is the name of the element
+    that it came from."""
 
     weight: object
     s: object
@@ -100,6 +101,15 @@ class Terms:
         its coordinates to what is driven to and fro."""
         tied = self.resting is not self and any(node.mask & self.time.mask for node in self.dependent.values())
         return self.resting if tied else self
+
+    def keep_steady_loads(self):
+        """Let each load know what of it does not depend on the time but through the driven frames that carry it."""
+        held = {symbol: self.table.variable(symbol.name + " held") for symbol in self.driven}
+        moved = dict(zip(held.values(), held, strict=True))
+        carried = [term.weight for term in self.forces]
+        steady = [self.terms_without(node, self.time.mask) for node in substitute(carried, held)]
+        self.forces = [term if not term.weight.mask & self.time.mask else term._replace(force=node)
+                       for term, node in zip(self.forces, substitute(steady, moved), strict=True)]
 
     def keep_shaken(self):
         """Keep the terms as functions of the symbols of driven displacements, and the stretches of the laws."""
