@@ -18,7 +18,7 @@ PROBLEMS = PACKAGE.parent / "problems"
 ROOMS = (
     ("foundation", ("vibcli",)),
     ("errors", ("errors", "work")),
-    ("units", ("units",)),
+    ("units", ("unit_table", "units")),
     ("questions", ("questions",)),
     ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document",
                   "columns")),

@@ -38,7 +38,7 @@ def check(spec, reader, expression, names, expected, local=None):
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
             reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
-    _ambiguous(spec, reader, expression)
+    _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
         _no_quantities(reader, expression)
@@ -78,6 +78,10 @@ def _fits(spec, reader, expression, found, expected):
         return
     wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
     if not spec.dimensions.equate(expected, found):
+        literal = whole_literal(expression.tree)
+        if literal and (competing := _competing(spec, expression, literal)):
+            _two_readings(reader, expression, literal, competing[0])
+            return
         message = f"expected {wanted}, found {_found(expression.tree, spec.dimensions.resolve(found))}"
         reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
 
@@ -167,20 +171,40 @@ def _unknown(spec, name, names):
     return f"unknown name '{name}'", hint
 
 
-def _ambiguous(spec, reader, expression):
+def _ambiguous(spec, reader, expression, local):
     """`2 N*m` within a larger expression of a scene that has a name m may mean two things."""
     if whole_literal(expression.tree):
         return
     for literal in literals_in(expression.tree):
-        if _in_brackets(expression.text, literal):
-            continue
-        for unit, _, start, end in literal[4][1:]:
-            if unit in spec.parameters or unit in spec.coordinates:
-                text = expression.text
-                head, joined = text[literal[1]:start].rstrip(" *·/"), text[literal[1]:end]
-                reader.report(expression.scalar.place(start, end - start),
-                              f"'{unit}' is a unit and a name of this scene",
-                              f"write ({joined}) for the unit or ({head})*{unit} for the name")
+        for unit in _competing(spec, expression, literal, local[:1] if local else ()):
+            _two_readings(reader, expression, literal, unit)
+
+
+def check_whole_literal(spec, reader, expression):
+    """A value `36 km/h` is a speed; of a scene with a time h, and wherever the name fits as well, it may mean two
+    things, as `2 kg*g` does. (`800 N/m` of a scene with a mass m has one meaning.)"""
+    literal = whole_literal(expression.tree)
+    for unit in _competing(spec, expression, literal) if literal else ():
+        others = [units.UNITS[other[0]].dimension for other in literal[4] if other is not unit and other[1] == unit[1]]
+        measured = units.UNITS[unit[0]].dimension
+        if spec.dimensions.of(unit[0]) == measured or (measured and measured in others):
+            _two_readings(reader, expression, literal, unit)
+
+
+def _competing(spec, expression, literal, local=()):
+    """The units of a literal, joined by an operator, that are names of the scene as well."""
+    if _in_brackets(expression.text, literal):
+        return []
+    return [unit for unit in literal[4][1:] if unit[0] in spec.parameters or unit[0] in (*spec.coordinates, *local)]
+
+
+def _two_readings(reader, expression, literal, unit):
+    name, _, start, end = unit
+    text = expression.text
+    head, joined = text[literal[1]:start].rstrip(" *·/"), text[literal[1]:literal[2]].rstrip()
+    sign = "/" if "/" in text[literal[1] + len(head):start] else "*"
+    reader.report(expression.scalar.place(start, end - start), f"'{name}' is a unit and a name of this scene",
+                  f"write ({joined}) for the unit or ({head}){sign}{name} for the name")
 
 
 def _in_brackets(text, literal):

@@ -11,7 +11,7 @@ from vibcli.algebra.meaning import (
 from vibcli.algebra.parse import parse
 from vibcli.diagnostics import quoted
 from vibcli.elements.initial import RELEASED
-from vibcli.fit import check
+from vibcli.fit import check, check_whole_literal
 from vibcli.questions import dimension
 from vibcli.reading import Record, nearest
 from vibcli.recorded import call_records, record_dimensions
@@ -51,6 +51,9 @@ def resolve(spec, reader):
             local = reader.local_names.get(id(expression))
             check(spec, reader, expression, names if local is None else {**names, local[0]: None}, expression.dimension,
                   local)
+    for expression in (*reader.expressions, *(p["value"] for p in spec.parameters.values() if "value" in p)):
+        if expression.tree[0] in ("number", "sum"):
+            check_whole_literal(spec, reader, expression)
     if not circular:
         _cycles(spec, reader, apart | parameters)
     if spec.choices and reader.sound and len(reader.diagnostics) == before:

@@ -7,9 +7,22 @@ from fractions import Fraction
 from functools import lru_cache
 
 from vibcli.errors import Diagnostic
-
-LENGTH, MASS, TIME = {"m": 1}, {"kg": 1}, {"s": 1}
-NONE = {}
+from vibcli.unit_table import (
+    AREA,
+    ENERGY,
+    FORCE,
+    LENGTH,
+    MASS,
+    NONE,
+    POWER,
+    PRESSURE,
+    RATE,
+    SPEED,
+    TIME,
+    UNITS,
+    Unit,
+    si,
+)
 
 
 def times(a, b, power=1):
@@ -25,69 +38,30 @@ def times(a, b, power=1):
 
 
 def raised(a, power):
-    return {base: exponent * power for base, exponent in a.items()} if power else {}
-
-
-def _dimension(kg=0, m=0, s=0):
-    return {base: e for base, e in (("kg", kg), ("m", m), ("s", s)) if e}
-
-
-class Unit:
-    """value·πᵖ in SI, a dimension, and the powers in which it counts cycles (1 of Hz) and radians (1 of rpm)."""
-
-    __slots__ = ("cycles", "dimension", "pi", "radians", "value")
-
-    def __init__(self, value, dimension, pi=0, cycles=0, radians=0):
-        self.value, self.dimension, self.pi = Fraction(value), dimension, pi
-        self.cycles, self.radians = cycles, radians
-
-
-_FORCE, _ENERGY, _PRESSURE = _dimension(1, 1, -2), _dimension(1, 2, -2), _dimension(1, -1, -2)
-_POUND, _INCH = Fraction("0.45359237"), Fraction("0.0254")
-_POUND_FORCE = _POUND * Fraction("9.80665")
-
-UNITS = {
-    "kg": Unit(1, MASS), "g": Unit("1e-3", MASS), "mg": Unit("1e-6", MASS), "Mg": Unit(1000, MASS),
-    "m": Unit(1, LENGTH), "km": Unit(1000, LENGTH), "dm": Unit("0.1", LENGTH), "cm": Unit("0.01", LENGTH),
-    "mm": Unit("1e-3", LENGTH), "um": Unit("1e-6", LENGTH), "µm": Unit("1e-6", LENGTH), "nm": Unit("1e-9", LENGTH),
-    "s": Unit(1, TIME), "ms": Unit("1e-3", TIME), "us": Unit("1e-6", TIME), "µs": Unit("1e-6", TIME),
-    "min": Unit(60, TIME),
-    "N": Unit(1, _FORCE), "mN": Unit("1e-3", _FORCE), "daN": Unit(10, _FORCE), "kN": Unit(1000, _FORCE),
-    "MN": Unit(10**6, _FORCE),
-    "J": Unit(1, _ENERGY), "mJ": Unit("1e-3", _ENERGY), "kJ": Unit(1000, _ENERGY),
-    "W": Unit(1, _dimension(1, 2, -3)), "kW": Unit(1000, _dimension(1, 2, -3)),
-    "Pa": Unit(1, _PRESSURE), "kPa": Unit(1000, _PRESSURE), "MPa": Unit(10**6, _PRESSURE),
-    "GPa": Unit(10**9, _PRESSURE),
-    "rad": Unit(1, NONE, radians=1), "mrad": Unit("1e-3", NONE, radians=1),
-    "deg": Unit(Fraction(1, 180), NONE, pi=1, radians=1), "°": Unit(Fraction(1, 180), NONE, pi=1, radians=1),
-    "%": Unit("0.01", NONE),
-    "Hz": Unit(1, _dimension(s=-1), cycles=1), "kHz": Unit(1000, _dimension(s=-1), cycles=1),
-    "MHz": Unit(10**6, _dimension(s=-1), cycles=1),
-    "rpm": Unit(Fraction(1, 30), _dimension(s=-1), pi=1, radians=1),
-    "in": Unit(_INCH, LENGTH), "ft": Unit(12 * _INCH, LENGTH), "lb": Unit(_POUND, MASS),
-    "lbf": Unit(_POUND_FORCE, _FORCE),
-    "slug": Unit(_POUND_FORCE / (12 * _INCH), MASS), "psi": Unit(_POUND_FORCE / _INCH**2, _PRESSURE),
-}
+    return {base: exponent * power for base, exponent in a.items()} if power else NONE
 
 
 @lru_cache(maxsize=256)
 def combine(chain):
     """The unit of ((name, power), …), e.g. (("N", 1), ("m", -1))."""
-    value, dimension, pi, cycles, radians = Fraction(1), {}, 0, 0, 0
+    value, dimension, pi, cycles, radians, roots = Fraction(1), {}, 0, 0, 0, ()
     for name, power in chain:
         unit = UNITS[name]
-        value *= unit.value**power
+        if Fraction(power).denominator == 1:
+            value *= unit.value ** int(power)
+        elif unit.value != 1:
+            roots += ((unit.value, power),)
         dimension = times(dimension, unit.dimension, power)
         pi += unit.pi * power
         cycles += unit.cycles * power
         radians += unit.radians * power
-    return Unit(value, dimension, pi, cycles, radians)
+    return Unit(value, dimension, pi, cycles, radians, roots)
 
 
-_NAMED = (("N/m", _dimension(1, 0, -2)), ("N·s/m", _dimension(1, 0, -1)), ("N", _FORCE), ("N·m", _ENERGY),
-          ("N·m·s", _dimension(1, 2, -1)), ("Pa", _PRESSURE), ("W", _dimension(1, 2, -3)), ("kg/m", _dimension(1, -1)),
-          ("rad/s", _dimension(s=-1)), ("1/s²", _dimension(s=-2)), ("N·m²", _dimension(1, 3, -2)),
-          ("N/m³", _dimension(1, -2, -2)))
+_NAMED = (("N/m", si(1, 0, -2)), ("N·s/m", si(1, 0, -1)), ("N", FORCE), ("N·m", ENERGY),
+          ("N·m·s", si(1, 2, -1)), ("Pa", PRESSURE), ("W", POWER), ("kg/m", si(1, -1)),
+          ("rad/s", RATE), ("1/s²", si(s=-2)), ("N·m²", si(1, 3, -2)),
+          ("N/m³", si(1, -2, -2)))
 _SUPERSCRIPT = str.maketrans("0123456789-/", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᐟ")
 
 
@@ -98,6 +72,9 @@ def text(dimension):
             return name
     if any(base.startswith("?") for base in dimension):
         return ""
+    length = times(dimension, FORCE, -1)
+    if set(length) == {"m"} and Fraction(length["m"]).denominator > 1:      # N/m^(3/2), of contact
+        return "N" + ("·" if length["m"] > 0 else "/") + _powered("m", abs(length["m"]))
     order = ("kg", "m", "s")
     up = [_powered(base, dimension[base]) for base in order if dimension.get(base, 0) > 0]
     down = [_powered(base, -dimension[base]) for base in order if dimension.get(base, 0) < 0]
@@ -130,12 +107,12 @@ def name(dimension):
     return text(dimension) or "an unknown dimension"
 
 
-_WORDS = ((LENGTH, "a length"), (MASS, "a mass"), (TIME, "a time"), (_FORCE, "a force"),
-          (_dimension(1, 0, -2), "a stiffness"), (_dimension(1, 0, -1), "a damping coefficient"),
-          (_ENERGY, "a moment, torsional stiffness or energy"), (_dimension(1, 2), "a moment of inertia"),
-          (_dimension(1, 2, -1), "a torsional damping coefficient"), (_dimension(0, 1, -2), "an acceleration"),
-          (_dimension(0, 1, -1), "a speed"), (_dimension(s=-1), "an angular frequency"), (_dimension(m=2), "an area"),
-          (_dimension(1, 2, -3), "a power"))
+_WORDS = ((LENGTH, "a length"), (MASS, "a mass"), (TIME, "a time"), (FORCE, "a force"),
+          (si(1, 0, -2), "a stiffness"), (si(1, 0, -1), "a damping coefficient"),
+          (ENERGY, "a moment, torsional stiffness or energy"), (si(1, 2), "a moment of inertia"),
+          (si(1, 2, -1), "a torsional damping coefficient"), (si(0, 1, -2), "an acceleration"),
+          (SPEED, "a speed"), (RATE, "an angular frequency"), (AREA, "an area"),
+          (POWER, "a power"))
 
 
 class Dimensions:

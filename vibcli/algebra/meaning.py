@@ -224,4 +224,7 @@ def _literal(tree, table):
         return value
     unit = literal_unit(tree[4])
     node = table.number(tree[3] * unit.value)
-    return node if not unit.pi else table.product((node, ONE), (table.pi, unit.pi))
+    if not (unit.pi or unit.roots):
+        return node
+    roots = [(table.number(base), exponent) for base, exponent in unit.roots]
+    return table.product((node, ONE), (table.pi, Fraction(unit.pi)), *roots)

@@ -36,11 +36,13 @@ GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣ
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _WHOLE = re.compile(r"[0-9]{1,15}")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
-_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(-?\d)(?!\d)|([²³⁴]))?(?![\w.(\[])")
+_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
+                   r"(-?\d+(?:\.\d+)?)(?!\d)|\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\))|([²³⁴]))?(?![\w.(\[])")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
 _PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
 _INDEX = re.compile(r"\[([^][]{1,80})\]")
-_SUPERSCRIPTS = {"²": 2, "³": 3, "⁴": 4}
+_SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
+_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
 _SPACE = re.compile(r"[ \t\n]*")
 
 
@@ -90,16 +92,21 @@ def _unit_meant(word):
     if len(word) > 2 and one in UNITS:
         return one
     split = [f"{word[:i]}*{word[i:]}" for i in range(1, len(word)) if word[:i] in UNITS and word[i:] in UNITS]
+    if word in _TAKEN:
+        return _TAKEN[word]
     same = [unit for unit in UNITS if unit.lower() == word.lower()]
     spelt = [_SPELT[one.lower()]] if one.lower() in _SPELT else []
     found = split or same or spelt or get_close_matches(word, UNITS, 1)
     return found[0] if found else None
 
 
+_TAKEN = {"t": "tonne", "d": "day"}     # what books write so is the time and a deflection here
 _SPELT = {"meter": "m", "metre": "m", "centimeter": "cm", "millimeter": "mm", "kilogram": "kg", "gram": "g",
           "second": "s", "sec": "s", "minute": "min", "newton": "N", "kilonewton": "kN", "joule": "J", "pascal": "Pa",
           "hertz": "Hz", "degree": "deg", "radian": "rad", "percent": "%", "inch": "in", "foot": "ft", "feet": "ft",
-          "pound": "lb"}
+          "pound": "lb", "ounce": "oz", "yard": "yd", "mile": "mi", "hour": "h", "hr": "h", "kph": "km/h",
+          "kmh": "km/h", "kmph": "km/h", "revolution": "rev", "turn": "rev", "ton": "tonne", "watt": "W",
+          "horsepower": "hp"}
 
 
 class _Parser:
@@ -270,15 +277,28 @@ class _Parser:
                 if not chain:
                     self.unknown_unit(match, start)
                 return chain
-            power = int(match.group(3) or _SUPERSCRIPTS.get(match.group(4), 1))
+            power = self.unit_power(match)
             chain.append((word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
             self.at = match.end()
+            if _POWER_SIGN.match(self.text, self.at):
+                raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
+                                      f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
+
+    def unit_power(self, match):
+        """The power of a unit: 2, -1, 0.5 or (3/2)."""
+        text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
+        above, _, below = text.partition("/")
+        if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
+            raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",
+                                  "units have powers such as -2, 1/2 or 1.5, at most 12")
+        return int(power) if power.denominator == 1 else power
 
     def unknown_unit(self, match, start):
         word = match.group(2)
         meant = None if word == "pi" else _unit_meant(word)
         product = f"a product is written with *: {self.text[start:self.at]}*{word}"
         raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
+                              f"write {meant}; {product}" if word in _TAKEN else
                               f"did you mean '{meant}'?" if meant else product)
 
     def word(self, match, depth):

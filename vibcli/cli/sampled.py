@@ -53,8 +53,8 @@ def size(text, option, unit, wants, exact=False):
             found.dimension != parse_unit(unit).dimension):
         raise click.UsageError(f"{option} {text}: expected {wants}")
     if exact:
-        return literal[3] * found.value
-    return float(literal[3] * found.value) * pi**found.pi * (2 * pi if found.cycles else 1)
+        return literal[3] * found.value     # of times, which have no roots
+    return found.in_si(literal[3]) * (2 * pi if found.cycles else 1)
 
 
 def plot_width():

@@ -1,6 +1,5 @@
 """Records: measured functions of time from a file, linear between their samples and zero before and after them."""
 
-from fractions import Fraction
 
 from vibcli import units
 from vibcli.algebra.meaning import literal_unit, whole_literal
@@ -132,7 +131,7 @@ def _scaled(record, reader, key, found):
         return None
     numbers, columns, i = found
     unit = _unit(record[key]) if key in record else None
-    factor = float(unit.value * Fraction(3.141592653589793) ** unit.pi) if unit else 1.0
+    factor = unit.in_si(1) if unit else 1.0
     scaled = numbers if factor == 1 else [number * factor for number in numbers]
     for row, number in enumerate(scaled):
         if number and not SMALLEST <= abs(number) <= LARGEST:

@@ -114,7 +114,7 @@ def _values(spec):
         for literal in literals_in(expression.tree):
             unit = literal_unit(literal[4])
             if literal[3] and (literal[4] or spec.free_numbers):
-                yield float(abs(literal[3]) * unit.value) * math.pi**unit.pi, unit.dimension
+                yield unit.in_si(abs(literal[3])), unit.dimension
 
 
 def _expressions(whole):

@@ -167,7 +167,9 @@ def _in_si(name):
     unit = units.UNITS[name]
     if unit.value == 1 and not unit.pi:
         return name
-    size = "π" + (f"/{unit.value.denominator}" if unit.value != 1 else "") if unit.pi else f"{float(unit.value):.8g}"
+    above, below = unit.value.numerator, unit.value.denominator
+    angle = (f"{above}π" if above > 1 else "π") + (f"/{below}" if below > 1 else "")
+    size = angle if unit.pi else f"{float(unit.value):.8g}"
     return f"{name} = {size}".replace("e-0", "e-").replace("e+0", "e")
 
 

@@ -85,7 +85,8 @@ EXPRESSIONS = [
     [
         ("numbers", "`3`, `0.5`, `1e-3`; decimals with a point, between 1e-60 and 1e60."),
         ("units", "A number followed by a unit is one value: `0.5 m`, `9.81 m/s^2`, `2 kN*m/rad`. It takes the longest "
-         "chain of units that `*`, `/` and `^` join after it; `0.5 m` is half a metre whatever is called m."),
+         "chain of units that `*`, `/` and `^` join after it, powers such as `N/m^(3/2)` with them; `0.5 m` is half a "
+         "metre whatever is called m."),
         ("names", "Letters, digits and _, a letter first, at most 32. Greek letters and their names are the "
          "same: `φ1` is `phi1`. `pi` is π. Upper and lower case differ."),
         ("operators", "`+ - * / ^` (or `**`) and parentheses. There is no implicit multiplication: `2*x`."),
@@ -101,7 +102,8 @@ EXPRESSIONS = [
     "as in `sin(2*pi*f*t)` and `m*4*pi^2*f^2`; `frf[x, F](5 Hz)` takes either. `1/f` is a period. `rpm` is angular, "
     "`rad` is 1, and a rate in 1/s, such as `v/R`, fits both.",
     "Where a scene has a name that is also a unit, `2 N*m` within a longer expression could mean two things and is "
-    "refused: write `(2 N)*m` or `(2 N*m)`.",
+    "refused: write `(2 N)*m` or `(2 N*m)`. So is a value of its own where the name fits too: `36 km/h` beside a time "
+    "h.",
     "An expression has at most 2000 characters and 64 levels of parentheses. In YAML, put quotes around a key "
     "that holds brackets when it stands within braces: `{\"omega[1]\": 3 rad/s}`.",
 ]
