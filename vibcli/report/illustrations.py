@@ -13,7 +13,7 @@ def schematic(problem, _):
     yield from section("The scene", _picture("scene", "The scene as drawn", draw(problem)))
 
 
-def mode_pictures(problem, _):
+def mode_pictures(problem, report):
     """The shapes of the lowest modes on the scene at rest."""
     if problem.symbolic:
         return
@@ -22,15 +22,15 @@ def mode_pictures(problem, _):
 
     moving = [mode for mode in problem.modes if not mode.rigid][:SHOWN]
     yield from section("Mode shapes on the scene at rest", *(
-        _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index))._replace(
-            animated=partial(_moving, problem, mode.index)) for mode in moving))
+        _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index, normalise=report.normalise))._replace(
+            animated=partial(_moving, problem, mode.index, report.normalise)) for mode in moving))
 
 
-def _moving(problem, index):
+def _moving(problem, index, normalise):
     """The bytes of a GIF of a mode."""
     from vibcli.report.drawing.animation import data, of_mode
 
-    return data(*of_mode(problem, index), title="", kind="gif")
+    return data(*of_mode(problem, index, normalise), title="", kind="gif")
 
 
 def plot(name, caption, figure):

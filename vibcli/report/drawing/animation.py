@@ -10,11 +10,11 @@ FRAMES, PACE = 36, 45               # of one period; milliseconds
 PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of the fastest; frames
 
 
-def of_mode(problem, index):
+def of_mode(problem, index, normalise="first"):
     """(frames, caption, names of the frames) of one period of a mode."""
     found = mode(problem, index)
     stage = compose.Stage(problem.scene)
-    vibration = Vibration(problem, index, stage)
+    vibration = Vibration(problem, index, stage, normalise)
     frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit) for theta in phases(FRAMES)]
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 

@@ -9,10 +9,10 @@ from vibcli.report.drawing.vibration import Vibration, caption, mode
 QUIET = ("spring", "damper", "oil", "ground", "fixed", "rope", "belt")     # roles that stay out of the grey position
 
 
-def draw(problem, index, both=False):
+def draw(problem, index, both=False, normalise="first"):
     """The primitives of a mode; `both`: also displaced the other way, dashed."""
     stage = compose.Stage(problem.scene)
-    vibration = Vibration(problem, index, stage)
+    vibration = Vibration(problem, index, stage, normalise)
     found = ghost(part for part in frame(stage, vibration.rest, vibration.unit) if part.role not in QUIET)
     if both:
         other = frame(stage, vibration.at(pi), vibration.unit)

@@ -1,7 +1,7 @@
 """Positions of a scene in motion: those of a mode shape, and those of any motion given in time.
 
-A mode displaces q − q_equilibrium = a Re(shape e^{iθ}); a is such that the largest displacement is a readable part of
-the figure, and smaller where the loops of the scene cannot follow so far.
+A mode displaces q − q_equilibrium = a Re(shape e^{iθ}), a > 0, by the shape that the table tells; a is such that the
+largest displacement is a readable part of the figure, and smaller where the loops of the scene cannot follow so far.
 """
 
 from cmath import exp, phase
@@ -40,15 +40,14 @@ class Vibration:
     """A mode about the equilibrium: `at(theta)` is the Sketch at a phase, `unit` the points for one metre of lumped
     bodies, `rest` the equilibrium."""
 
-    def __init__(self, problem, index, stage):
+    def __init__(self, problem, index, stage, normalise="first"):
         if not stage.scene.bodies:
             raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
                                "`vibcli frequencies` prints the shapes in numbers")
         self.stage, self.names = stage, problem.scene.coordinates
         self.base = problem.equilibrium.values
-        shape = [complex(value) for value in mode(problem, index).shape]
-        largest = max(shape, key=abs)
-        turn = exp(-1j * phase(largest))
+        shape = [complex(value) for value in problem.shape(mode(problem, index), normalise)]
+        turn = exp(-1j * _lead(max(shape, key=abs)))
         self.shape = [value * turn for value in shape]
         self.rest = self._required(0.0, 0.0)
         self._scale()
@@ -89,6 +88,13 @@ class Vibration:
                 return
             self.amplitude *= 0.7
         raise PhysicsError("the loops of this scene cannot follow this mode", "ask for another mode")
+
+
+def _lead(amplitude):
+    """By how much of a period an amplitude leads its largest displacement to either side, at most a quarter: what is
+    in phase with it moves as its sign in the table says."""
+    lead = phase(amplitude)
+    return lead - pi if lead > pi / 2 else lead + pi if lead <= -pi / 2 else lead
 
 
 def largest_displacement(rest, moved, stage):
