@@ -59,15 +59,16 @@ def lowered(expression, table, symbol):
 def _about(problem, number):
     """The problem about one of all its equilibria."""
     if number > _number(problem):
-        raise PhysicsError(f"there is no equilibrium {number}: this scene has {_number(problem) or 'none'} within the "
-                           "bounds", "ask for one that it has, or give bounds as in find: {equilibria: all, within: …}")
+        raise PhysicsError(f"there is no equilibrium {number}: {_number(problem) or 'none'} "
+                           f"{'is' if _number(problem) < 2 else 'are'} found within the bounds",
+                           "ask for one of these, or give bounds as in find: {equilibria: all, within: …}")
     return problem.about_each[number - 1]
 
 
 def _number(problem):
-    """How many equilibria there are; refused where the search could not be finished."""
+    """How many equilibria are found; refused where the search could not be finished."""
     found = problem.equilibria
-    if not found.complete:
+    if found.cut:
         raise PhysicsError("the search for all equilibria was cut short: their number is not known",
                            "give narrower bounds, as in find: {equilibria: all, within: …}")
     return len(found.items)

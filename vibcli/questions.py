@@ -48,8 +48,8 @@ ASKED = {
     "equilibrium": Asked(("signal",), None, "a coordinate or signal in equilibrium"),
     "Q": Asked(("coordinate",), None, "generalised force of weights, springs and steady loads at rest, δA = Σ Q δq"),
     "stable": Asked((), "1", "`true` where the equilibrium is stable"),
-    "equilibria": Asked((), "1", "number of equilibria within the bounds that `find` gives, or default ones; a line of "
-                        "neutral ones counts once"),
+    "equilibria": Asked((), "1", "number of equilibria found within the bounds that `find` gives, or default ones; a "
+                        "line of neutral ones counts once"),
     "equation": Asked(("coordinate",), None,
                       "equation of small oscillations, the coordinates counted from equilibrium"),
     "motion": Asked(("coordinate",), None, "full equation of motion"),

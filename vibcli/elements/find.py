@@ -61,7 +61,9 @@ _IN_FREQUENCY = Element(
 )
 ELEMENT = Element(
     "request",
-    "A question with particulars. Of all equilibria: each within bounds, with its residual and whether it is stable. "
+    "A question with particulars. Of all equilibria: each within bounds, with its residual and whether it is stable, "
+    "and whether it is proved that there are no others (of up to three coordinates without closed loops, by interval "
+    "arithmetic; not at degenerate ones, nor where forces jump). "
     "Without bounds angles are searched over one turn and lengths to twice the size of the figure on either side of "
     "the drawn position. Positions one turn apart count once where the forces are the same there; a line of neutral "
     "positions counts once.",

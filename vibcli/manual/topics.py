@@ -43,7 +43,8 @@ FIND = {
     "energies": "kinetic and potential energy and the dissipation function",
     "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "
                    "`equilibrium:` names, and whether it is stable",
-    "equilibria": "`{equilibria: all}`: all positions of equilibrium within bounds, each stable or not",
+    "equilibria": "`{equilibria: all}`: all positions of equilibrium that are found within bounds, each stable or not; "
+                  "it is told whether it is proved that there are no others",
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
@@ -290,7 +291,8 @@ PATIENCE = [
         ("a full motion", "100000 steps, each a few oscillations of its fastest part. It is stopped sooner, after 2000 "
          "steps, where it would need ten times as many as it may take. Up to where it has come its values are known."),
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
-         "listed, as a search that was cut short."),
+         "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
+         "bounds, of three coordinates at 20000."),
     ],
 ]
 

@@ -10,6 +10,7 @@ from vibcli.mechanics.equilibrium import Equilibrium
 from vibcli.mechanics.families import Family
 from vibcli.mechanics.found import Found
 from vibcli.mechanics.kinks import KINKED
+from vibcli.mechanics.proof import proved
 from vibcli.mechanics.scaled_forces import Forces, TooMuch, idle
 from vibcli.work import Spent
 
@@ -29,13 +30,14 @@ class Item:
 
 class Equilibria:
     """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
-    those searched; complete: False where the search was cut short; linear: are the forces, so that there is no other?
-    forces: the Forces that were searched."""
+    those searched; complete: is it proved that there are no others; cut: was the search cut short; linear: are the
+    forces, so that there is no other? forces: the Forces that were searched."""
 
-    __slots__ = ("bounds", "complete", "forces", "items", "linear")
+    __slots__ = ("bounds", "complete", "cut", "forces", "items", "linear")
 
-    def __init__(self, items, bounds, complete, linear, forces):
+    def __init__(self, items, bounds, complete, linear, forces, cut=False):
         self.items, self.bounds, self.complete, self.linear, self.forces = items, bounds, complete, linear, forces
+        self.cut = cut
 
 
 def find_equilibria(problem):
@@ -48,7 +50,7 @@ def find_equilibria(problem):
     names = [name for name in problem.scene.coordinates if name not in loose]
     forces = Forces(problem, names)
     rests = _reached(problem)
-    complete, linear = True, problem.is_linear and not problem.scene.table.called.intersection(KINKED)
+    linear = problem.is_linear and not problem.scene.table.called.intersection(KINKED)
     if not names:
         return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
     if linear:
@@ -63,16 +65,18 @@ def find_equilibria(problem):
                 found.add(place)
             if not linear:
                 _search(forces, found, [forces.vector(problem.drawn_floats)])
+            cut = False
         except (Spent, TooMuch) as stopped:
             if isinstance(stopped, Spent) and stopped.task is not task:
                 raise
-            complete = False
+            cut = True
+    complete = linear or (not cut and proved(forces, found))
     known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
     items = [_item(forces, place, (), loose, known) for place in found.isolated]
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
     items.sort(key=lambda item: [round(x, 7) + 0.0 for x in forces.vector(item.equilibrium.values)])
     limits = {name: pair for name, pair in limits.items() if np.all(np.isfinite(pair))}
-    return Equilibria(items, limits, complete, linear, forces)
+    return Equilibria(items, limits, complete, linear, forces, cut)
 
 
 def _reached(problem):

@@ -4,8 +4,6 @@ Newton's method and the way down from the place give a first one; within its dis
 coordinate is scanned, of several Newton's method starts from further points of a box that shrinks with each nearer one.
 """
 
-from contextlib import suppress
-
 import numpy as np
 
 from vibcli.errors import PhysicsError
@@ -15,7 +13,8 @@ from vibcli.mechanics.families import SINGULAR, free_directions, null_directions
 from vibcli.mechanics.found import Found
 from vibcli.mechanics.kinks import KINKED
 from vibcli.mechanics.newton import settled, zero_from
-from vibcli.mechanics.scaled_forces import Forces, TooMuch
+from vibcli.mechanics.scaled_forces import Forces
+from vibcli.work import Spent
 
 WORK, STARTS, SAMPLES = 20_000, 24, 12         # evaluations; starts and samples for each coordinate
 FIRST, WIDEST, FAR, FINEST = 1.0, 16.0, 1e6, 1 / 16
@@ -34,8 +33,12 @@ def nearest_equilibrium(problem, start):
         fallen = find_equilibrium(problem, start)
     except PhysicsError as error:
         refusal = error
-    with suppress(TooMuch):
-        search.run(fallen)
+    with problem.work.task("the search for the nearest equilibrium", WORK) as task:
+        try:
+            search.run(fallen)
+        except Spent as spent:      # the nearest one that was met is kept
+            if spent.task is not task:
+                raise
     if search.best is None and fallen is None:
         raise refusal
     return search.found(fallen)
@@ -52,13 +55,12 @@ class _Nearest:
         forces.learn_periods()
         n = len(self.origin)
         forces.learn_sizes(self.origin + 2 * fractions - 1 for fractions in starts.halton(n, SAMPLES * n))
-        forces.left, self.best = WORK, None
+        self.best = None
 
     def found(self, fallen):
         """The Equilibrium at the nearest place, `fallen` where there is none; the drawn position to the last digit
         where it is that."""
         forces, place = self.forces, self.best
-        forces.left = np.inf
         if place is None:
             return Equilibrium(fallen.values, False, fallen.residual, fallen.steps, self.start)
         if self.problem.drawn_numbers is not None:

@@ -9,6 +9,7 @@ import numpy as np
 from vibcli.algebra.evaluate import Floats
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
+from vibcli.mechanics.linearisation import residual_terms
 
 HUGE, MOST_CLOSED, JUMP = 1e140, 1000, 1.5
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere
@@ -159,13 +160,24 @@ def near_drawn(forces, count):
 
 
 def idle(problem):
-    """The coordinates on which no force depends and along which none acts."""
+    """The coordinates on which no force depends and along which none acts: near the drawn position, and anywhere (a
+    force with a clearance may begin farther off)."""
     forces = Forces(problem, problem.scene.coordinates)
-    found = np.ones(len(forces.names), bool)
+    found = np.array([not _is_felt(problem, row) for row in range(len(forces.names))], bool)
     for place in map(forces.at, near_drawn(forces, 4)):
         if place is not None:
             found &= ~place.J.any(axis=0) & (place.size == 0)
     return [name for name, free in zip(forces.names, found, strict=True) if free]
+
+
+def _is_felt(problem, row):
+    """Does a coordinate stand in a condition of equilibrium, or has it one of its own? Of linear equations, and where
+    loops are closed, places near the drawn one tell."""
+    if problem.scene.loops is not None or (problem.is_linear and not problem.scene.table.called):
+        return False
+    terms = residual_terms(problem.form)
+    return any(not term.is_zero for term in terms[row]) or any(
+        term.mask & problem.scene.q[row].mask for row_terms in terms for term in row_terms)
 
 
 def _is_open(dimension):

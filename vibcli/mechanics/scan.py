@@ -13,6 +13,7 @@ from vibcli.mechanics.scaled_forces import TURN
 
 CELLS, WIDEST = 256, 16           # cells a turn, or a length of 2π times the figure; turns up to which they are added
 NARROW, WIDE, STEEP = 1e-10, 1e-2, 1e3
+AT_END = 1e-8                     # of a stretch: a kink there is no zero of its own
 EDGE = {False: 1e-6, True: 1e-4}  # how far cells are cut where forces end, or loops can no longer be closed
 
 
@@ -24,7 +25,9 @@ def zeros(forces, low, high, finest=1):
     found, flat = [], []
     for a, b in pairwise(edges):
         _search(forces, a, b, found, flat)
-    return found + [_stretch(forces, *group) for group in _joined(flat)]
+    stretches = [_stretch(forces, *group) for group in _joined(flat)]
+    ends = [ends for _, ends in stretches if ends is not None]
+    return [pair for pair in found if not any(a - AT_END <= pair[0].z[0] <= b + AT_END for a, b in ends)] + stretches
 
 
 def _edges(forces, points):

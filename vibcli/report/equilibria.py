@@ -10,6 +10,8 @@ from vibcli.report.notation import plain
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
          FALLING: "unstable by terms beyond the linear ones", OPEN: "no small oscillations: a kink"}
 WIDEST = 6      # coordinates side by side
+PROVED = "proved by interval arithmetic: there are no others within these bounds"
+OPEN_LIST = "found by search: it is not proved that there are no others"
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
 
@@ -24,8 +26,14 @@ def equilibria(problem, _):
         "Equilibria", _table(problem) if found.items else paragraph("none"),
         *(paragraph(f"{number}: {warning}", hang=3) for number, warning in warned if warning),
         paragraph("searched: ", *separated(limits)) if limits else None,
-        paragraph("the equations are linear: there are no others") if found.linear and found.items else None,
-        None if found.complete else paragraph(CUT, hang=None))
+        _others(found))
+
+
+def _others(found):
+    """A paragraph: are there others?"""
+    if found.linear:
+        return paragraph("the equations are linear: there are no others") if found.items else None
+    return paragraph(PROVED if found.complete else CUT if found.cut else OPEN_LIST, hang=None)
 
 
 def equilibrium_warning(problem):
@@ -88,7 +96,7 @@ def _direction(free):
 
 def equilibria_data(problem):
     """{equilibria: [{coordinates, dependent, stable, kind, growth_rate, residual, omega, free, warning}],
-    search: {bounds, complete}}."""
+    search: {bounds, complete, cut}}."""
     found, entries = problem.equilibria, []
     for item, about in zip(found.items, problem.about_each, strict=True):
         result = judged(about)
@@ -99,4 +107,4 @@ def equilibria_data(problem):
             "omega": _omega(about, result),
             "free": item.free, "warning": _warning(about)})
     limits = {name: [float(low), float(high)] for name, (low, high) in found.bounds.items()}
-    return {"equilibria": entries, "search": {"bounds": limits, "complete": found.complete}}
+    return {"equilibria": entries, "search": {"bounds": limits, "complete": found.complete, "cut": found.cut}}

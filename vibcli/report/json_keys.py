@@ -25,7 +25,7 @@ KEYS = {
     "equilibrium.condition": "by which factor a relative change of the data grows in a frequency squared; null in "
                              "letters",
     "equilibrium.warning": "a sentence where the equilibrium is near a bifurcation, else null",
-    "equilibria": "where `find` asks for them: a list of all equilibria within the bounds, in ascending order",
+    "equilibria": "where `find` asks for them: a list of all equilibria found within the bounds, in ascending order",
     "equilibria[].coordinates": "{name: value}",
     "equilibria[].dependent": "{name: value} of the coordinates that constraints tie to the others",
     "equilibria[].stable": "true or false (motion that costs no energy counts as stable); null where a kink leaves it "
@@ -39,7 +39,9 @@ KEYS = {
     "equilibria[].warning": "a sentence where it is near a bifurcation, else null",
     "search": "of the search for all equilibria",
     "search.bounds": "{name: [least, greatest]}; empty where the equations are linear",
-    "search.complete": "false where the search was cut short and there may be more",
+    "search.complete": "true where it is proved that there are no others within the bounds; false where there may be "
+                       "more",
+    "search.cut": "true where the search was cut short",
     "energies": "as expressions of the language of scenes, in solve and equations",
     "energies.T": "kinetic energy",
     "energies.V": "potential energy, without constants",
