@@ -220,8 +220,26 @@ class FullSignal(Signal):
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         with np.errstate(all="ignore"):
-            found = evaluate([self.node], Arrays, values)[0]
+            node = self._with_senses(trajectory, times, values)
+            found = evaluate([node], Arrays, values)[0]
         return require_finite(np.broadcast_to(found, times.shape), times)
+
+    def _with_senses(self, trajectory, times, values):
+        """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
+        from vibcli.algebra.arrays import Arrays
+        from vibcli.algebra.calculus import substitute
+        from vibcli.algebra.expression import reachable
+
+        signs = [part for part in reachable([self.node]) if part.name == "sign" and part.mask]
+        if not signs:
+            return self.node
+        from vibcli.analyses.trajectory.senses import senses
+
+        scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
+        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
+        symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
+        values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
+        return substitute([self.node], symbols)[0]
 
     def zeros(self, start, end, level=0.0):
         """Instants at which the signal passes a level."""

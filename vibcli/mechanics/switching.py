@@ -79,14 +79,15 @@ class Switching:
 
     def settled(self, t, q, v, before=None, zero=(), slides=()):
         """(senses, switches that slide) at an instant; `before`: senses until then, None at the start; `zero`: switches
-        whose argument is known to vanish, or which leave their slide, being among those that `slides` until then."""
+        whose argument is known to vanish, or which leave their slide, being among those that `slides` until then: the
+        arguments of these vanish but for drift."""
         if not self.count:
             return (), ()
         g = np.array(before if before is not None else np.ones(self.count))
         q1, v1, t1 = q[:, None], v[:, None], np.array([t])
         values = self.values(t1, q1, v1, g)[:, 0]
         tiny = np.abs(values) <= NOTHING * self.sizes(t, q, v, g)
-        tiny[list(zero)] = True
+        tiny[[*zero, *slides]] = True
         g = np.where(tiny, g, np.where(values < 0, -1.0, 1.0))
         slow = [k for k in np.flatnonzero(tiny) if not self._at_speed[k]]
         for k in slow:

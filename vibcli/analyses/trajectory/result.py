@@ -39,8 +39,8 @@ class Trajectory:
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops."""
 
-    def __init__(self, system, windows, until, events, balance, drift):
-        self.system, self.names = system, list(system.scene.coordinates)
+    def __init__(self, system, switching, windows, until, events, balance, drift):
+        self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
         self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
         self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
         self.lengths = np.array([window.length for window in windows])
@@ -51,7 +51,7 @@ class Trajectory:
         times = np.atleast_1d(np.asarray(times, dtype=float))
         self._require(times)
         found = np.empty((3, len(self.names), len(times)))
-        number = np.clip(np.searchsorted(self.starts, times, side="right") - 1, 0, len(self.windows) - 1)
+        number = self._numbers(times)
         P = rule(POINTS).basis(2 * (times - self.starts[number]) / self.lengths[number] - 1)
         order = np.argsort(number, kind="stable")
         cuts = np.flatnonzero(np.diff(number[order])) + 1
@@ -61,6 +61,23 @@ class Trajectory:
                 found[:, :, group] = window.summed(times[group] - window.start,
                                                          P[:window.rule.points + 2, group])
         return found[0], found[1], found[2]
+
+    def _numbers(self, times):
+        """Of the windows in which the times lie."""
+        return np.clip(np.searchsorted(self.starts, times, side="right") - 1, 0, len(self.windows) - 1)
+
+    def held(self, times):
+        """{number of a switch: σ by which it is held at the times, NaN where it is not}."""
+        found, number = {}, self._numbers(times)
+        for i in np.unique(number):
+            window = self.windows[i]
+            if window.slides:
+                here = number == i
+                q, v, _ = self.at(times[here])
+                sigma = self.switching.sliding(window.slides, times[here], q, v, window.g)[1]
+                for k, values in zip(window.slides, sigma, strict=True):
+                    found.setdefault(k, np.full(times.shape, np.nan))[here] = values
+        return found
 
     def cut(self, instant, name):
         """End at the instant at which a rope goes slack."""

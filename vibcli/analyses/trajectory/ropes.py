@@ -9,6 +9,8 @@ import numpy as np
 from vibcli.algebra.arrays import Arrays
 from vibcli.algebra.evaluate import evaluate
 from vibcli.analyses.trajectory.passages import passages
+from vibcli.analyses.trajectory.senses import senses
+from vibcli.mechanics.compiled import Compiled
 
 NOTHING = 1e-10         # of the largest tension: no push
 
@@ -45,4 +47,6 @@ def tensions(problem, loose, trajectory, times):
         nodes = [scene.symbol(name, primes) for primes in (0, 1) for name in loose.scene.coordinates]
         found = [np.broadcast_to(value, times.shape) for value in evaluate(nodes, Arrays, values)]
         q, v = np.array(found[:loose.n]), np.array(found[loose.n:])
-    return loose.solved(times, q, v, (1.0,) * len(loose.switches))[1]
+    arguments = list(loose.switches)
+    values = Compiled(loose.scene, loose.floats, None, arguments)(times, q, v) if arguments else ()
+    return loose.solved(times, q, v, senses(trajectory, loose.scene, arguments, values, times))[1]

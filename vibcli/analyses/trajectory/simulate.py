@@ -44,7 +44,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None):
             if spent.task is not task or not march.windows:
                 raise
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
-    found = Trajectory(system, march.windows, until, events, energies, drift(system, march.windows))
+    found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows))
     if any(tie.form == "rope" for tie in problem.scene.constraints):
         all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
         gone = slack(problem, all_of_it, found)
@@ -117,6 +117,7 @@ def _strike(march, stops, until, events):
         soon = march.t + 1e-10 * (stops.after(march.t, until) - march.t)
         g, _ = march.switching.settled(soon, march.q, march.v, march.g)
         before, march.v = march.v, march.system.struck(soon, march.q, march.v, g, blows)
+        march.slides = ()
         march.struck.append((march.t, march.q, before, march.v))
         events.append(Event(march.t, "impulse", ""))
 
