@@ -69,19 +69,26 @@ def coordinate_name(spec, index):
     return index if index in spec.coordinates else None
 
 
+def _is_parameter(spec, name):
+    """Is a name that can be asked for, such as T, that of a chosen parameter or of one that measures something else?"""
+    measured = spec.dimensions.of(name) if name in spec.parameters else None
+    return name in spec.choices or (measured is not None and measured != units.parse_unit(ASKED[name].unit).dimension)
+
+
 def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not is_choice(spec, tree):
+    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not _is_parameter(spec, tree[3]):
         tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
         asked.tree = tree
     whole = tree[0] == "quantity"
     for quantity in quantities_in(tree):
         if not can_be_asked(spec, reader, asked, quantity):
             return
-    chosen = {name for name, *_ in names_in(tree)} & set(spec.get("choose") or ())
-    if not whole and not quantities_in(tree) and not chosen:
+    names = {name for name, *_ in names_in(tree)} - {"pi"}
+    of_parameters = names & set(spec.choices) or (names and names <= set(spec.parameters))
+    if not whole and not quantities_in(tree) and not of_parameters:
         if asked.text in ASKED:
             needs = "an index" if ASKED[asked.text].indices else "a signal"
             reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage(asked.text)}")

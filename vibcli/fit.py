@@ -37,7 +37,8 @@ def check(spec, reader, expression, names, expected, local=None):
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
-            reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names))
+            reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names, any(
+                expression is motion for motion in reader.motions)))
     _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
@@ -153,7 +154,7 @@ def _primes(spec, reader, expression, name, primes, start, end):
         reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
-def _unknown(spec, name, names):
+def _unknown(spec, name, names, moves):
     if name == "t":
         return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
     if name in spec.named.get("records", ()):
@@ -167,7 +168,10 @@ def _unknown(spec, name, names):
         return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
     hint = nearest(name, names)
     if names is not spec.parameters and (not hint or hint.startswith("valid")):
-        hint = f"a parameter is declared under `parameters:`, a coordinate by a motion such as `slide: {name}`"
+        hint = "a parameter is declared under `parameters:`, a coordinate " + (
+            f"within an expression by `coordinates: [{name}]`" if moves else f"by a motion such as `slide: {name}`")
+    elif moves:
+        hint += f" Or declare a new coordinate: `coordinates: [{name}]`"
     return f"unknown name '{name}'", hint
 
 

@@ -11,6 +11,7 @@ from vibcli.algebra.meaning import (
 from vibcli.algebra.parse import parse
 from vibcli.diagnostics import quoted
 from vibcli.elements.initial import RELEASED
+from vibcli.fields import NamedPlace
 from vibcli.fit import check, check_whole_literal
 from vibcli.questions import dimension
 from vibcli.reading import Record, nearest
@@ -27,6 +28,7 @@ def resolve(spec, reader):
     spec.coordinates = _coordinates(spec, reader)
     call_records(spec, reader)
     _references(spec, reader)
+    _named_places(spec, reader)
     _units_of_symbols(spec, reader)
     expected = [answer.expected for answer in spec.answers] + [answer.asked for answer in spec.answers]
     apart = set(map(id, expected)) | {id(a.rtol) for a in spec.answers}
@@ -149,6 +151,10 @@ def _references(spec, reader):
             reader.report(name.where, f"'{name.text}' is a point, expected the name of a body",
                           nearest(name.text, valid))
             continue
+        if namespaces == ("points",) and name.text in spaces["bodies"]:
+            reader.report(name.where, f"'{name.text}' is a body, expected {wants}",
+                          "name the place under `points`, and draw both there")
+            continue
         if name.text == "ground" and "points" in namespaces and "place" in wants:
             reader.report(name.where, f"expected {wants}, found 'ground'", "a place on the ground is written [x, y]")
             continue
@@ -157,7 +163,23 @@ def _references(spec, reader):
                       nearest(name.text, valid) or f"expected {wants}")
 
 
-_KINDS = {"surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
+def _named_places(spec, reader):
+    """Every named place is that at which the point is drawn; points may be drawn at points, but not in a circle."""
+    points = spec.get("points") or {}
+    for place in reader.named_places:
+        at, passed = place, []
+        while isinstance(at, NamedPlace) and at.name.text in points and at.name.text not in passed:
+            passed.append(at.name.text)
+            at = points[at.name.text]["at"]
+        if isinstance(at, NamedPlace) and at.name.text in passed:
+            reader.report(place.name.where, f"the place of '{passed[0]}' is not given: it is drawn at "
+                          + " → ".join(f"'{name}'" for name in [*passed[1:], at.name.text]),
+                          "give one of these points a place [x, y]")
+        elif at is not place:
+            place[:] = at
+
+
+_KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
 
 
 def _units_of_symbols(spec, reader):

@@ -44,7 +44,7 @@ class Reader:
     def __init__(self, files=None):
         self.files = {} if files is None else files
         self.diagnostics, self.expressions, self.motions, self.loads, self.references = [], [], [], [], []
-        self.local_names = {}
+        self.local_names, self.named_places = {}, []
         self.sound = True
 
     def report(self, where, message, hint=None):

@@ -8,9 +8,9 @@ from vibcli.questions import ALL, ASKED
 
 ELEMENT = Element(
     "answer",
-    "What the scene is known to answer: `omega[1]: 21.9 rad/s`, `equation[phi]: m*phi'' + k*phi = 0`. A written number "
-    "allows half a unit of its last digit, never more than 0.5 %; one of fewer than three digits is exact, and so is "
-    "an expression, unless `rtol` is given.",
+    "What the scene is known to answer: `omega[1]: 21.9 rad/s`, `equation[phi]: m*phi'' + k*phi = 0`, or of "
+    "parameters `k_t: 5.00 N/m`. A written number allows half a unit of its last digit, never more than 0.5 %; one of "
+    "fewer than three digits is exact, and so is an expression, unless `rtol` is given.",
     {
         "value": Field(Quantity(), "the expected value", required=True),
         "rtol": Field(Quantity("1"), "relative tolerance"),

@@ -7,17 +7,16 @@ parallel axis theorem; a part with `cut: true` counts negative.
 
 from vibcli.elements import fitting, rim
 from vibcli.elements.shapes import LAWS, NEEDS
-from vibcli.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load, vector
+from vibcli.fields import DRAWN, Choice, Element, Field, Flag, Lazy, Many, Quantity, load
 
-_AT = vector("m", "a place [x, y]")
 _SHAPE = {
     "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
     "mass": Field(Quantity("kg"), "its mass; massless without it"),
     "density": Field(Quantity(), "mass per area (or per length of a rod, ring or arch), instead of the mass"),
-    "at": Field(_AT, "where its mass centre is drawn; of a sector or arch, and beside `parts`, the centre O of its "
+    "at": Field(DRAWN, "where its mass centre is drawn; of a sector or arch, and beside `parts`, the centre O of its "
                 "circle"),
-    "from": Field(_AT, "one end of a rod"),
-    "to": Field(_AT, "the other end of a rod"),
+    "from": Field(DRAWN, "one end of a rod"),
+    "to": Field(DRAWN, "the other end of a rod"),
     "angle": Field(Quantity("rad"), "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
                    "rectangle, a of an ellipse; 0 is along +x"),
     "radius": Field(Quantity("m"), "radius of a disc, ring, sector or arch"),

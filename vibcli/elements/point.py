@@ -1,13 +1,13 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
-from vibcli.fields import BODY, Element, Field, Many, Motion, vector
+from vibcli.fields import BODY, DRAWN, Element, Field, Many, Motion
 
 ELEMENT = Element(
     "point",
     "A named place: `[x, y]` is fixed; `{body: rod, at: [x, y]}` is carried by a body, `at` being where it is drawn "
     "in the fixed frame; `{at: [x, y], moves: [ux, uy]}` is driven.",
     {
-        "at": Field(vector("m", "a place [x, y]"), "where it is drawn, in the fixed frame", required=True),
+        "at": Field(DRAWN, "where it is drawn, in the fixed frame", required=True),
         "body": Field(BODY, "the body that carries it"),
         "moves": Field(Many(Motion("m"), 2, 2, "a displacement [ux, uy]"), "its displacement, driven by expressions of "
                        "the time: [0, Y*sin(Omega*t)]"),

@@ -1,7 +1,7 @@
 """Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
 from vibcli import units
-from vibcli.fields import BODY, Choice, Element, Field, Many, NewName, Quantity, vector
+from vibcli.fields import BODY, DRAWN, Choice, Element, Field, Many, NewName, Quantity
 
 
 def _settle(record, reader):
@@ -18,9 +18,9 @@ ELEMENT = Element(
     "What a body rolls or slides on: a straight line through two places, a circle with the body inside or outside of "
     "it, or (for sliding) a smooth curve y = f(x).",
     {
-        "line": Field(Many(vector("m", "a place [x, y]"), 2, 2, "two places [[x, y], [x, y]]"),
+        "line": Field(Many(DRAWN, 2, 2, "two places [[x, y], [x, y]]"),
                       "two places on the line; travel is positive from the first to the second"),
-        "circle": Field(vector("m", "a place [x, y]"), "the centre of a circle"),
+        "circle": Field(DRAWN, "the centre of a circle"),
         "radius": Field(Quantity("m"), "the radius of the circle"),
         "side": Field(Choice("inside", "outside"), "on which side of the circle the body is (default: outside)"),
         "curve": Field(Quantity("m"), "the height of a curve as a function of the abscissa named by `in`"),
