@@ -210,7 +210,7 @@ def test_growth_beyond_numbers_is_said():
         one(1.0, -1.0, 9.0, FREE, 1.0).values(q(0), [2000.0])
 
 
-@pytest.mark.parametrize("M", [[[0.0]], [[1.0, 1.0], [1.0, 1.0]], [[1.0, 0.0], [0.0, -1.0]]])
+@pytest.mark.parametrize("M", [[[1.0, 1.0], [1.0, 1.0]], [[1.0, 0.0], [0.0, -1.0]], [[0.0, 1.0], [1.0, 1.0]]])
 def test_without_inertia_there_is_no_motion(M):
     n = len(M)
     with pytest.raises(PhysicsError, match="no positive inertia"):

@@ -41,8 +41,10 @@ def value_of(problem, expression):
 
     value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
     if isinstance(value, complex) or not isfinite(value):
-        raise PhysicsError("this is complex: it is compared by its parts" if isinstance(value, complex) else
-                           "this is not a finite real number", "mind the signs under roots, and what may vanish",
+        if isinstance(value, complex) and isfinite(abs(value)):
+            raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
+                               expression.where)
+        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
                            expression.where)
     return value, worst
 
@@ -77,6 +79,10 @@ def _number(problem):
 def _mode(problem, indices):
     modes = problem.modes
     number = int(indices[0])
+    if not modes:
+        raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
+                           "inertia in this scene",
+                           "ask for decay[1] or eigenvalue[1]")
     if number > len(modes):
         raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}",
                            "ask for one that it has")
@@ -100,7 +106,7 @@ def _oscillating(problem, indices, what):
     mode = _mode(problem, indices)
     if mode.omega is None:
         raise PhysicsError(f"mode {indices[0]} is unstable: it has a growth rate, no {what}",
-                           "ask for growth_rate[i] or stable")
+                           f"ask for growth_rate[{indices[0]}] or stable")
     return mode
 
 
@@ -117,24 +123,21 @@ def _frequency(problem, indices, attribute):
 def _period(problem, indices, attribute):
     mode = _oscillating(problem, indices, "period")
     if not mode.omega:
-        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period", "ask for omega[i]: 0 rad/s")
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period", f"ask for omega[{indices[0]}]: 0 rad/s")
     return 6.283185307179586 / float(mode.omega), mode.error
 
 
 def _growth_rate(problem, indices, attribute):
     mode = _mode(problem, indices)
     if mode.growth_rate is None:
-        raise PhysicsError(f"mode {indices[0]} does not grow: it is not unstable", "ask for omega[i]")
+        raise PhysicsError(f"mode {indices[0]} does not grow: it is not unstable", f"ask for omega[{indices[0]}]")
     return float(mode.growth_rate), mode.error
 
 
 def _shape(problem, indices, attribute):
     mode = _mode(problem, indices[:1])
     amplitude = _along(problem, problem.shape(mode), coordinate_name(problem.spec, indices[1]) or indices[1])
-    if isinstance(amplitude, complex) and amplitude.imag:
-        raise PhysicsError(f"the amplitudes of mode {indices[0]} are not in phase: it has no real shape",
-                           "see `vibcli frequencies`")
-    return float(amplitude.real), 1e-11
+    return complex(amplitude) if isinstance(amplitude, complex) and amplitude.imag else float(amplitude.real), 1e-11
 
 
 def _along(problem, shape, signal):
@@ -182,7 +185,7 @@ def _decrement(problem, indices, attribute):
     zeta, error = _MEASURES["zeta"](problem, indices, attribute)
     if not zeta < 1:
         raise PhysicsError(f"damped mode {indices[0]} does not oscillate: it has no logarithmic decrement",
-                           "ask for its decay")
+                           f"ask for decay[{indices[0]}]")
     return 2 * pi * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
 
 

@@ -19,6 +19,7 @@ from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
 from vibcli.signals import ENERGIES
 
 LONGEST = 1e12      # seconds
+FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
 
 
 class Motion:
@@ -43,6 +44,11 @@ class Motion:
                                f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
         return end
 
+    @property
+    def start(self):
+        """({coordinate: value}, {coordinate: velocity}) at t = 0."""
+        return self.problem.start
+
     @cached_property
     def drive(self):
         """{i: Q(t)} of the small oscillations, in letters."""
@@ -54,6 +60,25 @@ def nonlinear(spec, owner):
     record = {**spec.get("springs", {}), **spec.get("dampers", {})}.get(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
+
+
+def check_start(problem, motion):
+    """Refuses a velocity of what has no inertia, and a place of what nothing holds back."""
+    record = problem.spec.get("initial")
+    if motion.system is None or record is None:
+        return
+    names, reach = problem.scene.coordinates, abs(motion.start).max() + abs(motion.q0).max()
+    for key in record.values:
+        i = names.index(key.rstrip("'")) if key.rstrip("'") in names else None
+        if i is None or motion.M[i, i]:
+            continue
+        if key.endswith("'"):
+            raise PhysicsError(f"'{names[i]}' has no inertia: its velocity follows from the forces and cannot be given",
+                               f"leave {key} out", record.place(key))
+        if abs(motion.start[i] - motion.q0[i]) > FOLLOWED * reach:
+            raise PhysicsError(f"nothing holds '{names[i]}' back, neither inertia nor a damper: at t = 0 it stands "
+                               f"{motion.start[i]:.6g} from where it rests, not {motion.q0[i]:.6g}", f"leave {key} out",
+                               record.place(key))
 
 
 class SmallMotion(Motion):
@@ -91,8 +116,19 @@ class SmallMotion(Motion):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.response.motion import linear_motion
 
-        return self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                  modes=self.modes)
+        found = self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                   modes=self.modes)
+        check_start(self.problem, found)
+        return found
+
+    @property
+    def start(self):
+        """The start, and where what has no inertia stands then."""
+        places, speeds = self.problem.start
+        if self.alone.system is None:
+            return places, speeds
+        rest = self.problem.equilibrium.values
+        return {name: rest[name] + float(x) for name, x in zip(places, self.alone.start, strict=True)}, speeds
 
     @cached_property
     def modes(self):
@@ -114,7 +150,8 @@ class SmallMotion(Motion):
         speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         if forcing.period is not None:
             speeds = [6.283185307179586 / forcing.period]
-        return duration(problem.modes, problem.damped, last, [speed for speed in speeds if speed])
+        modes = () if problem.damped else problem.modes
+        return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
 
     def signal(self, tree):
         """The signal of a tree."""

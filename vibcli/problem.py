@@ -163,9 +163,12 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
     @Stage
     def modes(self):
-        """The modes of the system without its dampers."""
+        """The modes of the system without its dampers; none where it would not oscillate."""
+        from vibcli.analyses.massless import only_damped
         from vibcli.analyses.spectrum import natural_modes
 
+        if self.elements.massless and only_damped(self.elements):
+            return []
         return self.named(natural_modes, self.elements, *self.sources)
 
     @cached_property

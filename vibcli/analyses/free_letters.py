@@ -4,6 +4,7 @@
     c² < 4 k m     e^{−δt} (q₀ cos ω_d t + (q̇₀ + δ q₀)/ω_d sin ω_d t)          δ = c/(2m), ω_d² = k/m − δ²
     c² = 4 k m     e^{−δt} (q₀ + (q̇₀ + δ q₀) t)
     c² > 4 k m     e^{−δt} (q₀ cosh βt + (q̇₀ + δ q₀)/β sinh βt)                β² = δ² − k/m
+    m = 0          q₀ e^{−(k/c) t}
 """
 
 from typing import NamedTuple
@@ -14,6 +15,7 @@ from vibcli.algebra.roots import root
 from vibcli.errors import NotInLetters
 
 UNDAMPED, UNDER, CRITICAL, OVER = "undamped", "under-damped", "critically damped", "over-damped"
+RELAXATION = "relaxation"
 
 
 class FreeMotion(NamedTuple):
@@ -32,6 +34,8 @@ def free_motions(m, c, k, start, rates, t, samples):
     if k.is_zero:
         raise NotInLetters("nothing brings this motion back: it is found in numbers", "give numbers with --set")
     x, v = start
+    if m.is_zero:
+        return [FreeMotion(RELAXATION, m.table.call("exp", -(shorter(textbook(k / c)) * t)), (x,), None, None)]
     table, delta = m.table, shorter(textbook(c / (2 * m)))
     if c.is_zero:
         omega = rates[UNDAMPED]
@@ -51,6 +55,8 @@ def free_motions(m, c, k, start, rates, t, samples):
 
 def regime_at(m, c, k):
     """The regime for numbers m, c, k."""
+    if not m:
+        return RELAXATION
     if not c:
         return UNDAMPED
     return CRITICAL if c * c == 4 * k * m else UNDER if c * c < 4 * k * m else OVER

@@ -20,12 +20,26 @@ from vibcli.analyses.quadratic import Eigenvalue, known, turning, vanishing
 from vibcli.analyses.symmetric import spectrum
 from vibcli.errors import PhysicsError
 
+LOOSE = 1e-13       # of the largest stiffness: what springs do not hold
+
 
 def dragged(elements):
     """The massless coordinates that a damper touches."""
     touched = {i for c, row in elements.dampers if c for i, x in row.items() if x}
     touched.update(i for at, x in turning(elements).items() if x for i in at)
     return sorted(touched.intersection(elements.massless))
+
+
+def only_damped(elements):
+    """Is there no system without the dampers: has nothing inertia, or do dampers alone hold what has none?"""
+    if not dragged(elements):
+        return False
+    if len(elements.massless) == elements.n:
+        return True
+    bare, stiffness = sorted(elements.massless), elements.matrices()[3]
+    K = np.array([[float(stiffness.get((i, j), 0.0)) for j in bare] for i in bare])
+    unit = 1 / np.sqrt(np.maximum(np.abs(K).max(axis=1), np.finfo(float).tiny))
+    return bool(np.linalg.svd(unit[:, None] * K * unit)[1][-1] <= LOOSE)
 
 
 class Reduced:

@@ -45,7 +45,8 @@ def damped_modes(elements, natural, precise=None, exact=None, digits=None):
         elements, precise, exact = _dragged(elements), _then(_dragged, precise), _then(_dragged, exact)
 
     found = damped(elements, precise=precise, exact=exact, digits=digits)
-    return _one_each(found, natural()) if any(not mode.omega for mode in found) else found
+    still = natural() if any(not mode.omega for mode in found) else ()
+    return _one_each(found, still) if still else found
 
 
 def _without(elements, *kinds):

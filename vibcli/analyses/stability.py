@@ -30,6 +30,8 @@ class Stability:
 def stability(problem):
     """The Stability of the equilibrium of a numeric problem."""
     modes = (problem.damped if _dampers_decide(problem.elements) else None) or problem.modes
+    if not modes:
+        return _of_first_order(problem.damped)
     if growing(modes):
         return Stability(UNSTABLE, float(max(growing(problem.damped or ()) or growing(modes))))
     kinds = problem.zero_modes.values()
@@ -38,6 +40,13 @@ def stability(problem):
     if "free" in kinds:
         return Stability(NEUTRAL)
     return Stability(HELD if kinds else STABLE)
+
+
+def _of_first_order(damped):
+    """Where nothing would oscillate without the dampers."""
+    if growing(damped):
+        return Stability(UNSTABLE, float(max(growing(damped))))
+    return Stability(NEUTRAL if any(not mode.omega for mode in damped) else STABLE)
 
 
 def judged(problem):

@@ -69,14 +69,17 @@ def value_at(problem, one, t, digits=None):
     from vibcli.errors import PhysicsError
     from vibcli.precise_motion import precise_value
 
-    if one.tree[0] != "name" or problem.spec.get("motion") == "full":
-        raise PhysicsError("--digits is for coordinates of small motions",
+    if problem.spec.get("motion") == "full":
+        raise PhysicsError("--digits is for small motions: more digits of one that is integrated are not found",
+                           "leave --digits out")
+    if one.tree[0] != "name" or one.tree[3] not in problem.scene.coordinates:
+        raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
                            "ask for --of " + problem.scene.coordinates[0])
     return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
 
 
 def _start(problem, motion, drive):
-    places, speeds = problem.start
+    places, speeds = motion.start
     parts = []
     for name, value in places.items():
         dimension = problem.dimension(name)

@@ -10,7 +10,7 @@ from vibcli.report.responses import curves_asked, extremes, signals_asked
 def response_data(problem, wanted):
     """{"until", "initial", "signals", "balance"} of a motion in time."""
     motion, asked = problem.motion, signals_asked(problem, wanted.signals)
-    places, speeds = problem.start
+    places, speeds = motion.start
     found = {"until": motion.until, "initial": {**places, **{name + "'": v for name, v in speeds.items()}},
              "signals": []}
     for one, (late, most), (early, least) in extremes(asked, motion.until):

@@ -3,7 +3,7 @@
 from vibcli.algebra.copied import copied
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table, reachable
-from vibcli.errors import NotInLetters
+from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Name, Terms, Words, equations, line, maths, paragraph, section
 from vibcli.report.letters import equilibrium_parts
 from vibcli.report.responses import symbol
@@ -89,7 +89,11 @@ def _from_the_start(problem, steady):
     start = start_in_letters(problem)
     general = start is None and not steady
     start = start or ([table.parameter(name + "0"), table.parameter(name + "0'")] if general else [table.zero] * 2)
-    start, prefix, meaning = _about_steady(problem, table, copied(start, table), steady.get(name))
+    massless = problem.matrices_in_letters[0].get((0, 0), problem.scene.table.zero).is_zero
+    if massless and not general and not start[1].is_zero:
+        raise PhysicsError(f"'{name}' has no inertia: its velocity follows from the forces and cannot be given",
+                           f"leave {name}' out")
+    start, prefix, meaning = _about_steady(problem, table, copied(start, table), steady.get(name), massless)
     m, c, k = (copied([entries.get((0, 0), problem.scene.table.zero)], table)[0]
                for entries in (problem.matrices_in_letters[i] for i in (0, 1, 3)))
     if not general and not steady and all(node.is_zero for node in start):
@@ -105,7 +109,7 @@ def _from_the_start(problem, steady):
     yield from section(title, *blocks, meaning)
 
 
-def _about_steady(problem, table, start, steady):
+def _about_steady(problem, table, start, steady, massless):
     """(start of the free part, parts of the steady part before it, what its letters mean)."""
     if steady is None:
         return start, (), None
@@ -122,7 +126,8 @@ def _about_steady(problem, table, start, steady):
     if formula.undamped:
         return start, prefix, None
     A, B = (table.parameter(letter(problem, name)) for name in "AB")
-    return (A, B), prefix, equations([line(A, " = ", start[0]), line(B, " = ", start[1])])
+    lines = [line(A, " = ", start[0]), line(B, " = ", start[1])]
+    return (A, B), prefix, equations(lines[:1] if massless else lines)
 
 
 def _at_start(problem, steady):
@@ -151,6 +156,8 @@ def _regime(name, motion, prefix, matrices):
     wave = tuple(node for node in motion.wave if not node.is_zero)
     if motion.decay is None:
         parts = [Terms((*prefix, *wave))]
+    elif len(wave) == 1 and wave[0].op != "sum":
+        parts = [Terms((*prefix, motion.decay * wave[0]))]
     else:
         parts = [*([Terms(prefix), " + "] if prefix else []), motion.decay, "·(", Terms(wave), ")"]
     lines = [line(Name(name), " = ", *parts)]

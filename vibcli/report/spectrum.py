@@ -1,15 +1,19 @@
 """Natural frequencies, damping and mode shapes."""
 
 from vibcli.analyses.shapes import WORDS
-from vibcli.report.blocks import Table, equations, line, section
+from vibcli.report.blocks import Table, equations, line, paragraph, section
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shapes
 
+WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ, log. decrement = 2πζ/√(1−ζ²))"
 
 
 def frequencies(problem, _):
     if problem.symbolic:
         yield from _frequencies_in_letters(problem)
+        return
+    if not problem.modes:
+        yield from section("Natural frequencies", paragraph("none are told: " + WITHOUT_DAMPERS))
         return
     same = repeated(problem.modes)
     rows = [mode_row(mode, problem.zero_modes.get(mode.index), mode.index in same) for mode in problem.modes]
@@ -32,6 +36,10 @@ def _frequencies_in_letters(problem):
     from vibcli.report.letters import damping_blocks, frequency_blocks
 
     equilibrium_in_letters(problem)  # refused where there is none
+    M, C, _, K = problem.matrices_in_letters
+    if len(problem.scene.q) == 1 and not M and C and K:
+        yield from section("Relaxation", equations([line("λ = ", -(K[0, 0] / C[0, 0]))]))
+        return
     forms = problem.closed_forms
     yield from section("Natural frequencies [rad/s]", *frequency_blocks(problem, forms))
     yield from section("Damping", *damping_blocks(forms))
@@ -55,7 +63,8 @@ def modes(problem, report):
             yield from section("Mode shapes (the first coordinate that moves is 1)",
                                *shape_blocks(names, problem.closed_forms))
         return
-    yield from _shapes(problem, report, problem.modes, f"Mode shapes ({WORDS[report.normalise]})")
+    if problem.modes:
+        yield from _shapes(problem, report, problem.modes, f"Mode shapes ({WORDS[report.normalise]})")
     if problem.damped is not None:
         yield from _shapes(problem, report, problem.damped, "Shapes of the damped modes", only_complex=True)
 

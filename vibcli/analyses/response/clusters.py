@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.response.condensed import leading
+
 CLOSE, EQUAL = 0.05, 1e-9
 TINY = 1e-6
 SKEW = 30.0
@@ -18,12 +20,15 @@ class Group(NamedTuple):
 
 
 def groups(M, C, K):
-    """The eigenvalues of λ² M + λ C + K in Groups: alone, but where close ones have nearly parallel vectors."""
+    """The eigenvalues of λ² M + λ C + K in Groups: alone, but where close ones have nearly parallel vectors.
+
+    Coordinates without inertia come last.
+    """
     A = first_order(M, C, K)
     values, V = np.linalg.eig(A)
     values, V = values.astype(complex), V.astype(complex)
     with np.errstate(over="ignore"):
-        skew = condition(values, V)
+        skew = condition(values, V, len(M))
     size, top = np.abs(values), np.abs(values).max(initial=0.0)
     gap = np.abs(np.subtract.outer(values, values))
     close = (gap <= CLOSE * np.maximum.outer(size, size)) | (np.maximum.outer(size, size) <= TINY * top)
@@ -49,14 +54,14 @@ def joined(found, i, j):
 
 
 def first_order(M, C, K):
-    """A of ż = A z, z = (q, q̇)."""
-    n = len(M)
-    return np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
+    """A of ẏ = A y, y = (q, q̇), the velocities being those of the h coordinates that have inertia."""
+    n, (h, lead) = len(M), leading(M, C)
+    rates = -np.linalg.solve(lead, np.concatenate([K, C[:, :h]], axis=1))
+    return np.concatenate([np.eye(h, n + h, n), rates])
 
 
-def condition(values, V):
+def condition(values, V, n):
     """How nearly each vector lies in the span of the others: ‖column‖ ‖row of the inverse‖, q̇ measured in |λ| q."""
-    n = len(V) // 2
     rates = np.maximum(np.abs(values), TINY * np.abs(values).max(initial=0.0)) + np.finfo(float).tiny
     try:
         N = np.linalg.inv(V)
@@ -83,7 +88,7 @@ def components(joined):
 
 def starting(M, C, K, group):
     """(X, B, half) with M X B² + C X B + K X ≈ 0 of one group: X, B real where the group holds its own conjugates."""
-    n, p = len(M), len(group.values)
+    n, p, whole = len(M), len(group.values), len(group.vectors)
     if p == 1:
         x, value = group.vectors[:n], group.values
         if not group.half:
@@ -91,7 +96,7 @@ def starting(M, C, K, group):
         if not group.half:
             x, value = x.real, value.real
         return x / np.linalg.norm(x), value[None], group.half
-    if p == 2 * n:
+    if p == whole:
         Q, A = np.eye(p), first_order(M, C, K)
         return Q[:n], A, False
     A = first_order(M, C, K)
@@ -100,5 +105,5 @@ def starting(M, C, K, group):
     middle = group.values.mean() if group.half else group.values.mean().real
     shift = middle + 2.0 ** (-52 / (p + 1)) * 1e-3 * np.abs(A).max()
     for _ in range(2):
-        Q = np.linalg.qr(np.linalg.solve(A - shift * np.eye(2 * n), Q))[0]
+        Q = np.linalg.qr(np.linalg.solve(A - shift * np.eye(whole), Q))[0]
     return Q[:n], Q.conj().T @ A @ Q, group.half

@@ -31,6 +31,8 @@ def drives(blocks, timeline, strict=False):
     after: from which τ on the response splits into e^{λτ} and waves without loss, the exponent lying apart from the one
     eigenvalue; infinite where it does not, or where `strict`.
     """
+    if not blocks:
+        return []
     W = np.concatenate([block.W for block in blocks])
     stops = np.cumsum([0] + [len(block.B) for block in blocks]).tolist()
     found = [[] for _ in blocks]

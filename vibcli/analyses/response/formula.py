@@ -10,7 +10,7 @@ import numpy as np
 
 SAME = 1e-6
 NOTHING, ROUNDING = 1e-14, 1e-15
-REGIMES = ("undamped", "under-damped", "critically damped", "over-damped")
+REGIMES = ("undamped", "under-damped", "critically damped", "over-damped", "relaxation")
 
 
 class Part(NamedTuple):
@@ -34,6 +34,8 @@ def regime(M, C, K):
     from vibcli.analyses.response.poles import poles
 
     m, c, k = (float(np.ravel(matrix)[0]) for matrix in (M, C, K))
+    if not m:
+        return "relaxation" if k * c > 0 else "unstable" if k * c < 0 else "drag"
     slow, fast = poles(m, c, k)
     if slow.real > 0 or fast.real > 0:
         return "unstable"

@@ -32,11 +32,18 @@ def exact_bases(M, C, K):
 
 
 def scaling(M, C, K):
-    """Powers of two p, r: with q = 2ᵖ q̂ and λ = 2ʳ λ̂ the diagonal of M and the largest entry of K or C are near 1."""
+    """Powers of two p, r: with q = 2ᵖ q̂ and λ = 2ʳ λ̂ the diagonal of M and the largest entry of K or C are near 1;
+    coordinates without inertia come last."""
+    h = int(np.count_nonzero(M.diagonal()))
     powers = -(np.frexp(np.diagonal(M))[1] // 2)
-    unit = np.ldexp(1.0, powers)
-    stiffest, strongest = (np.abs(unit[:, None] * matrix * unit).max() for matrix in (K, C))
+    unit = np.ldexp(1.0, powers)[:h]
+    stiffest, strongest = (np.abs(unit[:, None] * matrix[:h, :h] * unit).max(initial=0.0) for matrix in (K, C))
     rate = int(np.frexp(stiffest)[1]) // 2 if stiffest else int(np.frexp(strongest)[1])
+    if h < len(M):                      # of first order, λ = k/c: there C is brought to 1
+        dragged, held = C.diagonal()[h:], np.abs(K.diagonal()[h:])
+        relaxing = int(np.frexp((held / dragged).max())[1])
+        rate = max(rate, relaxing) if h else relaxing
+        powers[h:] = -((np.frexp(dragged)[1] - rate) // 2)
     return powers, rate
 
 

@@ -1,9 +1,10 @@
 """What brings a state and forces into the blocks: the rows that invert [X; X B] of all of them.
 
-    Re Σ X W = 0      M Re Σ X B W = 1      R = W M      P = B W M + W C
+    Re Σ X_a W = 0      M_a Re Σ X_a B W + C_z Re Σ X_z W = 1      R = W M      P = B W M + W C
 
-with X twice the modes where a block stands for two. The first two equations are met by Newton's method in fixed point,
-the inverse in floats being lost where slow modes stand beside fast ones.
+with X twice the modes where a block stands for two, a the coordinates that have inertia and z the others. The first two
+equations are met by Newton's method in fixed point, the inverse in floats being lost where slow modes stand beside fast
+ones.
 """
 
 from itertools import pairwise
@@ -12,6 +13,7 @@ import numpy as np
 
 from vibcli.analyses import fixed as fx
 from vibcli.analyses.response.block import Block
+from vibcli.analyses.response.condensed import leading
 from vibcli.analyses.response.sharpened import LARGEST, inverse_of_all
 from vibcli.analyses.response.wide import BITS, narrow, parts, real_times, times
 
@@ -25,9 +27,9 @@ def blocks(M, C, bases):
     rounded = [(narrow(X), narrow(B)) for X, B, _ in bases]
     twins = [(X.conj(), B.conj()) for (X, B), (_, _, half) in zip(rounded, bases, strict=True) if half]
     stops = np.cumsum([0] + [len(B) for _, B in rounded]).tolist()
-    rows = inverse_of_all(rounded + twins)[:stops[-1]]
+    rows = inverse_of_all(rounded + twins, leading(M, C)[0])[:stops[-1]]
     places = [slice(*ends) for ends in pairwise(stops)]
-    W = _inputs(M, bases, rows)
+    W = _inputs(M, C, bases, rows)
     sides = real_times(W, fx.fixed(np.concatenate([M, C], axis=1), BITS))
     R, drag = beside(sides[:, :n]), beside(sides[:, n:])
     P = drag + np.concatenate([times(B, R[at]) for at, (_, B, _) in zip(places, bases, strict=True)])
@@ -39,30 +41,31 @@ def blocks(M, C, bases):
     return found
 
 
-def _inputs(M, bases, rows):
-    """W of all blocks, Re W above Im W, with Re Σ X W = 0 and M Re Σ X B W = 1."""
-    n, inverse = len(M), np.linalg.inv(M)
-    start = rows[:, n:] @ inverse
+def _inputs(M, C, bases, rows):
+    """W of all blocks, Re W above Im W, by the first two equations."""
+    n, (h, lead) = len(M), leading(M, C)
+    inverse = np.linalg.inv(lead)
+    start = rows[:, h:] @ inverse
     W, size = fx.fixed(np.concatenate([start.real, start.imag]), BITS), np.abs(start).max(axis=1)
     if n > LARGEST:
         return W
-    left = _real_parts(M, bases)
-    goal = fx.fixed(np.concatenate([np.zeros((n, n)), np.eye(n)]), BITS)
+    left = _real_parts(lead, bases, h)
+    goal = fx.fixed(np.concatenate([np.zeros((h, n)), np.eye(n)]), BITS)
     for _ in range(STEPS):
         missing = fx.floats(goal - real_times(left, W), BITS)
-        step = rows[:, :n] @ missing[:n] + rows[:, n:] @ (inverse @ missing[n:])
+        step = rows[:, :h] @ missing[:h] + rows[:, h:] @ (inverse @ missing[h:])
         W = W + fx.fixed(np.concatenate([step.real, step.imag]), BITS)
         if (np.abs(step).max(axis=1) < ENOUGH * size).all():
             break
     return W
 
 
-def _real_parts(M, bases):
-    """[X; M X B] of all as a real matrix that acts on [Re W; Im W] and gives real parts."""
+def _real_parts(lead, bases, h):
+    """[X_a; C_z X_z + M_a X_a B] of all as a real matrix that acts on [Re W; Im W] and gives real parts."""
     both = [np.concatenate([X, times(X, B)]) * (2 if half else 1) for X, B, half in bases]
     re, im = (np.concatenate(sides, axis=1) for sides in zip(*map(parts, both), strict=True))
-    whole, n = np.concatenate([re, -im], axis=1), len(M)
-    return np.concatenate([whole[:n], real_times(fx.fixed(M, BITS), whole[n:])])
+    whole, n = np.concatenate([re, -im], axis=1), len(lead)
+    return np.concatenate([whole[:h], real_times(fx.fixed(lead, BITS), whole[h:n + h])])
 
 
 def beside(a):

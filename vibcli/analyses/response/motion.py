@@ -7,6 +7,7 @@ import numpy as np
 
 from vibcli.analyses.precise import beyond
 from vibcli.analyses.response import searching
+from vibcli.analyses.response.condensed import condensed
 from vibcli.analyses.response.driven import drives, ends, marched
 from vibcli.analyses.response.spectrum import spectrum
 from vibcli.analyses.response.terms import Terms
@@ -17,26 +18,30 @@ from vibcli.errors import PhysicsError
 def linear_motion(M, C, K, forcing, q0, v0, modes=None):
     """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
 
-    M symmetric positive definite; C and K any real matrices; forcing: segments.Forcing whose first n channels are the
-    generalised forces. modes: undamped modes (modal.Mode) where they are known better than the assembled matrices tell.
+    M symmetric positive definite, but for coordinates that have no inertia; C and K any real matrices; forcing:
+    segments.Forcing whose first n channels are the generalised forces. modes: undamped modes (modal.Mode) where they
+    are known better than the assembled matrices tell.
     """
     M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
     if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
         raise PhysicsError("inertia, damping, stiffness or what the motion starts from is not a finite number",
                            hint="look for a length, an angle or a law that is singular there")
     try:
-        return LinearMotion(M, C, K, spectrum(M, C, K, modes), forcing, q0, v0)
+        system = condensed(M, C, K)
+        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0)
     except (OverflowError, ZeroDivisionError):
         raise beyond() from None
 
 
 class LinearMotion:
-    """q(t) for t >= 0; outputs are output.Output. constants: whether the constants of outputs count."""
+    """q(t) for t >= 0; outputs are output.Output. matrices: (M, C, K, Condensed or None). constants: whether the
+    constants of outputs count."""
 
     constants = True
 
-    def __init__(self, M, C, K, blocks, forcing, q0, v0):
-        self.M, self.C, self.K, self.blocks, self.forcing = M, C, K, blocks, forcing
+    def __init__(self, matrices, blocks, forcing, q0, v0):
+        self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
+        self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
         self._pieces = None
 
@@ -84,9 +89,20 @@ class LinearMotion:
         rest.constants = False
         return rest
 
+    @property
+    def start(self):
+        """q at t = 0, before any blow: what nothing holds back has followed the forces."""
+        if self.system is None:
+            return self.q0
+        forces = np.zeros(len(self.M))
+        for wave in self.forcing.segments(0.0)[0].waves:
+            if wave.channel < len(forces) and not wave.power:
+                forces[wave.channel] += complex(wave.coefficient).real
+        return self.system.T @ (self.system.places @ self.q0) + self.system.follow @ forces
+
     def like(self, forcing, q0, v0):
         """The same system, driven and started otherwise."""
-        return LinearMotion(self.M, self.C, self.K, self.blocks, forcing, q0, v0)
+        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0)
 
     def pieces(self, until):
         """The Pieces of the motion up to a time."""
@@ -115,7 +131,7 @@ class SteadyMotion(LinearMotion):
                       for order in range(2))
         else:
             q0, v0 = steady.repeating(motion, forcing)
-        super().__init__(motion.M, motion.C, motion.K, motion.blocks, forcing, q0, v0)
+        super().__init__(motion.matrices, motion.blocks, forcing, q0, v0)
 
     def phasors(self, output):
         """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""
@@ -163,6 +179,9 @@ class Pieces:
         self.drives, self.states = drives(motion.blocks, timeline, len(motion.M) == 1), []
         jumps = timeline.impulses[:, :len(motion.M)]
         struck = np.flatnonzero(jumps.any(axis=1))
+        if motion.system is not None and (jumps @ motion.system.follow).any():
+            raise PhysicsError("a blow falls on what neither inertia nor a damper holds back: it would be displaced "
+                               "without bound", hint="give it an inertia or a damper, or let the blow last")
         with np.errstate(over="ignore", invalid="ignore"):
             for block, found in zip(motion.blocks, self.drives, strict=True):
                 step, added = ends(block, found, timeline)

@@ -57,5 +57,8 @@ def pair(slow, fast, shape, momentum, force):
 
 
 def one_degree(m, c, k):
-    """The one block of one degree of freedom."""
+    """The one block of one degree of freedom; without inertia c ẋ + k x = f."""
+    if not m:
+        one = np.ones((1, 1))
+        return Block(X=one, B=np.array([[-k / c]]), P=one, R=np.zeros((1, 1)), W=one / c)
     return pair(*poles(m, c, k), np.ones(1), np.ones(1), np.array([1 / m]))

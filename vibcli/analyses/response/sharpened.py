@@ -1,8 +1,9 @@
 """Invariant subspaces sharpened far beyond floats: M X B² + C X B + K X = 0 by Newton's method in fixed point.
 
-With V = [X; X B] of all blocks and S = −V⁻¹ [0; M⁻¹ r], r the residual, V⁻¹ A V = B + S. The parts of S outside the
-blocks are removed by V ← V (I + E), Bᵢ Eᵢⱼ − Eᵢⱼ Bⱼ = −Sᵢⱼ, those inside are added to B. Only the residual is
-computed in many digits; every step squares the error.
+With V = [X; X B] of all blocks (of X B the rows that have inertia) and S = −V⁻¹ [0; L⁻¹ r], r the residual and L of
+condensed.leading, V⁻¹ A V = B + S. The parts of S outside the blocks are removed by V ← V (I + E),
+Bᵢ Eᵢⱼ − Eᵢⱼ Bⱼ = −Sᵢⱼ, those inside are added to B. Only the residual is computed in many digits; every step squares
+the error.
 """
 
 from itertools import pairwise
@@ -10,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from vibcli.analyses import fixed as fx
+from vibcli.analyses.response.condensed import leading
 from vibcli.analyses.response.wide import BITS, narrow, parts, real_times, times, wide
 
 ALONE, JOINED = 1e-13, 1e-32
@@ -20,7 +22,8 @@ MIXED = 0.3
 
 def sharpened(M, C, K, bases):
     """The bases (X, B, half) in fixed point; None and two places of `bases` where those two cannot be told apart."""
-    data, inverse = fx.fixed(np.concatenate([M, C, K], axis=1), BITS), np.linalg.inv(M)
+    h, lead = leading(M, C)
+    data, inverse = fx.fixed(np.concatenate([M, C, K], axis=1), BITS), np.linalg.inv(lead)
     Xs, Bs = [wide(X) for X, _, _ in bases], [wide(B) for _, B, _ in bases]
     halves = [half for _, _, half in bases]
     twins = [i for i, half in enumerate(halves) if half]
@@ -29,7 +32,7 @@ def sharpened(M, C, K, bases):
     for _ in range(STEPS if len(M) <= LARGEST else 0):
         residual = _residual(data, Xs, Bs)
         blocks += [(X.conj(), B.conj()) for X, B in (blocks[i] for i in twins)]
-        S = -inverse_of_all(blocks)[:, len(M):] @ (inverse @ residual)
+        S = -inverse_of_all(blocks, h)[:, h:] @ (inverse @ residual)
         E, D = _corrections(S, [B for _, B in blocks], len(bases))
         largest = np.unravel_index(np.argmax(np.abs(E)), E.shape)
         if not abs(E[largest]) < MIXED:
@@ -45,10 +48,10 @@ def sharpened(M, C, K, bases):
     return list(zip(Xs, Bs, halves, strict=True)), None
 
 
-def inverse_of_all(blocks):
-    """The inverse of [X; X B], the columns of all blocks."""
+def inverse_of_all(blocks, h):
+    """The inverse of [X; X B], the columns of all blocks, of X B the first h rows."""
     full = np.concatenate([X for X, _ in blocks], axis=1)
-    rates = np.concatenate([X @ B for X, B in blocks], axis=1)
+    rates = np.concatenate([X[:h] @ B for X, B in blocks], axis=1)
     return np.linalg.inv(np.concatenate([full, rates]))
 
 

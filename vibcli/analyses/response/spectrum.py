@@ -4,6 +4,7 @@ import numpy as np
 
 from vibcli.analyses.response.block import Block, apart
 from vibcli.analyses.response.clusters import components
+from vibcli.analyses.response.condensed import whole
 from vibcli.analyses.response.poles import one_degree, pair, poles_of_mode
 from vibcli.errors import PhysicsError
 
@@ -11,23 +12,33 @@ COUPLED, EPSILON = 1e-14, 2.0**-52
 FLAT = 0.1
 
 
-def spectrum(M, C, K, modes=None):
+def spectrum(M, C, K, modes=None, system=None):
     """The Blocks of M q̈ + C q̇ + K q = f: of each set of coordinates that nothing couples to others.
 
-    modes: undamped modes that replace those of the matrices where damping does not couple them.
+    modes: undamped modes that replace those of the matrices where damping does not couple them. system: the Condensed
+    of coordinates that have no inertia, or None where all have one.
     """
-    check_inertia(M)
+    check_inertia(M, np.flatnonzero(M.diagonal()) if system is not None else range(len(M)))
+    if system is not None:
+        return [whole(block, system) for block in _blocks(system.M, system.C, system.K)]
     if modes is not None:
         found = modal(M, C, modes)
         if found:
             return found
+    return _blocks(M, C, K)
+
+
+def _blocks(M, C, K):
     sets = components((M != 0) | (C != 0) | (K != 0) | ((M != 0) | (C != 0) | (K != 0)).T)
     return [apart(block, places, len(M)) for places in sets
             for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)))]
 
 
-def check_inertia(M):
-    """Refuses an M that is not positive definite: q̈ is not determined then."""
+def check_inertia(M, heavy):
+    """Refuses an M that is not positive definite over the coordinates `heavy`: q̈ is not determined then."""
+    if not len(heavy):
+        return
+    M = M[np.ix_(heavy, heavy)]
     diagonal = np.diagonal(M)
     weak = int(np.argmin(diagonal))
     if diagonal[weak] > 0:
@@ -36,6 +47,7 @@ def check_inertia(M):
         if values[0] > len(M) * EPSILON * values[-1]:
             return
         weak = int(np.argmax(np.abs(vectors[:, 0])))
+    weak = int(heavy[weak])
     error = PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
                          hint="give what it moves a mass or inertia")
     error.coordinate = weak

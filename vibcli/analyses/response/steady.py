@@ -62,6 +62,8 @@ def phasor(motion, s, force):
     if not near:
         return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
     total = np.zeros(len(force), complex)
+    if motion.system is not None:
+        total += motion.system.follow @ force
     for block in motion.blocks:
         if block.half:
             total += (_kept_up(block.B, block.X, block.W, s, force)

@@ -35,7 +35,7 @@ class Terms:
                     self._add_path(nodes, row[i] * product, states[:, j], found, j, split)
         if output.constant and pieces.motion.constants and not order:
             self._add_wave(0, 0j, np.arange(self.count), output.constant)
-        if output.a or output.channels or (order and output.v) or order > 1:
+        if output.a or output.channels or (order and output.v) or order > 1 or pieces.motion.system is not None:
             self._add_direct(pieces, output, order)
 
     def _add_path(self, nodes, factor, states, drives, j, split):
@@ -60,7 +60,7 @@ class Terms:
 
     def _add_direct(self, pieces, output, order):
         motion = pieces.motion
-        H = markov(motion.M, motion.C, motion.K, order + 2)
+        H = markov(motion, order + 2)
         for i, row in direct(output, order, H, motion.forcing.channels).items():
             for waves in pieces.timeline.waves:
                 given = waves.coefficients @ row
