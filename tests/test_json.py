@@ -15,7 +15,8 @@ EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex"]
 EQUILIBRIUM = ["coordinates", "dependent", "from_start", "stable", "residual", "condition", "warning"]
 MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]
-DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "decay", "growth_rate", "shape", "error"]
+DAMPED = ["index", "eigenvalue", "omega", "zeta", "omega_d", "omega_d_where", "decay", "growth_rate", "shape",
+          "error"]
 FREQUENCIES = {"title", "coordinates", "equilibrium", "matrices", "modes", "damped"}
 KEYS = {"solve": FREQUENCIES | {"energies", "equations"}, "frequencies": FREQUENCIES,
         "equations": {"title", "coordinates", "energies", "equations", "matrices"}}

@@ -18,6 +18,7 @@ from vibcli.algebra.stand_ins import SmoothFloats, smooth_arrays
 from vibcli.check import check
 from vibcli.document import read
 from vibcli.errors import PhysicsError
+from vibcli.measured import measure
 from vibcli.problem import Problem
 from vibcli.report.latex import latex
 from vibcli.report.notation import plain
@@ -42,6 +43,41 @@ def expression(text):
     table = Table()
     time = table.time = table.variable("t")
     return lower(parse(text), table, lambda name, primes, tree: time if name == "t" else table.parameter(name)), time
+
+
+@pytest.mark.parametrize("name", ["step", "ramp", "square", "sawtooth"])
+def test_at_a_jump_the_value_is_that_after_it(name):
+    """In each arithmetic, of an argument that is zero of either sign or comes there by subtraction."""
+    node, _ = expression(f"{name}(t)")
+    late, time = expression(f"{name}(2*t - 1)")
+    after = REFERENCE[name](1e-9)
+    for arithmetic, number in ((Floats, float), (Duals(Floats), lambda u: Dual(u, 1.0)), (multiprecision(), mpmath.mpf),
+                               (Arrays, lambda u: np.array([u, u]))):
+        for where, instants in ((node, (0.0, -0.0)), (late, (0.5,))):
+            for u in instants:
+                found, = evaluate([where], arithmetic, {time.name: number(u)})
+                values = np.ravel(np.asarray(getattr(found, "value", found), dtype=float))
+                assert values == pytest.approx(np.full(len(values), after), abs=1e-8), (name, arithmetic, u)
+
+
+@pytest.mark.parametrize("motion", ["small", "full"])
+@pytest.mark.parametrize(("load", "before", "after"), [
+    ("step(t - t1)", 0, 1), ("3 - step(t - t1)", 3, 2), ("square(pi*t/t1)", 1, -1), ("sawtooth(2*pi*t/t1)", 1, -1),
+    ("step(t)*step(t - t1)", 0, 1)])
+def test_motions_at_a_jump_of_the_load(load, before, after, motion):
+    """x'' = F/m − k/m x jumps with the load: at t1 the value after it, and just before that before it."""
+    scene = problem(f"""
+parameters: {{t1: 0.5 s}}
+bodies: {{a: {{mass: 2 kg, slide: x}}}}
+springs: {{s: {{k: 8 N/m, between: [ground, a]}}}}
+forces: {{F: {{at: a, force: "6 N*({load})"}}}}
+initial: {{x: 0}}
+motion: {motion}
+find: [{{response: {{until: 1 s}}}}]
+""")
+    for instant, wanted in (("t1", after), ("t1 - 1e-9 s", before)):
+        found = measure(scene, parse(f"(x'' + x*4 s^-2)({instant})"))[0]
+        assert found == pytest.approx(3 * wanted, abs=1e-6), instant
 
 
 @pytest.mark.parametrize("name", REFERENCE)

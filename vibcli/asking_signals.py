@@ -11,6 +11,7 @@ from vibcli.questions import ASKED, IN_FREQUENCY, OF_VALUES, PARTS, SIGNAL, decl
 from vibcli.reading import nearest
 from vibcli.signals import ENERGIES, near_signals, signal_dimension
 
+COMPLEX = ("eigenvalue", "mode")     # quantities that may be complex, beside frequency responses
 RATE = units.parse_unit("rad/s").dimension
 
 
@@ -184,9 +185,13 @@ def _response(spec, reader, expression, tree, arg):
 
     wants_value = tree[4] in (*OF_VALUES, "phase")
     example = "phase(frf[x, F](5 Hz))" if tree[4] == "phase" else usage(tree[4])
+    example = example.replace("frf[x, F]", f"frf[{next(iter(spec.coordinates))}, {inputs(spec)[0]}]")
     place = expression.scalar.place(arg[1], arg[2] - arg[1])
-    if wants_value and arg[0] == "quantity" and arg[4] == "eigenvalue":
+    if wants_value and arg[0] == "quantity" and arg[4] in COMPLEX:
         return can_be_asked(spec, reader, expression, arg)
+    if wants_value and arg[0] == "quantity" and declared(arg) is not None and arg[4] not in ("frf", *OF_VALUES):
+        reader.report(place, f"{quoted(arg[3])} is a real number", f"ask for {arg[3]} itself")
+        return False
     if arg[0] != "quantity" or arg[4] not in IN_FREQUENCY or not ASKED[arg[4]].optional:
         reader.report(place, "expected a frequency response", f"write {example}")
         return False

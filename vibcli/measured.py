@@ -123,7 +123,8 @@ def _frequency(problem, indices, attribute):
 def _period(problem, indices, attribute):
     mode = _oscillating(problem, indices, "period")
     if not mode.omega:
-        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period", f"ask for omega[{indices[0]}]: 0 rad/s")
+        raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period",
+                           f"ask for omega[{indices[0]}]: 0 rad/s")
     return 6.283185307179586 / float(mode.omega), mode.error
 
 

@@ -39,7 +39,7 @@ ASKED = {
                   "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1"),
     "zeta": Asked(("mode",), "1", "damping ratio of damped mode i, by ascending |λ|"),
     "omega_d": Asked(("mode",), "rad/s", "damped angular frequency of damped mode i"),
-    "decay": Asked(("mode",), "1/s", "decay −Re λ of damped mode i"),
+    "decay": Asked(("mode",), "1/s", "decay ζω of damped mode i: −Re λ, or −(λ₁ + λ₂)/2 where it is over-damped"),
     "eigenvalue": Asked(("mode",), "1/s", "eigenvalue λ = −δ + i ω_d of damped mode i: use re, im, abs or arg of it"),
     "sensitivity": Asked(("mode", "parameter"), None, "derivative of the natural angular frequency of mode i by a "
                          "parameter p that is not defined by others, the shift of the equilibrium included"),

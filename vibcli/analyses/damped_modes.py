@@ -14,22 +14,22 @@ SAME = 45
 class DampedMode:
     """One eigenvalue λ: of a conjugate pair that with Im λ > 0, or a real one; q = Re(shape e^{λt}).
 
-    omega = |λ|, zeta = −Re λ/|λ|, omega_d = Im λ or None, decay = −Re λ, growth_rate = Re λ where positive,
-    else None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂) and
-    zeta = −(λ₁ + λ₂)/(2 omega); a real one that belongs to no such pair has zeta None. shape: complex, with
-    shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|, without dampers of that relative to each of the two parts of λ
-    that is not zero. note: what has to be said, or None.
+    omega = |λ|, zeta = −Re λ/|λ|, omega_d = Im λ or None, decay = −Re λ = zeta·omega, growth_rate = Re λ where it is
+    positive, else None. The two real eigenvalues of one over-damped mode share index, omega = √(λ₁λ₂),
+    zeta = −(λ₁ + λ₂)/(2 omega) and decay = zeta·omega; a real one that belongs to no such pair has zeta None. shape:
+    complex, with shapeᴴ M shape = 1. error: bound of |error of λ|/|λ|, without dampers of that relative to each of the
+    two parts of λ that is not zero. note: what has to be said, or None.
     """
 
     __slots__ = ("decay", "eigenvalue", "error", "growth_rate", "index", "note", "omega", "omega_d", "shape",
                  "zeta")
 
-    def __init__(self, index, eigenvalue, omega, zeta, shape, error, note=None):
+    def __init__(self, index, eigenvalue, omega, zeta, shape, error, note=None, decay=None):
         self.index, self.eigenvalue, self.omega, self.zeta = index, eigenvalue, omega, zeta
         self.shape, self.error, self.note = shape, error, note
         re, im = eigenvalue.real, eigenvalue.imag
         self.omega_d = im if im else None
-        self.decay = -re if re else abs(re)
+        self.decay = decay if decay is not None else -re if re else abs(re)
         self.growth_rate = re if re > 0 else None
 
     @property
@@ -48,20 +48,21 @@ def collected(answer, numbers, shapes):
         size = fx.magnitude(math.isqrt(d.re * d.re + d.im * d.im), bits)
         re = 0 if _imaginary(d, size, answer) else d.re
         value = numbers.complex(re, d.im, bits - scale.time)
-        square, zeta = math.isqrt(re * re + d.im * d.im), None
+        square, zeta, decay = math.isqrt(re * re + d.im * d.im), None, None
         if d.im:
             zeta = numbers.number((-re << bits) // square, bits)
         mode = partner.get(i)
         if mode is not None:
             square = math.isqrt(int(system.values[mode]) << bits)
             zeta = numbers.number((int(system.c[mode, mode]) << bits) // (2 * square), bits)
+            decay = numbers.number(int(system.c[mode, mode]), bits + 1 - scale.time)
         note = _note(system, d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
         least = fx.magnitude(min(abs(re), d.im), bits) if answer.undamped and re and d.im else size
         error = numbers.error(d.radius - least) if square else 0.0
         omega = numbers.number(square, bits - scale.time)
-        out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note))
+        out.append(DampedMode(place, value, omega, zeta, shapes[:, i], error, note, decay))
     return out
 
 

@@ -12,7 +12,7 @@ def duration(modes, damped, last, speeds):
     decays = []
     if damped is not None:
         frequencies = [mode.omega_d for mode in damped if mode.omega_d]
-        decays = [mode.decay for mode in damped if mode.decay and mode.decay > 0]
+        decays = [-mode.eigenvalue.real for mode in damped if mode.eigenvalue.real < 0]
     growths = [mode.growth_rate for mode in (damped or modes) if mode.growth_rate]
     longest = max((2 * pi / float(omega) for omega in (*frequencies, *speeds)), default=0.0)
     if growths:

@@ -125,9 +125,9 @@ def _vanishing(problem, condition):
         if head == "zeta":
             value, (m, c, k) = side(problem, other), one_degree(problem)
             return [c * c - 4 * value * value * k * m]
-        if head == "decay":     # over-damped: that of the slower eigenvalue
-            value, (m, c, k) = side(problem, other), one_degree(problem)
-            return [(c - 2 * m * value) * (m * value * value - c * value + k)]
+        if head == "decay":
+            value, (m, c, _) = side(problem, other), one_degree(problem)
+            return [c - 2 * m * value]
     return [side(problem, condition.left) - side(problem, condition.right)]
 
 

@@ -140,7 +140,8 @@ CONVENTIONS = [
         ("damping", "x ~ exp(λt) with λ = −δ ± i omega_d: omega = |λ|, zeta = −Re λ/|λ|, δ = −Re λ = zeta·omega is "
          "the decay, omega_d = omega·√(1 − zeta²). The logarithmic decrement is 2 pi zeta/√(1 − zeta²). Damped "
          "modes are numbered by ascending |λ|. Two real eigenvalues of an over-damped mode share its number: "
-         "omega = √(λ₁λ₂), zeta = −(λ₁ + λ₂)/(2 omega) ≥ 1."),
+         "omega = √(λ₁λ₂), zeta = −(λ₁ + λ₂)/(2 omega) ≥ 1, and the decay is zeta·omega; `eigenvalue[1]` is that which "
+         "decays more slowly."),
         ("time", "Motions start at t = 0; that is also the t of loads and driven motions."),
         ("free", "A free vibration of one frequency is A e^(−δt) cos(omega_d t − φ): `amplitude(x)` is A, `phase(x)` "
          "is φ."),

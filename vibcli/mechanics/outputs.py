@@ -32,7 +32,8 @@ def _row(problem, text):
     opened, scene = problem.opened, problem.opened.scene
     name, _, part = text.partition(".")
     if is_quadratic(text):
-        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for the force or the stretch")
+        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear",
+                           f"ask for {name}.force or {name}.stretch")
     if name == "ground":
         return on_the_ground(opened, part)
     node = displacement(scene, text)
@@ -74,6 +75,7 @@ def squares(problem, text):
     terms = [term for term in opened.scene.springs if term.owner == name]
     stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
     if not all(stiffnesses):
-        raise PhysicsError(f"'{name}' has no stiffness: its energy is not a square of its force", "ask for its force")
+        raise PhysicsError(f"'{name}' has no stiffness: its energy is not a square of its force",
+                           f"ask for {name}.force")
     rows = opened.rows([term.force + term.weight * term.s for term in terms])
     return [(0.5 / k, row) for k, row in zip(stiffnesses, rows, strict=True)]

@@ -55,8 +55,9 @@ def moving(problem, text, primes=0):
     if node is None:
         node = _along(scene, name, part)
     if node is None:
-        raise PhysicsError(f"'{text}' is not found along a motion of the full equations",
-                           "ask for forces of springs and dampers, as in s.force + d.force, or write motion: small")
+        known = [f"{name}.force" for kind in ("springs", "dampers") for name in problem.spec.get(kind) or {}]
+        raise PhysicsError(f"'{text}' is not found along a motion of the full equations", "forces are found of springs "
+                           "and dampers alone" + (", as " + " or ".join(known[:2]) if known else ""))
     for _ in range(primes):
         node = scene.rate(node)
     return node

@@ -21,7 +21,8 @@ def closed_data(problem):
             "growth_rate": language(mode.omega) if mode.unstable else None,
             "shape": _shape(names, shape), "error": 0.0})
     damped = [{"index": mode.index, "eigenvalue": None, "omega": language(mode.omega), "zeta": language(mode.zeta),
-               "omega_d": language(mode.omega_d), "decay": language(mode.zeta * mode.omega), "growth_rate": None,
+               "omega_d": language(mode.omega_d), "omega_d_where": language(mode.zeta) + " < 1",
+               "decay": language(mode.zeta * mode.omega), "growth_rate": None,
                "shape": _shape(names, mode.shape or [None] * len(names)), "error": 0.0}
               for mode in forms.modes if mode.zeta is not None]
     found = {"modes": modes, "damped": damped or None}

@@ -78,7 +78,8 @@ KEYS = {
     "damped[].zeta": "damping ratio −re/|eigenvalue|; −(λ₁ + λ₂)/(2 omega) ≥ 1 of an over-damped mode; null of an "
                      "unpaired real eigenvalue",
     "damped[].omega_d": "damped angular frequency |im|; null where it does not oscillate",
-    "damped[].decay": "decay rate −re",
+    "damped[].omega_d_where": "the condition under which omega_d counts where it is in letters; null in numbers",
+    "damped[].decay": "decay rate −re; −(λ₁ + λ₂)/2 of an over-damped mode",
     "damped[].growth_rate": "growth rate re where it grows; else null",
     "damped[].shape": "{coordinate: amplitude}, a number or [re, im]",
     "damped[].error": "bound of the relative error of the eigenvalue",

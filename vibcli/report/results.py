@@ -168,7 +168,7 @@ def damped_data(problem, modes, normalise="first", write=float):
         found.append({
             "index": mode.index, "eigenvalue": [write(mode.eigenvalue.real), write(mode.eigenvalue.imag)],
             "omega": maybe(mode.omega), "zeta": maybe(mode.zeta), "omega_d": maybe(mode.omega_d),
-            "decay": maybe(mode.decay), "growth_rate": maybe(mode.growth_rate),
+            "omega_d_where": None, "decay": maybe(mode.decay), "growth_rate": maybe(mode.growth_rate),
             "shape": {name: amplitude(value, write) for name, value in zip(names, shape, strict=True)},
             "error": float(mode.error)})
     return found

@@ -43,7 +43,9 @@ def damped_row(mode):
     error = f"{mode.error:.0e}" if mode.error else "exact"
     note = {"ζ = 1": "critically damped", None: ""}.get(mode.note, mode.note)
     if not note and mode.omega_d is None and mode.omega:
-        note = "over-damped" if mode.zeta is not None else "real eigenvalue"
+        note = "real eigenvalue"
+        if mode.zeta is not None:
+            note = f"over-damped, λ = {figure(_float(mode.eigenvalue.real), mode.error)} 1/s"
     if mode.growth_rate:
         note = "flutter" if mode.kind == "flutter" else "unstable"
     return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), mode.error),

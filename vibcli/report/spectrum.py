@@ -5,7 +5,7 @@ from vibcli.report.blocks import Table, equations, line, paragraph, section
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shapes
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
-DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ, log. decrement = 2πζ/√(1−ζ²))"
+DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ = ζω, log. decrement = 2πζ/√(1−ζ²))"
 
 
 def frequencies(problem, _):
