@@ -4,7 +4,14 @@ from vibcli import units
 from vibcli.algebra.cycles import left_over
 from vibcli.algebra.meaning import DimensionCheck, names_in, quantities_in
 from vibcli.algebra.parse import ExpressionError
-from vibcli.asking_signals import arguments_fit, input_dimension, inputs, output_dimension, response_dimension
+from vibcli.asking_signals import (
+    arguments_fit,
+    input_dimension,
+    inputs,
+    output_dimension,
+    response_dimension,
+    usage_here,
+)
 from vibcli.counting import check_radians, check_same, check_terms, is_frequency
 from vibcli.diagnostics import quoted
 from vibcli.fields import nearest
@@ -21,7 +28,6 @@ from vibcli.questions import (
     STATE_FUNCTIONS,
     declared,
     dimension,
-    usage,
 )
 from vibcli.signals import near_signals, signal_dimension
 
@@ -91,7 +97,7 @@ def _answer(spec, reader, answer):
     if not whole and not quantities_in(tree) and not of_parameters:
         if asked.text in ASKED:
             needs = "an index" if ASKED[asked.text].indices else "a signal"
-            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage(asked.text)}")
+            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage_here(spec, asked.text)}")
         elif at_no_time(spec, tree):
             reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
@@ -156,7 +162,8 @@ def can_be_asked(spec, reader, expression, tree, bare=False):
     kinds = (*asked.indices, "equilibrium") if head in SEVERAL and len(indices) > len(asked.indices) else asked.indices
     if len(indices) != len(kinds) and not (head == "J" and len(indices) == 1):
         takes = {0: "no index", 1: "one index", 2: "two indices"}[len(asked.indices)]
-        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}", f"write {usage(head)}")
+        reader.report(place, f"'{head}' takes {takes}, found {len(indices) or 'none'}",
+                      f"write {usage_here(spec, head)}")
         return False
     if not arguments_fit(spec, reader, expression, tree, bare):
         return False

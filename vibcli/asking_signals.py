@@ -1,5 +1,7 @@
 """Quantities of responses: are their signals, instants, inputs and frequencies such that they can be asked for?"""
 
+import re
+
 from vibcli import units
 from vibcli.algebra.cycles import left_over
 from vibcli.algebra.meaning import DimensionCheck, literals_in, names_in, quantities_in
@@ -7,6 +9,7 @@ from vibcli.algebra.parse import VALUE, ExpressionError
 from vibcli.counting import cycles
 from vibcli.diagnostics import quoted
 from vibcli.fit import applied
+from vibcli.parameters import independent
 from vibcli.questions import ASKED, IN_FREQUENCY, OF_VALUES, PARTS, SIGNAL, declared, usage
 from vibcli.reading import nearest
 from vibcli.signals import ENERGIES, near_signals, signal_dimension
@@ -23,6 +26,15 @@ def output_dimension(spec, text):
     if found is None and name in ENERGIES and name not in spec.parameters:
         found = units.parse_unit(ENERGIES[name]).dimension
     return None if found is None or primes > 2 else units.times(found, units.TIME, -primes)
+
+
+def usage_here(spec, head):
+    """How a quantity is written, in names of this scene."""
+    named = {"x": spec.coordinates, "signal": spec.coordinates, "coordinate": spec.coordinates, "F": inputs(spec),
+             "d": spec.get("dampers") or (), "body": spec.get("bodies") or (), "place": spec.get("bodies") or (),
+             "parameter": independent(spec.parameters)}
+    return re.sub(r"(?<![\w.])[A-Za-z]+(?=[],)])", lambda word: next(iter(named.get(word[0], ())), word[0]),
+                  usage(head))
 
 
 def inputs(spec):
@@ -90,7 +102,7 @@ def arguments_fit(spec, reader, expression, tree, bare=False):
         reader.report(place, f"'{tree[3]}' is a function of frequency", f"write {tree[3]}(5 Hz)")
         return False
     if len(args) != len(asked.args) and not bare:
-        _miscounted(reader, expression, tree, place)
+        _miscounted(spec, reader, expression, tree, place)
         return False
     kinds = zip(asked.args, args, strict=False)
     return all(_argument(spec, reader, expression, tree, kind, arg) for kind, arg in kinds)
@@ -106,12 +118,12 @@ def check_questions(spec, reader, signals, drivers):
                           nearest(expression.text, inputs(spec)))
 
 
-def _miscounted(reader, expression, tree, place):
+def _miscounted(spec, reader, expression, tree, place):
     if tree[4] == VALUE:
         applied(reader, expression, tree)
         return
     reader.report(place, f"'{tree[4]}' takes one argument in round brackets, found {len(tree[7]) or 'none'}",
-                  f"write {usage(tree[4])}")
+                  f"write {usage_here(spec, tree[4])}")
 
 
 def _argument(spec, reader, expression, tree, kind, arg):
@@ -157,7 +169,7 @@ def _moves(spec, name):
 
 def _unknown(spec, reader, expression, tree, name, place):
     if name in ASKED and ASKED[name].indices:
-        reader.report(place, f"'{name}' needs an index", f"write {usage(name)}")
+        reader.report(place, f"'{name}' needs an index", f"write {usage_here(spec, name)}")
     elif tree[4] == VALUE and tree[7][0][0] == "name":
         asked = (*ASKED, *spec.coordinates)
         reader.report(place, f"unknown quantity or signal {quoted(name)}", _hint(spec, name, asked))
@@ -184,8 +196,8 @@ def _response(spec, reader, expression, tree, arg):
     from vibcli.asking import can_be_asked
 
     wants_value = tree[4] in (*OF_VALUES, "phase")
-    example = "phase(frf[x, F](5 Hz))" if tree[4] == "phase" else usage(tree[4])
-    example = example.replace("frf[x, F]", f"frf[{next(iter(spec.coordinates))}, {inputs(spec)[0]}]")
+    example = usage_here(spec, "arg" if tree[4] == "phase" else tree[4])
+    example = example.replace("arg", "phase") if tree[4] == "phase" else example
     place = expression.scalar.place(arg[1], arg[2] - arg[1])
     if wants_value and arg[0] == "quantity" and arg[4] in COMPLEX:
         return can_be_asked(spec, reader, expression, arg)
