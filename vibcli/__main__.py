@@ -7,7 +7,9 @@ def main():
     """Run the command line and leave with its exit code; 130 where it is interrupted, while importing too."""
     try:
         from vibcli.cli import run
+        from vibcli.cli.streams import provide
 
+        provide()
         code = run()
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")

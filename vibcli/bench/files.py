@@ -18,14 +18,25 @@ def rows(runs, folder):
     os.mkdir(place)
     originals = json.loads(answer("from vibcli.bench.files import main; main()")) if os.path.isdir(PROBLEMS) else []
     for i in range(FILES):
-        copy = os.path.join(place, f"{i:03}.yaml")
         if originals:
-            shutil.copyfile(originals[i % len(originals)], copy)
+            _copy(originals[i % len(originals)], place, i)
         else:
-            with open(copy, "w", encoding="utf-8") as stream:
+            with open(os.path.join(place, f"{i:03}.yaml"), "w", encoding="utf-8") as stream:
                 stream.write(scenes.TWO_DEGREES)
     found = costs({"check": (vibcli("check", "--quiet", place), (0, 1))}, runs)
     return [Row(f"vibcli check, {FILES} numeric files, each", found["check"].time / FILES, "ms", 10.0, absolute=True)]
+
+
+def _copy(original, place, number):
+    """A file under a number of its own, in a folder with the records that lie beside it."""
+    chapter = os.path.dirname(original)
+    folder = os.path.join(place, os.path.basename(chapter))
+    if not os.path.isdir(folder):
+        os.mkdir(folder)
+        for name in os.listdir(chapter):
+            if not name.endswith(".yaml"):
+                shutil.copyfile(os.path.join(chapter, name), os.path.join(folder, name))
+    shutil.copyfile(original, os.path.join(folder, f"{number:03}.yaml"))
 
 
 def main():

@@ -93,9 +93,6 @@ def run(args=None):
     except (KeyboardInterrupt, click.Abort):
         click.echo("interrupted", err=True)
         return 130
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
     except Exception as error:  # the last resort: no traceback reaches a user
         click.echo(f"vibcli: an error of its own: {type(error).__name__}: {str(error)[:200]}\n"
                    "Please report it with the file that shows it; VIBCLI_TRACEBACK=1 shows where it happened.",

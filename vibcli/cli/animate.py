@@ -31,4 +31,4 @@ def command(file, settings, case, output, force, patience, index, response, unti
     title = problem.spec.get("title") or path.stem
     problem = moving(problem)
     frames = of_response(problem) if response else of_mode(problem, index or 1)
-    write(path, data(*frames, title=title, kind=path.suffix[1:].lower()))
+    write(path, data(*frames, title=title, kind=path.suffix[1:].lower()), force)

@@ -114,7 +114,8 @@ def _settings(settings, node):
         if not equals or not text.strip():
             raise click.UsageError(f"--set {setting}: write NAME=VALUE, as in --set k=500 or --set 'k=0.5 N/mm'")
         if node is not None and name not in known:
-            raise click.UsageError(f"--set {setting}: the file has no parameter '{name}'; {nearest(name, known)}")
+            raise click.UsageError(f"--set {setting}: the file has no parameter '{name}'"
+                                   + said(nearest(name, known)))
         try:
             scalar = Scalar(text.strip(), Where(f"--set {name}", 1, 1, len(text.strip())), False, 0)
             found[name] = (parse(text.strip()), scalar)
@@ -124,6 +125,11 @@ def _settings(settings, node):
     return found
 
 
+def said(hint):
+    """A hint behind a message, if there is one."""
+    return f"; {hint}" if hint else ""
+
+
 def chosen(problem, case):
     """[(case name or None, Problem)] that a command is to treat: one case, or the scene and all its cases."""
     if case is None:
@@ -131,7 +137,7 @@ def chosen(problem, case):
     if case not in problem.spec.cases:
         from vibcli.fields import nearest
 
-        raise click.UsageError(f"the file has no case '{case}'; {nearest(case, problem.spec.cases)}")
+        raise click.UsageError(f"the file has no case '{case}'" + said(nearest(case, problem.spec.cases)))
     return [(case, problem.case(case))]
 
 
@@ -160,7 +166,8 @@ def show_refusal(error, file=None):
     """A physical refusal on stderr."""
     from vibcli.errors import Diagnostic, Where
 
-    where = error.where or Where(file or next(reversed(_sources), ""), 1, 1, 0)
+    file = file or next(reversed(_sources), None)
+    where = error.where or (Where(file, 1, 1, 0) if file else None)
     show_diagnostics([Diagnostic(where, error.message, error.hint)])
 
 

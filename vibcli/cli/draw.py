@@ -21,7 +21,7 @@ def command(file, settings, case, output, force, patience, index, both):
     path = target(file, output, SUFFIXES, force, case, f"mode{index}" if index else None)
     from vibcli.report.drawing.matplotlib_canvas import picture
 
-    write(path, picture(_primitives(problem, index, both), path.suffix[1:].lower()))
+    write(path, picture(_primitives(problem, index, both), path.suffix[1:].lower()), force)
 
 
 def _primitives(problem, index, both):

@@ -4,6 +4,7 @@ import click
 
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
+from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import cases_to_show, plot_width, refuse_targets, save_to
 
@@ -15,7 +16,8 @@ PICTURES = (".png", ".svg", ".pdf")
 @report_options
 @number_options
 @click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
-@click.option("--save", "saves", multiple=True, metavar="FILE", help="Write that picture (.png, .svg, .pdf).")
+@click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
+              help="Write that picture (.png, .svg, .pdf).")
 def command(file, settings, case, as_json, patience, timings, digits, normalise, plot, saves, **report):
     """Equilibrium, natural frequencies, damping and mode shapes."""
     refuse_targets(saves, report["force"], PICTURES)
@@ -26,10 +28,10 @@ def command(file, settings, case, as_json, patience, timings, digits, normalise,
     return print_scenes(problems, lambda problem: ("chosen", "equilibrium", "frequencies", "damping",
                                                               "modes"),
                         output, timings, digits, normalise, ("frequencies",),
-                        curves=lambda problem: _shown(problem, plot, saves))
+                        curves=lambda problem: _shown(problem, plot, saves, report["force"]))
 
 
-def _shown(problem, plot, saves):
+def _shown(problem, plot, saves, force):
     if not (plot or saves):
         return
     from vibcli.report.series import eigenvalue_figure
@@ -40,4 +42,4 @@ def _shown(problem, plot, saves):
 
         click.echo("\n" + braille(figure, width=plot_width()))
     for path in saves:
-        save_to(path, problem, lambda: figure, None)
+        save_to(path, force, problem, lambda: figure, None)

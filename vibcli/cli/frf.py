@@ -48,10 +48,10 @@ def command(file, settings, case, as_json, patience, timings, signals, driver, l
     wanted = Wanted(tuple(asked(text, "--of") for text in signals), driver and asked(driver, "--to"), "sine", *ends)
     return print_scenes(problems, lambda problem: ("chosen", "frequency_response"), output, timings,
                         data=("frequency_response",), wanted=wanted,
-                        curves=lambda problem: _shown(problem, wanted, nyquist, plot, saves))
+                        curves=lambda problem: _shown(problem, wanted, nyquist, plot, saves, report["force"]))
 
 
-def _shown(problem, wanted, nyquist, plot, saves):
+def _shown(problem, wanted, nyquist, plot, saves, force):
     if not (plot or saves):
         return
     from vibcli.report.series import frequency_columns, frequency_figure, sampled_curves
@@ -62,4 +62,5 @@ def _shown(problem, wanted, nyquist, plot, saves):
 
         click.echo("\n" + braille(frequency_figure(problem, curves, nyquist), width=plot_width()))
     for path in saves:
-        save_to(path, problem, lambda: frequency_figure(problem, curves, nyquist), lambda: frequency_columns(curves))
+        save_to(path, force, problem, lambda: frequency_figure(problem, curves, nyquist),
+                lambda: frequency_columns(curves))

@@ -1,8 +1,11 @@
 """`vibcli new [TEMPLATE]`: a commented scene to start from."""
 
 import os
+from pathlib import Path
 
 import click
+
+from vibcli.cli.pictures import FILE, refuse, write_new
 
 DEFAULT = "mass_spring"
 
@@ -15,7 +18,7 @@ def _complete(context, parameter, incomplete):
 
 @click.command("new")
 @click.argument("template", default=DEFAULT, shell_complete=_complete)
-@click.option("-o", "--output", metavar="FILE", type=click.Path(), help="Write the scene to a new file.")
+@click.option("-o", "--output", metavar="FILE", type=FILE, help="Write the scene to a new file.")
 @click.option("--list", "listing", is_flag=True, help="What there is to start from.")
 def command(template, output, listing):
     """A commented scene to start from: a TEMPLATE (mass_spring if none is named) or an example of the manual.
@@ -29,10 +32,10 @@ def command(template, output, listing):
         return
     name = template.removesuffix(".yaml")
     if scenes.path(name) is None:
-        from vibcli.fields import nearest
+        from vibcli.fields import near
 
-        near = nearest(name, [*scenes.names("templates"), *scenes.names("examples")])
-        hint = near if near.startswith("did") else "templates: " + ", ".join(scenes.names("templates"))
+        found = near(name, [*scenes.names("templates"), *scenes.names("examples")])
+        hint = f"did you mean '{found}'?" if found else "templates: " + ", ".join(scenes.names("templates"))
         raise click.UsageError(f"there is no template '{template}'; {hint} (all: vibcli new --list)")
     if output in (None, "-"):
         click.echo(scenes.text(name), nl=False)
@@ -40,10 +43,12 @@ def command(template, output, listing):
             click.echo(f"it reads {os.path.basename(file)}, which -o writes beside it", err=True)
         return
     copies = [(os.path.join(os.path.dirname(output), os.path.basename(file)), file) for file in scenes.beside(name)]
+    for path in (output, *(copy for copy, _ in copies)):
+        refuse(Path(path), None, False)
     for copy, file in copies:
-        with open(file, encoding="utf-8") as record:
-            _write(copy, record.read())
-    _write(output, scenes.text(name))
+        with open(file, "rb") as record:
+            write_new(copy, record.read())
+    write_new(output, scenes.text(name).encode())
     written = ", ".join([output, *(copy for copy, _ in copies)])
     click.echo(f"wrote {written}; next: vibcli solve {output}", err=True)
 
@@ -57,14 +62,3 @@ def _listing(scenes):
     for which, heading in zip(scenes.FOLDERS, ("Templates, commented", "Examples of the manual"), strict=True):
         lines += [*([""] if lines else []), heading, *table(titles[which], least=width)]
     return lines
-
-
-def _write(file, text):
-    """Write a new file; nothing is ever overwritten, and what is there already is left as it is."""
-    try:
-        with open(file, "x", encoding="utf-8") as new:
-            new.write(text)
-    except FileExistsError:
-        raise click.UsageError(f"'{file}' exists already; nothing was written: name another file with -o") from None
-    except OSError as error:
-        raise click.UsageError(f"'{file}' cannot be written: {error.strerror}") from None

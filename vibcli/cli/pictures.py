@@ -12,6 +12,18 @@ from vibcli.errors import PhysicsError
 LONGEST = 80
 
 
+class File(click.Path):
+    """The name of a file to write."""
+
+    def convert(self, value, parameter, context):
+        if not str(value).strip():
+            self.fail("a file has a name, and this is empty", parameter, context)
+        return super().convert(value, parameter, context)
+
+
+FILE = File()
+
+
 def picture_options(suffixes):
     """Options of a command that writes a picture of one scene."""
     options = [
@@ -19,7 +31,7 @@ def picture_options(suffixes):
         click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
                      help="Give a parameter another value: k=500 in the file's unit, or 'k=0.5 N/mm'."),
         click.option("--case", "case", metavar="NAME", help="This case of the file, instead of the scene itself."),
-        click.option("-o", "--output", metavar="FILE", type=click.Path(),
+        click.option("-o", "--output", metavar="FILE", type=FILE,
                      help=f"The file to write: {', '.join(suffixes)}; unless named, {suffixes[0]} in this folder."),
         click.option("--force", is_flag=True, help="Replace the file if it exists."),
         patience_option,
@@ -58,7 +70,11 @@ def refuse(path, suffixes, force):
     except PhysicsError as error:
         raise click.UsageError(f"{error.message}; {error.hint}") from None
     if path.exists() and not force:
-        raise click.UsageError(f"'{path}' exists already; nothing was written: name another file, or --force")
+        raise exists(path)
+
+
+def exists(path):
+    return click.UsageError(f"'{path}' exists already and is left as it is: name another file, or --force")
 
 
 def slug(*parts):
@@ -67,8 +83,22 @@ def slug(*parts):
     return text[:LONGEST].strip("-") or "scene"
 
 
-def write(path, data):
+def write(path, data, force):
+    """Write a file, and say so."""
+    if force:
+        from vibcli.report.written import write_whole
+
+        write_whole(path, data)
+    else:
+        write_new(path, data)
+    click.echo(f"wrote {path}", err=True)
+
+
+def write_new(path, data):
+    """Write a file that is not there; a usage error where somebody else was faster."""
     from vibcli.report.written import write_whole
 
-    write_whole(path, data)
-    click.echo(f"wrote {path}", err=True)
+    try:
+        write_whole(path, data, new=True)
+    except FileExistsError:
+        raise exists(path) from None

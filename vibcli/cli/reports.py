@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import click
 
+from vibcli.cli.pictures import FILE
+
 SUFFIXES = {"text": (".txt",), "markdown": (".md", ".markdown"), "latex": (".tex",), "html": (".html", ".htm"),
             "json": (".json",)}
 PICTURES = {"markdown": "svg", "latex": "pdf"}        # written beside the report
@@ -25,7 +27,7 @@ def report_options(function):
     options = [
         click.option("--format", "kind", type=click.Choice([kind for kind in SUFFIXES if kind != "json"]),
                      help="How to write the report; by the suffix of -o unless named, else text."),
-        click.option("-o", "--output", metavar="FILE", type=click.Path(),
+        click.option("-o", "--output", metavar="FILE", type=FILE,
                      help="Write the report to a file: .txt, .md, .tex, .html or .json."),
         click.option("--force", is_flag=True, help="Replace files that exist."),
         click.option("--pictures", is_flag=True, help="Also draw the scene and its mode shapes (not in text)."),
@@ -35,9 +37,12 @@ def report_options(function):
 
 def output_of(file, as_json, kind, output, force, pictures):
     """The Output that the options ask for, before anything is computed; a usage error where that cannot be."""
-    if as_json and (kind or pictures):
-        raise click.UsageError("--json does not go with --format and --pictures")
+    if as_json and kind:
+        raise click.UsageError("--json does not go with --format")
+    suffixes = SUFFIXES.get("json" if as_json else kind, sum(SUFFIXES.values(), ()))
     kind = "json" if as_json else kind or _by_suffix(output)
+    if pictures and kind == "json":
+        raise click.UsageError("--pictures does not go with JSON")
     if pictures and kind == "text":
         raise click.UsageError("--pictures needs --format markdown, latex or html")
     if output in (None, "-"):
@@ -46,12 +51,12 @@ def output_of(file, as_json, kind, output, force, pictures):
         return Output(kind, None, pictures)
     from vibcli.cli.pictures import target
 
-    return Output(kind, target(file, output, SUFFIXES[kind], force), pictures, force)
+    return Output(kind, target(file, output, suffixes, force), pictures, force)
 
 
 def _by_suffix(output):
     suffix = Path(output or "").suffix.lower()
-    return next((kind for kind, suffixes in SUFFIXES.items() if suffix in suffixes and kind != "json"), "text")
+    return next((kind for kind, suffixes in SUFFIXES.items() if suffix in suffixes), "text")
 
 
 def write_text(text, output):
@@ -61,7 +66,7 @@ def write_text(text, output):
         return
     from vibcli.cli.pictures import write
 
-    write(output.path, (text + "\n").encode("utf-8", "replace"))
+    write(output.path, (text + "\n").encode("utf-8", "replace"), output.force)
 
 
 def write_documents(documents, output):
@@ -82,7 +87,7 @@ def write_documents(documents, output):
         for path, _ in placed:
             target(None, path, (path.suffix,), output.force)
         for path, picture in placed:
-            write(path, picture.draw(path.suffix[1:]))
+            write(path, picture.draw(path.suffix[1:]), output.force)
     write_text(text, output)
 
 

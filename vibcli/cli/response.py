@@ -59,7 +59,7 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
     for _, problem in problems:
         refuse_parts(problem, parts)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
-                        wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves))
+                        wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves, report["force"]))
 
 
 def refuse_parts(problem, parts):
@@ -78,7 +78,7 @@ def set_end(problems, text):
         problem.end = end
 
 
-def _shown(problem, wanted, plot, saves):
+def _shown(problem, wanted, plot, saves, force):
     if not (plot or saves):
         return
     from vibcli.report.series import columns, response_figure, sampled
@@ -89,4 +89,4 @@ def _shown(problem, wanted, plot, saves):
 
         click.echo("\n" + braille(response_figure(problem, series), width=plot_width()))
     for path in saves:
-        save_to(path, problem, lambda: response_figure(problem, series), lambda: columns(series))
+        save_to(path, force, problem, lambda: response_figure(problem, series), lambda: columns(series))

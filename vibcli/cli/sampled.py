@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from vibcli.cli.pictures import refuse
+from vibcli.cli.pictures import FILE, refuse, write
 
 NARROWEST, WIDEST = 40, 120
 
@@ -15,8 +15,9 @@ def curve_options(function):
     """Options of a command that shows curves."""
     options = [
         click.option("--plot", is_flag=True, help="Plot in the terminal."),
-        click.option("--save", "saves", multiple=True, metavar="FILE", help="Write a picture (.png, .svg, .pdf) or the "
-                     "sampled numbers (.csv, .npz, .json) of the scene, or of one --case."),
+        click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
+                     help="Write a picture (.png, .svg, .pdf) or the sampled numbers (.csv, .npz, .json) of the scene, "
+                     "or of one --case."),
     ]
     return reduce(lambda f, option: option(f), reversed(options), function)
 
@@ -82,14 +83,15 @@ def cases_to_show(problems, saves):
     return problems[:1] if saves else problems
 
 
-def save_to(path, problem, figure, columns):
+def save_to(path, force, problem, figure, columns):
     """Write the figure or the columns, as the suffix says."""
-    from vibcli.report.saved import DATA, save_data
+    from vibcli.report.saved import DATA, data
 
-    if Path(path).suffix.lower() in DATA:
-        save_data(path, problem.spec.get("title") or "", columns())
+    suffix = Path(path).suffix.lower()
+    if suffix in DATA:
+        found = data(suffix, problem.spec.get("title") or "", columns())
     else:
-        from vibcli.report.plots.save import save
+        from vibcli.report.plots.picture import picture
 
-        save(figure(), path)
-    click.echo(f"wrote {path}", err=True)
+        found = picture(figure(), suffix[1:])
+    write(path, found, force)

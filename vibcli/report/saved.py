@@ -1,28 +1,19 @@
 """Sampled results as files for other programs: CSV, NPZ or JSON by the suffix."""
 
 from io import BytesIO, StringIO
-from pathlib import Path
-
-from vibcli.report.written import refuse_unwritable, write_whole
 
 DATA = (".csv", ".npz", ".json")
 
 
-def refuse(path):
-    """PhysicsError where data cannot be saved there."""
-    refuse_unwritable(path, DATA)
-
-
-def save_data(path, title, columns):
-    """Write [(name, unit, array)], complex columns as real and imaginary part; the others are over the first."""
+def data(suffix, title, columns):
+    """The bytes of [(name, unit, array)], complex columns as real and imaginary part; the others are over the first."""
     apart = []
     for name, unit, values in columns:
         if values.dtype.kind == "c":
             apart += [(f"re {name}", unit, values.real), (f"im {name}", unit, values.imag)]
         else:
             apart.append((name, unit, values))
-    suffix = Path(path).suffix.lower()
-    write_whole(path, {".csv": _csv, ".npz": _npz, ".json": _json}[suffix](title, apart))
+    return {".csv": _csv, ".npz": _npz, ".json": _json}[suffix](title, apart)
 
 
 def _csv(title, columns):

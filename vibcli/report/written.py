@@ -7,10 +7,10 @@ from pathlib import Path
 from vibcli.errors import PhysicsError
 
 
-def refuse_unwritable(path, suffixes):
-    """A refusal, before anything is computed, where a file of these suffixes cannot be written there."""
+def refuse_unwritable(path, suffixes=None):
+    """A refusal, before anything is computed, where a file of these suffixes (None: any) cannot be written there."""
     path = Path(path)
-    if path.suffix.lower() not in suffixes:
+    if suffixes is not None and path.suffix.lower() not in suffixes:
         found = f"'{path.suffix}'" if path.suffix else "no suffix"
         raise PhysicsError(f"{path} is no file that can be written: it has {found}",
                            f"give it one of {', '.join(suffixes)}")
@@ -35,9 +35,9 @@ def _unwritable(path, error):
     return PhysicsError(f"{path} cannot be written: {getattr(error, 'strerror', None) or error}", "name another file")
 
 
-def write_whole(path, data):
+def write_whole(path, data, new=False):
     """Write the bytes to a new file beside `path` and rename it: what was there is replaced at once, links are not
-    followed."""
+    followed. `new`: FileExistsError where anything is there."""
     path = Path(path)
     beside = path.with_name(f".{path.name[:64]}.{secrets.token_hex(8)}")
     try:
@@ -45,9 +45,25 @@ def write_whole(path, data):
         try:
             with os.fdopen(descriptor, "wb") as file:
                 file.write(data)
-            os.replace(beside, path)
+            _put(beside, path, new)
         except BaseException:
             beside.unlink(missing_ok=True)
             raise
+    except FileExistsError:
+        raise
     except (OSError, ValueError) as error:
         raise _unwritable(path, error) from None
+
+
+def _put(beside, path, new):
+    """Give a file that is written its name; a new one takes no other's place, whoever was faster."""
+    if new:
+        try:
+            os.link(beside, path)
+            beside.unlink()
+            return
+        except FileExistsError:
+            raise
+        except OSError:         # a file system without links: the name is taken first
+            os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL))
+    os.replace(beside, path)

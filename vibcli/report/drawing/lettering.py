@@ -6,6 +6,7 @@ The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what
 import re
 from functools import cache, lru_cache
 
+from vibcli.report import library
 from vibcli.report.drawing.primitives import Run, Text
 from vibcli.report.notation import GREEK, Plain, split_name
 
@@ -82,7 +83,7 @@ def size(runs):
 
 @cache
 def font(file):
-    import matplotlib
+    matplotlib = library.matplotlib()
     from matplotlib.ft2font import FT2Font
 
     return FT2Font(f"{matplotlib.get_data_path()}/fonts/ttf/{file}")

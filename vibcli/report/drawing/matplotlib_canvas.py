@@ -2,6 +2,7 @@
 
 import io
 
+from vibcli.report import library
 from vibcli.report.drawing import lettering
 from vibcli.report.drawing.palette import COLOURS
 from vibcli.report.drawing.primitives import Circle, Polygon, Text, extent
@@ -67,8 +68,7 @@ def _letters(part):
 
 def picture(primitives, kind, box=None, dpi=DPI):
     """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
-    import matplotlib
-
+    matplotlib = library.matplotlib()
     left, bottom, right, top = box or extent(primitives)
     dpi = min(dpi, 72 * WIDEST / max(right - left, top - bottom))
 

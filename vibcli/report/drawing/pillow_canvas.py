@@ -79,11 +79,12 @@ def _draw(part, pen, place, fine):
 
 
 def _letters(text, pen, place, fine):
-    import matplotlib
     from PIL import ImageFont
 
+    from vibcli.report import library
     from vibcli.report.drawing import lettering
 
+    matplotlib = library.matplotlib()
     run, = lettering.words(text)
     file = f"{matplotlib.get_data_path()}/fonts/ttf/{lettering.file_of(run.text, False)}"
     pen.text(place, run.text, fill=COLOURS["ink"], font=ImageFont.truetype(file, run.size * fine), anchor="ls")

@@ -3,6 +3,7 @@
 import io
 import warnings
 
+from vibcli.report import library
 from vibcli.report.plots import style
 
 _OPTIONS = {      # neither date nor version; less time for the last tenth of a PNG's size
@@ -13,8 +14,7 @@ _OPTIONS = {      # neither date nor version; less time for the last tenth of a 
 
 def picture(figure, kind):
     """The bytes of a PNG, SVG or PDF."""
-    import matplotlib
-
+    matplotlib = library.matplotlib()
     with matplotlib.rc_context(), warnings.catch_warnings():
         warnings.simplefilter("ignore")      # letters that no font has are drawn as boxes
         matplotlib.rcParams.update(_settings(matplotlib.rcParamsDefault))
