@@ -1,5 +1,7 @@
 """Prescribed motions: displacements from the drawn position as they stand, small and full alike."""
 
+from textwrap import dedent
+
 import numpy as np
 import pytest
 from scenes import problem, value
@@ -89,3 +91,45 @@ def test_a_pendulum_on_a_link_that_is_shaken_upwards_has_no_frequencies(shaken, 
             value(scene, "omega[1]")
     else:
         assert value(scene, "omega[1]") == pytest.approx(10**0.5, rel=1e-12)
+
+
+ENERGIES = {
+    "a cart, a spring and a damper": """
+        initial: {x: 0.02 m}
+        bodies: {cart: {mass: 5 kg, slide: MOTION}, b: {mass: 2 kg, slide: x}}
+        springs: {s: {k: 80 N/m, between: [cart, b]}}
+        dampers: {d: {c: 0.7 N*s/m, between: [cart, b]}}
+        forces: {f: {at: cart, force: 3 N}, g: {at: b, force: -2 N*s/m*x'}}""",
+    "a slider on a driven arm that has weight": """
+        gravity: 9.81 m/s^2
+        initial: {x: 0.02 m}
+        bodies:
+          arm: {shape: rod, mass: 3 kg, from: [0, 0], to: [1 m, 0], pin: {at: [0, 0], by: MOTION/(1 m)}}
+          bead: {mass: 1 kg, at: [0.4 m, 0], slide: {by: x, carrier: arm}}
+        springs: {s: {k: 90 N/m, between: [[0, 0], bead]}}""",
+    "a crank, a rod and a piston with a bob": """
+        gravity: 9.81 m/s^2
+        initial: {x: 0.02}
+        points: {P: {body: crank, at: [0.3 m, 0.2 m]}, E: {body: rod, at: [1 m, 0]}}
+        bodies:
+          crank: {mass: 2 kg, inertia: 0.1 kg*m^2, at: [0, 0.1 m], pin: {at: [0, 0], by: MOTION/(1 m)}}
+          rod: {shape: rod, mass: 0.5 kg, from: [0.3 m, 0.2 m], to: [1 m, 0], pin: {at: P, by: psi}}
+          piston: {mass: 1 kg, at: [1 m, 0], slide: z}
+          bob: {mass: 1 kg, at: [1 m, -0.5 m], pin: {carrier: piston, at: [1 m, 0], by: x}}
+        constraints: {c: {join: [E, piston]}}
+        dampers: {d: {c: 0.2 N*s/m, between: [piston, [2 m, 0]]}}""",
+}
+
+
+@pytest.mark.parametrize("motion", ["Y*sin(w*t)", "Y*cos(w*t)", "2*w*Y*t", "w*Y*ramp(t - 0.4 s)",
+                                    "Y*w^2*ramp(t - 0.3 s)^2"])
+@pytest.mark.parametrize("figure", ENERGIES)
+def test_the_work_of_what_drives_a_motion_balances_its_energies(figure, motion):
+    """T + V of all that moves, what is driven included."""
+    one = problem("""
+parameters: {Y: 0.1 m, w: 3 rad/s}
+motion: full
+find: [{response: {until: 1.5 s}}]
+""" + dedent(ENERGIES[figure]).replace("MOTION", motion))
+    balance = one.motion.trajectory().balance
+    assert balance.error < 1e-10

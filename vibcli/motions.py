@@ -20,6 +20,7 @@ from vibcli.signals import ENERGIES
 
 LONGEST = 1e12      # seconds
 FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
+UNBALANCED = 1e-6   # of the largest energy: no motion that is known to six digits
 
 
 class Motion:
@@ -233,6 +234,13 @@ class SmallMotion(Motion):
         return LinearSignal(motion, combined(outputs))
 
 
+def _require_balanced(balance):
+    if not balance.error <= UNBALANCED:
+        raise PhysicsError(f"the energies of this motion balance to {balance.error:.2g} of the largest of them alone: "
+                           "it is not known to the digits that are stated",
+                           "follow it for a shorter time, or let what acts change less abruptly")
+
+
 class FullMotion(Motion):
     """The motion of the full equations, integrated."""
 
@@ -249,7 +257,9 @@ class FullMotion(Motion):
         if found is None or (found.until < until and not found.reason):
             from vibcli.analyses.trajectory.simulate import simulate
 
-            self._trajectory = simulate(self.problem, until, initial=self.problem.given_start)
+            found = simulate(self.problem, until, initial=self.problem.given_start)
+            _require_balanced(found.balance)
+            self._trajectory = found
         return self._trajectory
 
     def reaching(self, t):

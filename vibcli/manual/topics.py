@@ -69,7 +69,8 @@ COMPARED = [
      "hold parameters and quantities: `omega[2]/omega[1]: sqrt(3)`."),
     ("equations", "Up to a non-zero factor, at random states of motion. `equation[q]` is that of small "
      "oscillations, q counted from the equilibrium; `motion[q]` is the full one, q counted as in the scene."),
-    ("energies", "`T` and `Phi` at random states, `V` up to a constant."),
+    ("energies", "`T` and `Phi` at random states, `V` up to a constant; `T` and `V` with or without their terms of the "
+     "time alone."),
     ("symbols", "A scene with symbols is compared at several sets of random values for them."),
     ("stable", "`true` or `false`."),
 ]

@@ -33,7 +33,7 @@ class Source:
 
     def add(self, nodes):
         """Write what computes the nodes; their slots or constants are returned as texts."""
-        parts = reachable(nodes)
+        parts = reachable(nodes, self.slots)
         known = [part for part in parts if not part.mask and part not in self.constants]
         self.constants.update(zip(known, evaluate(known, Floats, self.floats), strict=True))
         for part in parts:

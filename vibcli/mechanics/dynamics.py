@@ -9,7 +9,7 @@ from vibcli.algebra.calculus import gradient
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
-from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.energies import dissipation, potential
 from vibcli.mechanics.lagrange import gyroscopic
 
 SIMPLIFIED = 4          # coordinates up to which a shorter form of each entry is looked for
@@ -85,20 +85,3 @@ def _written_out(scene, entries, forces):
     for i, row in enumerate(scene.matrices.get("M", ())):
         for j in range(i, len(row)):
             entries.setdefault((i, j), []).append((row[j] + scene.matrices["M"][j][i]) / 2)
-
-
-def powers(scene):
-    """[E, T, power of the loads, dissipated power, power of what drives the motion] as expressions.
-
-    E = Σ q̇ ∂T/∂q̇ − T + V, the energy where nothing is driven: dE/dt = loads − dissipated − ∂(T − V)/∂t.
-    """
-    table, T, V, Phi = scene.table, kinetic(scene), potential(scene), dissipation(scene)
-    timed = T.mask & scene.time.mask
-    twice = table.sum(*((gradient(T)[v] * v, ONE) for v in scene.v if v in gradient(T)))
-    energy = twice - T + V if timed else T + V
-    speeds = dict(zip(scene.q, scene.v, strict=True))
-    loads = table.sum(*((term.weight * slope * speeds[q], ONE) for term in scene.forces
-                        for q, slope in gradient(term.s).items() if q in speeds))
-    lost = table.sum(*((gradient(Phi)[v] * v, ONE) for v in scene.v if v in gradient(Phi)))
-    driven = gradient(V).get(scene.time, table.zero) - gradient(T).get(scene.time, table.zero)
-    return [energy, T, loads, lost, driven]

@@ -143,7 +143,8 @@ class System:
         return np.linalg.solve(A, right)[:self.n]
 
     def struck(self, t, q, v, g, blows):
-        """q̇ after impulses of the sizes {impulse node: N·s} at an instant: M Δq̇ + Gᵀ Λ = Σ size ∂(−h)/∂δ, G Δq̇ = 0."""
+        """q̇ after impulses of the sizes {impulse node: N·s} just before an instant: M Δq̇ + Gᵀ Λ = Σ size ∂(−h)/∂δ, and
+        Ġ = 0 again where a constraint is driven at another speed from then on."""
         table = self.scene.table
         stand_in = {node: table.variable(f"impulse {i}") for i, node in enumerate(blows)}
         h = substitute(self.parts.h, stand_in)
@@ -156,7 +157,8 @@ class System:
         entries = [*self.parts.M.values(), *self.parts.slopes.values()]
         values = [float(np.max(value)) for value in self.compiled(entries)(*point)]
         A = _bordered(values, list(self.parts.M), list(self.parts.slopes), self.n, self.m, 1)[0]
-        right = np.concatenate([-np.array(list(blows.values())) @ sizes, np.zeros(self.m)])
+        parted = self.gaps(*point[:3])[1][:, 0] if self.m else np.zeros(0)
+        right = np.concatenate([-np.array(list(blows.values())) @ sizes, -parted])
         return v + np.linalg.solve(A, right)[:self.n]
 
     def rate_of(self, node):

@@ -32,14 +32,14 @@ class Terms:
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
-        if s.mask & ~self.time.mask and not weight.is_zero:
+        if s.mask and not weight.is_zero:
             self.inertias.append(Term(weight, s, owner=self.owner))
 
     def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""
         if self.gravity is not None:
             for g, s in zip(self.gravity, (x, y), strict=True):
-                if s.mask & ~self.time.mask and not g.is_zero:
+                if s.mask and not g.is_zero:
                     self.weights.append(Term(-mass * g, s, owner=self.owner))
 
     def add_spring(self, k, preload, s):

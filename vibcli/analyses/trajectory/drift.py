@@ -22,6 +22,7 @@ def drift(system, windows):
         tau = np.append(window.rule.c * window.end, window.end)
         q, v, _ = window.states(tau)
         t = window.start + tau
+        t[-1] = np.nextafter(t[-1], window.start)       # with the speed that it was driven at
         slopes = np.abs(system.slopes(t, q, v))
         moved = np.abs(q - start[:, None]), np.abs(v)
         for i, (gap, far) in enumerate(zip(system.gaps(t, q, v), moved, strict=True)):

@@ -1,49 +1,77 @@
-"""The energy balance of a motion: dE/dt = loads − dissipated + driving, integrated at the Gauss points."""
+"""The energy balance of a motion: d(T + V)/dt = loads − dissipated + drive, integrated at the Gauss points."""
 
 import numpy as np
 
 from vibcli.analyses.trajectory.collocation import rule
 from vibcli.analyses.trajectory.result import POINTS, Balance
 from vibcli.mechanics.compiled import Compiled
-from vibcli.mechanics.dynamics import powers
+from vibcli.mechanics.powers import powers
 
 
 def balance(system, switching, windows, ends, struck):
     """The Balance over all windows, each of which may have been cut short; ends: the states (q, q̇) there; struck:
-    [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads."""
-    r = rule(POINTS)
-    compiled = system.compiled(powers(system.scene))
-    parts = [_at_points(window, r) for window in windows]
-    q, v = (np.concatenate([part[i] for part in parts], axis=1) for i in (0, 1))
+    [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads, or of what drives the scene."""
+    r, flow = rule(POINTS), powers(system.scene, system.parts.gaps)
+    points = [_at_points(window, r) for window in windows]
+    q, v, a = (np.concatenate([part[i] for part in points], axis=1) for i in range(3))
     t = np.concatenate([window.start + r.c * window.end for window in windows])
-    senses = _senses(system, switching, windows, parts, r)
-    _, kinetic, *rates = (np.broadcast_to(value, t.shape) for value in compiled(t, q, v, _all(system, senses, t, q, v)))
+    senses = _senses(system, switching, windows, points, r)
+    kinetic, *rates = _rates(system, flow, t, q, v, a, senses)
     lengths = np.array([window.end for window in windows])
-    loads, lost, driving = (np.concatenate([[0.0], np.cumsum(rate.reshape(-1, POINTS) @ r.w * lengths)])
-                            for rate in rates)
+    loads, lost, drive = (np.concatenate([[0.0], np.cumsum(rate.reshape(-1, POINTS) @ r.w * lengths)])
+                          for rate in rates)
     times = np.array([windows[0].start, *(window.start + window.end for window in windows)])
     states = [(windows[0].q, windows[0].v), *ends]
-    energy = _energy(system, times, *(np.column_stack([state[i] for state in states]) for i in (0, 1)))
-    for instant, place, before, after in struck:
-        gained = np.diff(_energy(system, np.full(2, instant), np.column_stack([place] * 2),
-                                 np.column_stack([before, after])))[0]
+    energy, after = _at_ends(system, flow, times, states)
+    blows = np.concatenate([[0.0], np.cumsum(after - energy)[:-1]])    # of what is prescribed and jumps
+    for instant, *state in struck:
         if instant > windows[0].start:
-            loads = loads + gained * (times > instant * (1 + 1e-14))
-    gap = energy - energy[0] - loads + lost - driving
-    size = max(float(np.abs(part).max()) for part in (loads, lost, driving, kinetic))
-    return Balance(times, energy, loads, lost, driving, float(np.abs(gap).max() / size) if size else 0.0)
+            blows = blows + _gained(system, flow, instant, *state) * (times > instant * (1 + 1e-14))
+    loads, drive = (loads, drive + blows) if flow.driven else (loads + blows, drive)
+    gap = energy - energy[0] - loads + lost - drive
+    size = max(float(np.abs(part).max()) for part in (loads, lost, drive, kinetic))
+    return Balance(times, energy, loads, lost, drive, float(np.abs(gap).max() / size) if size else 0.0)
 
 
-def _energy(system, t, q, v):
-    """E at instants, where nothing is cut: |u|, min and max are what they are."""
-    compiled = Compiled(system.scene, system.floats, None, powers(system.scene)[:1])
-    return np.array(np.broadcast_to(compiled(t, q, v)[0], t.shape))
+def _rates(system, flow, t, q, v, a, senses):
+    """[T, power of the loads, dissipated power, power of the drive] at the Gauss points."""
+    drift, slopes = system.rate_of(flow.carried)
+    nodes = [flow.kinetic, flow.loads, flow.lost, flow.drive + drift, *slopes.values(), *flow.ties]
+    compiled = system.compiled(nodes)
+    values = [np.broadcast_to(value, t.shape) for value in compiled(t, q, v, _all(system, senses, t, q, v))]
+    drive, pulled = values[3], values[4:4 + len(slopes)]
+    for i, slope in zip(slopes, pulled, strict=True):
+        drive = drive + slope * a[i]
+    if any(not tie.is_zero for tie in flow.ties):
+        multipliers = system.solved(t, q, v, senses)[1]
+        drive = drive + sum(tie * multiplier for tie, multiplier in zip(values[4 + len(slopes):], multipliers,
+                                                                        strict=True))
+    return [*values[:3], drive]
+
+
+def _at_ends(system, flow, times, states):
+    """T + V at the ends of windows, just before and just after each of these instants: what is prescribed may jump."""
+    compiled = Compiled(system.scene, system.floats, None, [flow.energy])
+    q, v = (np.column_stack([state[i] for state in states]) for i in (0, 1))
+    after = np.array(np.broadcast_to(compiled(times, q, v)[0], times.shape))
+    if not flow.driven:
+        return after, after
+    before = np.array(np.broadcast_to(compiled(np.nextafter(times, -np.inf), q, v)[0], times.shape))
+    before[0] = after[0]
+    return before, after
+
+
+def _gained(system, flow, instant, place, before, after):
+    """What an impulse adds to T + V."""
+    compiled = Compiled(system.scene, system.floats, None, [flow.energy])
+    found = compiled(np.full(2, instant), np.column_stack([place] * 2), np.column_stack([before, after]))[0]
+    return np.diff(np.broadcast_to(found, 2))[0]
 
 
 def _senses(system, switching, windows, parts, rule):
     """The senses of the switches at the Gauss points of all windows, those that slide included."""
     found = []
-    for window, (q, v) in zip(windows, parts, strict=True):
+    for window, (q, v, _) in zip(windows, parts, strict=True):
         g = np.repeat(np.array(window.g, dtype=float).reshape(-1, 1), rule.points, axis=1)
         if window.slides:
             g[list(window.slides)] = switching.sliding(window.slides, window.start + rule.c * window.end, q, v,
@@ -60,7 +88,7 @@ def _all(system, senses, t, q, v):
 
 
 def _at_points(window, rule):
-    """(q, q̇) at the Gauss points of what a window holds."""
+    """(q, q̇, q̈) at the Gauss points of what a window holds."""
     tau = rule.c * window.end
     known = window.end == window.length and window.rule is rule
-    return window.summed(tau, rule.at_points)[:2] if known else window.states(tau)[:2]
+    return window.summed(tau, rule.at_points)[:3] if known else window.states(tau)[:3]

@@ -153,16 +153,16 @@ class March:
         else:
             self.q, self.v, _ = window.state(end)
             self.t, self.guess, window.end = window.start + end, None, end
-        self.close()
+        self.close(np.nextafter(self.t, window.start))      # with the speed that it was driven at
         self.sizes.move(self.q)
         if window.end:
             self.windows.append(window)
             self.ends.append((self.q, self.v))
 
-    def close(self):
-        """Put the state on the constraints, from which it drifts by rounding."""
+    def close(self, t):
+        """Put the state on the constraints of an instant, from which it drifts by rounding."""
         if self.system.m:
-            self.q, self.v = self.system.projected(self.t, self.q, self.v, self.g)
+            self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
 
     def undefined(self):
         return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "
