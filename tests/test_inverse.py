@@ -633,7 +633,7 @@ def test_json(file, capsys):
     data = json.loads(printed(capsys, "frequencies", file, "--json"))
     entry, = data["chosen"]
     assert entry == {"parameter": "c", "condition": "zeta[1] = 1", "values": [80.0], "closed_forms": ["2*sqrt(m*k)"],
-                     "residuals": [0.0], "limit_points": [False]}
+                     "residuals": [0.0], "limit_points": [False], "counts_for": [[]]}
     assert data["damped"][0]["zeta"] == 1.0
     assert data["cases"]["soft"]["chosen"][0]["values"] == [40.0]
     assert "chosen" not in data["cases"]["given"]

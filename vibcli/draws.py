@@ -10,6 +10,7 @@ from vibcli.algebra.evaluate import evaluate
 from vibcli.errors import PhysicsError, SpecError
 
 DRAWS, CANDIDATES = 3, 40
+FAILURES = 8        # draws without a solution after which the search for what is chosen is given up
 STATES, NEAR, SEPARATE, MOST_HALVINGS = 5, 1e-4, 12, 30
 
 
@@ -50,17 +51,31 @@ def drawn(problem):
 
 def _candidates(problem):
     """Those for which what the scene chooses can be found; its refusal where that is so for none."""
-    found, refusal = 0, None
-    for candidate in drawn(problem):
+    found, failed, refusal = 0, 0, None
+    for candidate in _for_choices(problem) or drawn(problem):
         try:
             settled = _settled(candidate)
         except (SpecError, PhysicsError) as error:
-            refusal = refusal or error
+            refusal, failed = refusal or error, failed + 1
+            if failed >= FAILURES and not found:
+                break
             continue
         found += 1
         yield settled
     if not found and refusal is not None:
         raise refusal
+
+
+def _for_choices(problem):
+    """Draws at which the first solution in letters of what a scene chooses is the first one; None without such."""
+    if not problem.spec.choices:
+        return None
+    from vibcli.inverse import settled
+
+    try:
+        return settled(problem).chosen.draws
+    except PhysicsError:
+        return None
 
 
 def _settled(problem):

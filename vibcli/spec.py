@@ -80,7 +80,7 @@ class Spec:
     """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
     __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "counts", "dimensions", "file",
-                 "free_numbers", "named", "parameters", "sections", "used", "velocities")
+                 "free_numbers", "named", "parameters", "sample", "sections", "used", "velocities")
 
     def __init__(self, file, sections, named):
         """`named`: the names that stand in each section, of what could not be read as well."""
@@ -89,6 +89,7 @@ class Spec:
         self.answers, self.choices = sections.get("answers", []), {}
         self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
         self.counts = None      # of cycles, by name: see counting.py
+        self.sample = {}        # values of letters at which the scene is drawn, where not any will do
 
     def get(self, section, default=None):
         return self.sections.get(section, default)

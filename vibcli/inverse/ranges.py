@@ -35,12 +35,15 @@ class Range(NamedTuple):
 
 def admissible(problem, name):
     """The Range of a chosen parameter: between its bounds, of one sign where it is positive; angles within a turn."""
+    return Range(*ends(problem, name, turns(problem, name)), natural_scale(problem.spec, name))
+
+
+def ends(problem, name, turning):
+    """(low, high, whether the scene gives each) of a Range; `turning`: is it an angle?"""
     record, parameter = problem.spec.choices[name], problem.spec.parameters[name]
     low, high = -math.inf if parameter.get("sign") == "any" else 0.0, math.inf
-    if low == 0.0 and turns(problem, name):
-        high = 2 * math.pi
-    elif turns(problem, name):
-        low, high = -math.pi, math.pi
+    if turning:
+        low, high = (0.0, 2 * math.pi) if low == 0.0 else (-math.pi, math.pi)
     bounds = [_bound(problem, record[key]) if key in record else None for key in ("from", "to")]
     if bounds[0] is not None and (bounds[0] > low or low):
         low = bounds[0]
@@ -50,8 +53,7 @@ def admissible(problem, name):
         unit = units.text(problem.spec.dimensions.of(name))
         raise PhysicsError(f"no value of {name} lies from {low:.6g} to {high:.6g} {unit}".rstrip(),
                            "mind the signs and the order: from the least to the largest value", record.where)
-    return Range(low, high, bounds[0] is not None and low == bounds[0], bounds[1] is not None,
-                 natural_scale(problem.spec, name))
+    return low, high, bounds[0] is not None and low == bounds[0], bounds[1] is not None
 
 
 def _bound(problem, expression):

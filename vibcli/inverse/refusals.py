@@ -17,7 +17,7 @@ def undetermined(problem, span=None):
         return PhysicsError(f"the drawn position is in equilibrium whatever {names} is: that does not determine it",
                             "ask for another condition", where)
     reach = "whatever {} is" if span is None else f"for every {{}} from {_figure(span[0])} to {_figure(span[1])}"
-    return PhysicsError(f"{_texts(problem)}: this holds {reach.format(names)}, so it does not determine it",
+    return PhysicsError(f"{texts(problem)}: this holds {reach.format(names)}, so it does not determine it",
                         "ask for another condition", where)
 
 
@@ -25,7 +25,7 @@ def _where(problem):
     return next(iter(problem.spec.choices.values())).where
 
 
-def _texts(problem):
+def texts(problem):
     """The conditions in words."""
     words = {BALANCE: "equilibrium as drawn", LIMIT: "a limit of stability"}
     conditions = [record["so"] for record in problem.spec.choices.values()]
@@ -42,7 +42,7 @@ def none_found(system, scan, proven=False):
         return _of_several(system, proven)
     name, span = system.names[0], system.ranges[0]
     none = f"no value of {name} {_within(system, span)}" + " was found that" * (not proven)
-    gives = f"{none} gives {_texts(system.problem)}"
+    gives = f"{none} gives {texts(system.problem)}"
     if not scan.defined():
         error = system.refusal
         if isinstance(error, SpecError):
@@ -64,9 +64,9 @@ def _of_several(system, proven):
     """No common solution of several conditions."""
     names, where = listed(system.names), _where(system.problem)
     if proven:
-        return PhysicsError(f"no admissible values of {names} give {_texts(system.problem)}",
+        return PhysicsError(f"no admissible values of {names} give {texts(system.problem)}",
                             "is each of these within reach of the scene? try one of them alone", where)
-    return PhysicsError(f"no admissible values of {names} were found that give {_texts(system.problem)}",
+    return PhysicsError(f"no admissible values of {names} were found that give {texts(system.problem)}",
                         "is each of these within reach of the scene? try one of them alone, or give the range of each "
                         "with from and to", where)
 
@@ -168,9 +168,9 @@ def no_closed_form(problem):
 
 
 def never_in_letters(problem):
-    return PhysicsError(f"no admissible value of {listed(problem.spec.choices)} gives {_texts(problem)}, at several "
-                        "values of the letters", "give the other parameters values with --set, to see what is possible",
-                        _where(problem))
+    return PhysicsError(f"no admissible value of {listed(problem.spec.choices)} was found that gives {texts(problem)}, "
+                        "at any of the values of the letters that were tried",
+                        "give the other parameters values with --set, to see what is possible", _where(problem))
 
 
 def listed(names):

@@ -19,20 +19,23 @@ DIGITS, READABLE, TRACE = 60, 70, 1e-20
 
 class Solution:
     """values: {name: number, None in letters}; forms: {name: closed form or None}; residual of the substitution; fold:
-    is this a limit point, at which the equilibrium and an unstable one vanish?"""
+    is this a limit point, at which the equilibrium and an unstable one vanish? counts: in letters, the Conditions
+    under which it is a solution."""
 
-    __slots__ = ("fold", "forms", "residual", "values")
+    __slots__ = ("counts", "fold", "forms", "residual", "values")
 
-    def __init__(self, values, forms, residual, fold=False):
-        self.values, self.forms, self.residual, self.fold = values, forms, residual, fold
+    def __init__(self, values, forms, residual, fold=False, counts=()):
+        self.values, self.forms, self.residual, self.fold, self.counts = values, forms, residual, fold, counts
 
 
 class Chosen:
-    """The parameters that a scene chooses, their conditions ({name: text}) and the solutions, ascending."""
+    """The parameters that a scene chooses, their conditions ({name: text}) and the solutions, ascending; draws: the
+    same scene with numbers for its letters at which the first solution counts."""
 
-    __slots__ = ("conditions", "solutions")
+    __slots__ = ("conditions", "draws", "solutions")
 
-    def __init__(self, choices, solutions):
+    def __init__(self, choices, solutions, draws=()):
+        self.draws = draws
         self.conditions = {name: record["so"].text for name, record in choices.items()}
         self.solutions = solutions
 
@@ -50,9 +53,11 @@ class Chosen:
         return all(form is not None for form in self.solutions[0].forms.values())
 
 
-def defined(problem, forms):
-    """The problem with parameters defined by closed forms ({name: node}); None where one is too long to write."""
+def defined(problem, forms, sample=None):
+    """The problem with parameters defined by closed forms ({name: node}); None where one is too long to write.
+    `sample`: values of the letters at which these count, where it is drawn."""
     spec = copy(problem.spec)
+    spec.sample = {name: float(value) for name, value in (sample or {}).items()}
     spec.parameters = dict(spec.parameters)
     for name, node in forms.items():
         text, old = language(node), spec.parameters[name]
@@ -67,6 +72,13 @@ def defined(problem, forms):
     spec.sections = {**spec.sections, "parameters": spec.parameters}
     found = Problem(spec, problem.given, work=problem.work)
     found.costs = problem.costs
+    return found
+
+
+def with_chosen(found, problem, solutions, draws=()):
+    """A scene with the first of the solutions as what its problem chose."""
+    found.costs, found.end = problem.costs, problem.end
+    found.chosen = Chosen(problem.spec.choices, solutions, draws)
     return found
 
 

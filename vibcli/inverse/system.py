@@ -61,6 +61,7 @@ class System:
     def _measure(self, numeric):
         import numpy as np
 
+        self.problem.work.step()
         try:
             with np.errstate(all="ignore"):
                 if any(condition.word != BALANCE for condition in self.conditions):

@@ -292,6 +292,8 @@ PATIENCE = [
     [
         ("a full motion", "100000 steps, each a few oscillations of its fastest part. It is stopped sooner, after 2000 "
          "steps, where it would need ten times as many as it may take. Up to where it has come its values are known."),
+        ("a search for what is chosen", "30000 values or steps of the motions there. (In letters no search is needed "
+         "where there is a closed form.)"),
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
          "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
          "bounds, of three coordinates at 20000."),

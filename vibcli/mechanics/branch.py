@@ -70,6 +70,7 @@ class Branch:
     def forces(self, value, q, near, of):
         """(r, K, position) in scaled coordinates; None where they are not defined. `near`: a position closed for the
         value `of`."""
+        self.problem.work.step()
         target = dict(zip(self.names, map(float, q * self.scale), strict=True))
         floats, loops = self.floats(value), self.problem.scene.loops
         if loops is not None:

@@ -31,6 +31,27 @@ def _lines(problem, several):
             mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
             fold = (Words(FOLD),) * solution.fold
             yield line(*mark, *_equation(problem, name, solution), *fold, hang=6 if several else 2, inset=inset)
+        if solution.counts:
+            counts = [part for condition in solution.counts for part in (", ", *_condition(condition))][1:]
+            yield line(Words("for "), *counts, hang=6, inset=4 if several else 2)
+
+
+def _condition(condition):
+    """Parts of a Condition under which a solution in letters counts."""
+    if condition.words is not None:
+        return [Words(f"values at which it gives {condition.words}")]
+    if not condition.relation:
+        return [Words("real "), Name(condition.name)]
+    side = Name(condition.name) if condition.node is None else condition.node
+    return [side, f" {condition.relation} ", condition.bound]
+
+
+def _told(condition):
+    """The same as a text of the language."""
+    if condition.words is not None or not condition.relation:
+        return condition.words or f"real {condition.name}"
+    side = condition.name if condition.node is None else language(condition.node)
+    return f"{side} {condition.relation.replace('≥', '>=').replace('≤', '<=')} {language(condition.bound)}"
 
 
 FOLD = "   a limit point (fold): there the equilibrium meets an unstable one, and beyond it both are gone"
@@ -63,7 +84,8 @@ def _with_units(condition):
 
 
 def chosen_data(problem):
-    """[{parameter, condition, values, closed_forms, residuals, limit_points}], of lists an entry to each solution."""
+    """[{parameter, condition, values, closed_forms, residuals, limit_points, counts_for}], of lists an entry to each
+    solution."""
     chosen = problem.chosen
     found = []
     for name, condition in chosen.conditions.items():
@@ -74,5 +96,7 @@ def chosen_data(problem):
                       "values": [text if value is None else float(value)
                                  for value, text in zip(values, texts, strict=True)],
                       "closed_forms": texts, "residuals": [solution.residual for solution in chosen.solutions],
-                      "limit_points": [solution.fold for solution in chosen.solutions]})
+                      "limit_points": [solution.fold for solution in chosen.solutions],
+                      "counts_for": [[_told(condition) for condition in solution.counts]
+                                     for solution in chosen.solutions]})
     return found

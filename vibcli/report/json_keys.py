@@ -13,6 +13,7 @@ KEYS = {
     "chosen[].closed_forms": "the same as expressions of the language of scenes, null where none was found",
     "chosen[].residuals": "what is left of the conditions after substitution, relative to their terms",
     "chosen[].limit_points": "is it a limit point (fold), where the equilibrium and an unstable one vanish?",
+    "chosen[].counts_for": "in letters: the conditions under which each is a solution, none where it always is",
     "equilibrium": "the equilibrium reached from the drawn position, or nearest to the place that `equilibrium:` names",
     "equilibrium.coordinates": "{name: value}",
     "equilibrium.dependent": "{name: value} of the coordinates that constraints tie to the others, as functions of "

@@ -76,6 +76,7 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
         given = {name: float(value) for name, value in given.items()}
         free = sample_values(self.parameters.free, attempt)
         free |= {name: free[name] * SIZES[attempt % len(SIZES)] for name in spec.choices if name in free}
+        free |= {name: value for name, value in spec.sample.items() if name in free}
         self.sample = self.parameters.values(Floats, {**free, **given})
         table.sample = self.sample
         named = "t" in spec.parameters or "t" in spec.coordinates
