@@ -49,6 +49,10 @@ class NotInLetters(PhysicsError):
     """There is such an answer, but it is not found in letters: a remark where other answers stand beside it."""
 
 
+class Kinked(PhysicsError):
+    """There are no small oscillations, as friction or a stop has no slope at rest: a remark beside equations."""
+
+
 def defined_as_drawn(function, *args):
     """What the function gives; a refusal where an expression divides by zero in the drawn position."""
     try:

@@ -17,8 +17,10 @@ class InLetters:
     @cached_property
     def matrices_in_letters(self):
         """M, C, G, K of the small oscillations in letters."""
+        from vibcli.mechanics.kinks import require_unheld
         from vibcli.mechanics.lagrange import matrices_in_letters
 
+        require_unheld(self)
         if self.scene.timed:
             from vibcli.mechanics.steady import require_autonomous
             from vibcli.scene.loops import drawn_values

@@ -36,6 +36,13 @@ class OnRequest:
 
         return [about(self, item) for item in self.equilibria.items]
 
+    @cached_property
+    def sticking(self):
+        """Where dry friction holds the scene at rest; None where nothing does."""
+        from vibcli.mechanics.sticking import sticking
+
+        return sticking(self)
+
     @Stage
     def reactions(self):
         """Forces in constraints and supports in equilibrium, by multipliers."""

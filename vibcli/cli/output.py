@@ -6,13 +6,14 @@ import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.cli.reports import write_documents, write_text
-from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.errors import Kinked, NotInLetters, PhysicsError
 from vibcli.questions import INSIGHT, RESPONSES
 from vibcli.report.blocks import Document, Refusal, paragraph, section
 from vibcli.report.document import Report, title_of
 from vibcli.report.render_text import render
 
 FLOAT_DIGITS = 12
+SLOPES = ("frequencies", "modes", "damping", *INSIGHT)         # what needs a slope of the forces
 
 
 def print_scenes(problems, sections, output, timings, digits=None, normalise="first", data=(), question=False,
@@ -100,7 +101,13 @@ def _print_json(found, output):
 
 
 def _data(problem, parts, normalise, digits, sections, wanted=None):
-    from vibcli.report.results import energies_data, equations_data, frequencies_data, matrices_data
+    from vibcli.report.results import (
+        energies_data,
+        equations_data,
+        frequencies_data,
+        matrices_data,
+        sticking_data,
+    )
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if problem.chosen is not None:
@@ -110,8 +117,9 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
     if "frequencies" in parts:
         try:
             found |= frequencies_data(problem, normalise, digits)
-        except NotInLetters as error:
-            if "equations" not in parts:
+        except PhysicsError as error:
+            letters = isinstance(error, NotInLetters) and "equations" in parts
+            if not letters and not _without_slope(problem, error, sections):
                 raise
             found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
     if "equilibria" in sections:
@@ -120,12 +128,14 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
         found |= equilibria_data(problem)
     if "equations" in parts:
         refusal = problem.equations.refusal
-        if refusal and not isinstance(refusal, NotInLetters):
+        if refusal and not isinstance(refusal, NotInLetters) and not _without_slope(problem, refusal, sections):
             raise refusal
+        if problem.sticking is not None:
+            found["sticking"] = sticking_data(problem)
         found["energies"] = energies_data(problem)
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
-            found["matrices"] = matrices_data(problem)
+            found["matrices"] = None if refusal else matrices_data(problem)
     if asked := [word for word in sections if word in RESPONSES]:
         from vibcli.report import response_data
         from vibcli.report.wanted import Wanted
@@ -139,6 +149,15 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
     return found
 
 
+def _without_slope(problem, refusal, sections):
+    """Does friction or a kink leave no slope, where nothing that needs one is asked by name?"""
+    if not isinstance(refusal, Kinked) and problem.sticking is None:
+        return False
+    asked = problem.spec.get("find") or ()
+    beside = "equations" in sections or "frequencies" not in sections
+    return beside and not any(word in sections and word in asked for word in SLOPES)
+
+
 def _report(problem, sections, normalise, digits, pictures, wanted=None):
     report = Report(problem, normalise, pictures, wanted)
     for name in sections:
@@ -146,6 +165,8 @@ def _report(problem, sections, normalise, digits, pictures, wanted=None):
     if isinstance(report.refusal, NotInLetters) and "equations" in sections:
         remark = paragraph(f"{report.refusal.message}: {report.refusal.hint}", hang=0)
         report.sections += section("Not found in letters", remark)
+        report.refusal = None
+    if report.refusal and _without_slope(problem, report.refusal, sections):      # said beside the equations
         report.refusal = None
     if digits is not None:
         _digits(report, problem, digits)

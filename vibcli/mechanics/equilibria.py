@@ -70,7 +70,7 @@ def find_equilibria(problem):
             if isinstance(stopped, Spent) and stopped.task is not task:
                 raise
             cut = True
-    complete = linear or (not cut and proved(forces, found))
+    complete = problem.sticking is None and (linear or (not cut and proved(forces, found)))
     known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
     items = [_item(forces, place, (), loose, known) for place in found.isolated]
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]

@@ -3,27 +3,34 @@
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import reachable
-from vibcli.errors import PhysicsError
+from vibcli.errors import Kinked
 
 SIDES = {"sign": (-1, 1), "step": (0, 1)}     # values on both sides of a vanishing argument
 KINKED = ("abs", "min", "max", "ramp", *SIDES)
 SAME = 1e-9
+HINT = "the full equations are those of `vibcli equations`, their motion that of motion: full"
 
 
 def require_smooth(problem):
-    """PhysicsError where a load, energy or constraint has a kink at the equilibrium."""
+    """Kinked where a load, energy or constraint has a kink at the equilibrium, or dry friction holds the scene."""
     scene = problem.scene.resting
     if not scene.table.called.intersection(KINKED):
         return
+    require_unheld(problem)
     terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights)
     V = scene.energies["V"]
     bends = [second for slope in gradient(V).values() for second in gradient(slope).values()]
     for node in [term.s for term in terms] + [term.weight for term in scene.forces] + list(scene.energies.values()):
         for part in (node, *gradient(node).values(), *(bends if node is V else ())):
             if _jumps(problem, part):
-                raise PhysicsError("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no "
-                                   "small oscillations about it", "the full equations are those of `vibcli equations`, "
-                                   "their motion that of motion: full")
+                raise Kinked("abs, sign, min, max, step or ramp has a kink in the equilibrium: there are no small "
+                             "oscillations about it", HINT)
+
+
+def require_unheld(problem):
+    """Kinked where dry friction holds the scene at rest."""
+    if problem.sticking is not None:
+        raise Kinked("dry friction has a kink at rest: there are no small oscillations", HINT)
 
 
 def _jumps(problem, node):

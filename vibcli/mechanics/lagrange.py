@@ -78,6 +78,7 @@ def equations(problem):
     found.M, found.C, found.G, found.K = [{}] * 4
     found.in_letters, found.linear, found.refusal = False, [], None
     try:
+        _require_slope(problem)
         if scene.timed:
             found.drive = problem.excitation
         found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
@@ -89,6 +90,15 @@ def equations(problem):
     except PhysicsError as error:
         found.in_letters, found.refusal = False, error
     return found
+
+
+def _require_slope(problem):
+    """Kinked where the forces have none at rest."""
+    from vibcli.mechanics.kinks import require_smooth, require_unheld
+
+    require_unheld(problem)
+    if not problem.symbolic:
+        require_smooth(problem)
 
 
 def matrices_in_letters(form):

@@ -28,7 +28,7 @@ class Report:
 
     def __init__(self, problem, normalise="first", pictures=False, wanted=None):
         self.problem, self.normalise, self.pictures = problem, normalise, pictures
-        self.sections, self.roots, self.refusal = [], {}, None
+        self.sections, self.roots, self.refusal, self.told_held = [], {}, None, False
         self.wanted = wanted or Wanted()
 
     def add(self, name):

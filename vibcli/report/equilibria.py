@@ -12,6 +12,7 @@ KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stab
 WIDEST = 6      # coordinates side by side
 PROVED = "proved by interval arithmetic: there are no others within these bounds"
 OPEN_LIST = "found by search: it is not proved that there are no others"
+HELD_ELSEWHERE = "these are the positions of rest without dry friction, which holds it in others too"
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
 
@@ -26,11 +27,13 @@ def equilibria(problem, _):
         "Equilibria", _table(problem) if found.items else paragraph("none"),
         *(paragraph(f"{number}: {warning}", hang=3) for number, warning in warned if warning),
         paragraph("searched: ", *separated(limits)) if limits else None,
-        _others(found))
+        _others(problem, found))
 
 
-def _others(found):
+def _others(problem, found):
     """A paragraph: are there others?"""
+    if problem.sticking is not None:
+        return paragraph(HELD_ELSEWHERE, hang=None)
     if found.linear:
         return paragraph("the equations are linear: there are no others") if found.items else None
     return paragraph(PROVED if found.complete else CUT if found.cut else OPEN_LIST, hang=None)

@@ -43,6 +43,10 @@ KEYS = {
     "search.complete": "true where it is proved that there are no others within the bounds; false where there may be "
                        "more",
     "search.cut": "true where the search was cut short",
+    "sticking": "where dry friction holds the scene at rest, in solve and equations; absent where none does",
+    "sticking.conditions": "equations and inequalities of the coordinates as texts, sigma_1 … being shares of friction",
+    "sticking.from": "of one coordinate in numbers: the least of a stretch of such places; null where there is no end",
+    "sticking.to": "the greatest",
     "energies": "as expressions of the language of scenes, in solve and equations",
     "energies.T": "kinetic energy",
     "energies.V": "potential energy, without constants",
@@ -60,7 +64,8 @@ KEYS = {
     "matrices.K": "stiffness matrix",
     "reactions": "{signal: force or moment in equilibrium}, with `find: [reactions]`; null where statics leaves it "
                  "open",
-    "remark": "why a scene in letters has no equilibrium, matrices and modes here, in words; absent otherwise",
+    "remark": "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, in "
+              "words; absent otherwise",
     "modes": "a list: modes of the system without its dampers, by ascending omega, unstable ones first",
     "modes[].index": "number of the mode, from 1",
     "modes[].omega": "natural angular frequency; exactly 0 of a rigid mode, null of one that grows without "

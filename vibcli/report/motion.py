@@ -1,9 +1,11 @@
 """Energies and equations of motion, full and for small oscillations."""
 
+from vibcli.errors import Kinked
 from vibcli.report import blocks
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section
 from vibcli.report.brevity import brief
+from vibcli.report.rest import held
 from vibcli.report.results import numeric_drive, numeric_row
 from vibcli.report.sides import sides
 
@@ -30,8 +32,11 @@ def equations(problem, report):
         return
     yield from _full(problem, report)
     found, coordinates = problem.equations, problem.scene.coordinates
-    if found.refusal:
+    if found.refusal and not (problem.sticking or isinstance(found.refusal, Kinked)):
         raise found.refusal
+    if found.refusal:
+        yield from _unbent(problem, report)
+        return
     linear = None
     if found.linear:
         linear = blocks.equations(
@@ -43,6 +48,15 @@ def equations(problem, report):
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
         blocks.equations(_in_numbers(problem, found)) if numbers else None)
+
+
+def _unbent(problem, report):
+    """What is said instead of small oscillations where there is a kink."""
+    if problem.sticking is not None and not report.told_held:
+        yield from section("Equilibrium", *held(problem))
+    why = "dry friction" if problem.sticking is not None else "abs, sign, min, max, step or ramp"
+    yield from section("Small oscillations", paragraph(
+        f"none: {why} has a kink there; `motion: full` follows the motion", hang=0))
 
 
 def _full(problem, report):

@@ -1,11 +1,23 @@
 """The equilibrium that is reached from the drawn position."""
 
+from math import isfinite
+
+from vibcli.algebra.rationals import ONE
+from vibcli.errors import Kinked, PhysicsError
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.figures import figure, quantity
 
 
-def equilibrium(problem, _):
-    blocks = _in_letters(problem) if problem.symbolic else _in_numbers(problem)
+def equilibrium(problem, report):
+    try:
+        blocks = _in_letters(problem) if problem.symbolic else _in_numbers(problem)
+    except PhysicsError:
+        if problem.sticking is None:
+            raise
+        blocks = []
+    if problem.sticking is not None:
+        blocks += held(problem)
+        report.told_held = True
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
                          for name, node in problem.preloads.items())
     slack = [] if problem.symbolic else _slack(problem)
@@ -19,13 +31,50 @@ def _in_numbers(problem):
     found = problem.equilibrium
     values = [*found.values.items(),
               *((name, value) for name, value in problem.dependent_values.items() if name not in found.values)]
-    stable = WORDS[stability(problem).kind]
+    try:
+        stable = WORDS[stability(problem).kind]
+    except Kinked:
+        stable = "a kink: no small oscillations about it"
     told = separated(maths(Name(name), " = ", *measured(value, problem.dimension(name))) for name, value in values)
     where = "the drawn position" if found.drawn else "shifted from the drawn position"
-    warning = equilibrium_warning(problem)
+    warning = None if stable.startswith("a kink") else equilibrium_warning(problem)
+    where += "; without friction" if problem.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
             paragraph(warning) if warning else None]
+
+
+def held(problem):
+    """Where dry friction holds the scene."""
+    from vibcli.mechanics.sticking import span
+
+    found, table = problem.sticking, problem.scene.table
+    lines = []
+    for row in found.rows:
+        if row.within is not None:
+            lines.append(line(table.call("abs", row.b), " ≤ ", row.within, label=Name(row.name)))
+        else:
+            node = table.sum((row.b, ONE), *((a * sigma, ONE) for sigma, a in row.held.items()))
+            lines.append(line(node, " = 0", label=Name(row.name)))
+    free = {sigma for row in found.rows if row.within is None for sigma in row.held}
+    told = [maths("|", sigma, "| ≤ ", bound) for sigma, bound in found.bounds.items() if sigma in free]
+    yield paragraph("at rest wherever friction holds it:")
+    yield equations(lines)
+    if told:
+        yield paragraph("with ", *separated(told), hang=4)
+    ends = None if problem.symbolic else span(problem, found)
+    if ends is not None and (told := _span(problem, ends)):
+        yield paragraph(*told)
+
+
+def _span(problem, ends):
+    """Words on a Span of places of rest."""
+    name, (low, high, whole) = problem.scene.coordinates[0], ends
+    if not isfinite(low) and not isfinite(high):
+        return ["there is no such place" if low > high else "which is anywhere"] if whole else []
+    told = [part for word, end in ((" from ", low), (" to ", high)) if isfinite(end)
+            for part in (word, *measured(end, problem.dimension(name)))]
+    return ["which is " if whole else "one such stretch is ", maths(Name(name), *told)]
 
 
 def _from_start(problem):

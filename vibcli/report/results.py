@@ -25,7 +25,7 @@ def equations_data(problem):
             entry["text"] = equation(loose, equations.full[i], language)
             entry["latex"] = equation(loose, equations.full[i], latex)
         text, tex = (None, None)
-        if name in problem.scene.coordinates:
+        if name in problem.scene.coordinates and not equations.refusal:
             text, tex = linear_row(problem, equations, problem.scene.coordinates.index(name))
         found.append(entry | {"linear_text": text, "linear_latex": tex})
     return found
@@ -98,6 +98,27 @@ def _entry(value, symbolic):
     if not symbolic:
         return float(value)
     return value if isinstance(value, str) else language(value)
+
+
+def sticking_data(problem):
+    """{conditions: [equations and inequalities], from, to}: where dry friction holds the scene at rest, and of one
+    coordinate in numbers a stretch of such places."""
+    from math import inf, isfinite
+
+    from vibcli.mechanics.sticking import span
+
+    found, table = problem.sticking, problem.scene.table
+    told = []
+    for row in found.rows:
+        if row.within is not None:
+            told.append(f"abs({language(row.b)}) <= {language(row.within)}")
+            continue
+        told.append(language(table.sum((row.b, ONE), *((a * sigma, ONE) for sigma, a in row.held.items()))) + " = 0")
+        told += [f"abs({language(sigma)}) <= {language(found.bounds[sigma])}" for sigma in row.held]
+    ends = None if problem.symbolic else span(problem, found)
+    low, high = (ends.low, ends.high) if ends is not None else (inf, inf)
+    return {"conditions": list(dict.fromkeys(told)), "from": low if isfinite(low) else None,
+            "to": high if isfinite(high) else None}
 
 
 def reactions_data(problem):

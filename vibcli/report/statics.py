@@ -40,7 +40,7 @@ def virtual_work(problem, report):
     shown, lengths = abbreviated(generalised_forces(scene), report.roots)
     lines = [line("δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names), hang=2)]
     for name, node in zip(names, shown, strict=True):
-        rests = scene.constraints or node.is_zero
+        rests = scene.constraints or node.is_zero or problem.sticking is not None
         lines.append(line(f"Q_{name} = ", brief(node), "" if rests else " = 0"))
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
     yield from section(f"Virtual work of weights, springs and steady loads{driven}, at rest in equilibrium",
