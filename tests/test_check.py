@@ -1,6 +1,7 @@
 """What `check` accepts and what it rejects: tolerances, remarks, equations, energies, inertias, exit codes."""
 
 import json
+import math
 
 import pytest
 from scenes import problem
@@ -224,3 +225,81 @@ def test_a_set_value_is_shown_with_its_unit(tmp_path, capsys):
                     "springs: {s: {k: k, between: [ground, b]}}\n")
     assert run(["solve", str(path), "--set", "k=4"]) == 0
     assert "k = 4 kN/m" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("k", "m"), [(1, 1), (3, 7), (812.3, 0.37), (2e5, 1234.5), (1e-3, 9), (7e11, 0.01)])
+@pytest.mark.parametrize("digits", [15, 16, 17])
+def test_numbers_printed_in_full_agree(k, m, digits):
+    """Numbers pasted from another program, to the digits of a double, agree; 20 ε beside them they do not."""
+    scene = MASS.replace("2 kg", f"{m} kg").replace("800 N/m", f"{k} N/m")
+    for head, value in (("omega", (k / m) ** 0.5), ("frequency", (k / m) ** 0.5 / (2 * math.pi)),
+                        ("period", 2 * math.pi / (k / m) ** 0.5)):
+        unit = {"omega": "rad/s", "frequency": "Hz", "period": "s"}[head]
+        assert agrees(scene, f"{head}[1]: {value:.{digits}g} {unit}")
+        assert not agrees(scene, f"{head}[1]: {value * (1 + 3e-13):.{digits}g} {unit}")
+
+
+def test_the_frequency_of_a_turn_in_a_second():
+    unit = MASS.replace("2 kg", "1 kg").replace("800 N/m", "1 N/m")
+    assert agrees(unit, "frequency[1]: 0.1591549430918953 Hz")
+    assert agrees(unit, "frequency[1]: 0.15915494309189533576888376337251436 Hz")
+
+
+@pytest.mark.parametrize(("expected", "words"), [
+    ("20.00000000001", "expected 20.00000000001, found 20 (off by 5e-13 of it)"),
+    ("20.000001", "expected 20.000001, found 20 (off by 5e-08 of it)"),
+    ("20.1", "expected 20.1, found 20 (ratio 1.005)"), ("19.99999999999999", ""),
+    ("20.0000000000003", "expected 20.0000000000003, found 20 (off by 1.5e-14 of it)")])
+def test_a_difference_is_printed_to_the_digits_in_which_it_shows(expected, words, tmp_path, capsys):
+    file = tmp_path / "scene.yaml"
+    file.write_text(MASS + f"answers: {{'omega[1]': {expected} rad/s}}\n")
+    assert run(["check", str(file)]) == bool(words)
+    assert words in capsys.readouterr().out
+
+
+SLIGHT = """
+parameters: {m: 2 kg, k: 800 N/m, c: 3 N*s/m, L: 0.5 m, g: 9.81 m/s^2, e: SLIGHT}
+gravity: g
+points: {O: [0, 0], A: {body: rod, at: [0, -L]}}
+bodies:
+  rod: {shape: rod, mass: m, from: [0, 0], to: [0, -L], pin: {at: O, by: phi}}
+  fixed: {shape: rod, mass: m, from: [0, 0], to: [e*L, -L]}
+  one: {mass: m, at: [2*L, 0], slide: x}
+  two: {mass: m, at: [4*L, 0], slide: y}
+springs:
+  s: {k: k, between: [[1.5*L, 0], one]}
+  t: {k: k*(1 + e), between: [[4.5*L, 0], two]}
+dampers:
+  d: {c: c, between: [[1.5*L, 0], one]}
+energies: {T: e*m*x'*y', V: e*k*x*y, Phi: e*c*x'*y'}
+forces: {P: {at: A, force: [e*m*g, 0]}, F: {at: one, force: [e*m*g, 0]}}
+"""
+ZEROS = ["K[x,y]: 0", "C[x,y]: 0", "M[x,y]: 0", "equilibrium[x]: 0", "equilibrium[phi]: 0",
+         "equilibrium[rod.reaction.x]: 0", "equilibrium[s.force]: 0", "equilibrium[one.x]: 0", "centre[fixed].x: 0",
+         "omega[2]^2 - omega[3]^2: 0", "K[x,y]/K[x,x]: 0"]
+
+
+@pytest.mark.parametrize("line", ZEROS)
+def test_zero_is_zero_to_rounding(line):
+    """Beside what is as large as it may be a millionth is no zero."""
+    assert agrees(SLIGHT.replace("SLIGHT", "0"), line)
+    assert not agrees(SLIGHT.replace("SLIGHT", "1e-6"), line)
+
+
+DRIVEN = """
+parameters: {e: SLIGHT, w: 3 rad/s}
+bodies: {one: {mass: 2 kg, slide: x}, two: {mass: 3 kg, slide: y}}
+springs: {s: {k: 80 N/m, between: [ground, one]}, t: {k: 70 N/m, between: [ground, two]}}
+dampers: {d: {c: 4 N*s/m, between: [ground, one]}, f: {c: 5 N*s/m, between: [ground, two]}}
+forces: {F: {at: one, force: 3 N*sin(w*t)}, G: {at: two, force: 3 N*e*sin(w*t)}}
+"""
+
+
+@pytest.mark.parametrize("line", [
+    "amplitude(y): 0", "y(1 s): 0", "max(t.force): 0", "min(y'): 0", "final(transient(y)): 0", "rms(y): 0",
+    "abs(frf[y, G](3 rad/s))*e: 0 m/N", "steady(y)(2 s): 0"])
+def test_signals_are_zero_to_rounding(line):
+    """Signals by the size of their own kind, or of nothing at all."""
+    slight = agrees(DRIVEN.replace("SLIGHT", "1e-6"), line)
+    assert agrees(DRIVEN.replace("SLIGHT", "0"), line)
+    assert slight is line.startswith("final")

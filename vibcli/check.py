@@ -17,7 +17,7 @@ from vibcli.mechanics.virtual_work import generalised_force_at_rest
 from vibcli.signals import signal_dimension
 from vibcli.units import LENGTH
 
-EXACT, WIDEST, ROUNDING = 1e-9, 0.005, 1e-13
+EXACT, WIDEST, ROUNDING, EPSILON = 1e-9, 0.005, 1e-13, 2.0**-52
 
 
 class Verdict:
@@ -90,7 +90,7 @@ def _compare(problem, answer):
 
 
 def _tolerance(problem, answer, expected, error):
-    """The absolute tolerance: that given, that of the digits written, or rounding."""
+    """The absolute tolerance: that given, that of the digits written (never finer than what is found), or rounding."""
     rounding = (EXACT + 4 * error) * abs(expected) + 1e-300
     if answer.rtol is not None:
         rtol = value_of(problem, answer.rtol)[0]
@@ -108,7 +108,9 @@ def _tolerance(problem, answer, expected, error):
         return rounding if expected else _small(problem, answer)
     number = abs(float(literal[3]))
     half = 0.5 * 10.0 ** (int(exponent or 0) - len(fraction))
-    return min(half / number, WIDEST) * abs(expected) * (1 + EXACT) if number else rounding
+    if not number:
+        return rounding
+    return max(min(half / number, WIDEST) * (1 + EXACT), error + 4 * EPSILON) * abs(expected)
 
 
 def _small(problem, answer):
@@ -242,4 +244,4 @@ def likely_mistake(head, expected, found):
     for heads, factor, words in MISTAKES:
         if (heads is None or head in heads) and abs(ratio / factor - 1) < 2e-3:
             return words
-    return f"ratio {ratio:.6g}"
+    return f"off by {abs(ratio - 1):.2g} of it" if abs(ratio - 1) < 1e-4 else f"ratio {ratio:.6g}"

@@ -108,15 +108,17 @@ def _print(file, verdicts, quiet, failed):
         where = verdict.answer.expected.where
         values = ""
         if verdict.expected is not None:
-            values = f" expected {_value(verdict.expected)}, found {_value(verdict.found)}"
+            values = " expected {}, found {}".format(*_values(verdict.expected, verdict.found))
         remark = f" ({verdict.remark})" if verdict.remark else ""
         click.echo("  " + click.style("✗", fg="red") + f" {_name(verdict)}:{values}{remark}  [line {where.line}]")
 
 
-def _value(value):
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return f"{value:.9g}"
+def _values(*values):
+    """Two values, to the digits in which they differ."""
+    if any(isinstance(value, bool) for value in values):
+        return ["true" if value else "false" for value in values]
+    digits = next((n for n in range(9, 17) if len({f"{value:.{n}g}" for value in values}) > 1), 17)
+    return [f"{value:.{digits}g}" for value in values]
 
 
 def _data(verdict):
