@@ -4,7 +4,7 @@ import re
 
 from vibcli import units
 from vibcli.algebra.cycles import left_over
-from vibcli.algebra.meaning import DimensionCheck, literals_in, names_in, quantities_in
+from vibcli.algebra.meaning import ALL_NUMBERS, DimensionCheck, literals_in, names_in, quantities_in
 from vibcli.algebra.parse import VALUE, ExpressionError
 from vibcli.counting import cycles
 from vibcli.diagnostics import quoted
@@ -233,7 +233,8 @@ def _number(spec, reader, expression, kind, arg):
     if found is False:
         return False
     wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (RATE, "a frequency (rad/s or Hz)")
-    bare = spec.free_numbers and not any(part[4] for part in literals_in(arg))
+    bare = spec.free_numbers == ALL_NUMBERS or (
+        spec.free_numbers and not any(part[4] for part in literals_in(arg)))
     if found is None or bare or spec.dimensions.equate(found, wanted):
         return _counted(reader, expression, lambda: _counts(cycles(spec, expression.text), kind, arg))
     reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]),

@@ -1,7 +1,7 @@
 """Chosen parameters of a file: symbols with a condition each, which must name what can be asked, in its dimension."""
 
 from vibcli import units
-from vibcli.algebra.meaning import names_in, quantities_in
+from vibcli.algebra.meaning import ALL_NUMBERS, names_in, quantities_in
 from vibcli.asking import asked_dimension, can_be_asked, check_cycles, dimension_of, unit_asked
 from vibcli.fit import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS
@@ -79,7 +79,7 @@ def _equation(spec, reader, name, condition):
 def _same(spec, reader, left, right):
     """Do both sides of an equation measure the same?"""
     one, other = (dimension_of(spec, side) for side in (left, right))
-    if one is not None and other is not None and not spec.dimensions.equate(one, other):
+    if spec.free_numbers != ALL_NUMBERS and None not in (one, other) and not spec.dimensions.equate(one, other):
         found = [units.name(spec.dimensions.resolve(part)) for part in (one, other)]
         reader.report(right.where, f"the two sides measure different things: {found[0]} and {found[1]}",
                       "both sides of an equation have one dimension")

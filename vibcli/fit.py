@@ -4,6 +4,7 @@ import re
 
 from vibcli import units
 from vibcli.algebra.meaning import (
+    ALL_NUMBERS,
     ANY,
     DimensionCheck,
     calls_in,
@@ -17,6 +18,7 @@ from vibcli.algebra.parse import FUNCTIONS, VALUE, ExpressionError
 from vibcli.reading import nearest
 
 TIMED = ("impulse", "square", "sawtooth")
+UNIT_DUE = "write the unit:"
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
@@ -75,7 +77,8 @@ def _sides(checker, expression):
 
 
 def _fits(spec, reader, expression, found, expected):
-    if expected is None or found is ANY or (spec.free_numbers and _only_numbers(expression.tree)):
+    if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (
+            spec.free_numbers and _only_numbers(expression.tree)):
         return
     wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
     if not spec.dimensions.equate(expected, found):
@@ -105,7 +108,7 @@ def _unit_hint(spec, expression):
     if expression.unit == "N/m" and literal and literal_unit(literal[4]).dimension == units.parse_unit("N*m").dimension:
         return "a torsional stiffness is given as `torsion:`"
     if literal and not literal[4]:
-        return f"write the unit: {expression.text} {expression.unit}"
+        return f"{UNIT_DUE} {expression.text} {expression.unit}"
     name = expression.tree[3] if expression.tree[0] == "name" else None
     value = spec.parameters[name].get("value") if name in spec.parameters else None
     if name in spec.parameters and value is None:

@@ -1,11 +1,9 @@
 """Names and dimensions of a whole file: which names are parameters, which coordinates, and what each measures."""
 
-
 from vibcli import units
 from vibcli.algebra.meaning import (
     DimensionCheck,
     constant,
-    literals_in,
     names_in,
 )
 from vibcli.algebra.parse import parse
@@ -20,11 +18,11 @@ from vibcli.recorded import call_records, record_dimensions
 MOST_COORDINATES = 2000
 
 
-def resolve(spec, reader):
+def settle(spec, reader):
     """Settle the names and dimensions of `spec`; whatever does not fit goes to reader.diagnostics."""
     before = len(reader.diagnostics)
     spec.dimensions = units.Dimensions()
-    spec.used = set()
+    spec.used, spec.counts, spec.asked_dimension = set(), None, None
     spec.coordinates = _coordinates(spec, reader)
     call_records(spec, reader)
     _references(spec, reader)
@@ -33,8 +31,6 @@ def resolve(spec, reader):
     expected = [answer.expected for answer in spec.answers] + [answer.asked for answer in spec.answers]
     apart = set(map(id, expected)) | {id(a.rtol) for a in spec.answers}
     apart |= {id(side) for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
-    spec.free_numbers = not any(part[4] for e in reader.expressions for part in literals_in(e.tree)) and not any(
-        "unit" in p for p in (*spec.parameters.values(), *(spec.get("records") or {}).values()))
     record_dimensions(spec)
     circular = _parameters(spec, reader)
     _matrices(spec, reader)

@@ -5,8 +5,8 @@ All diagnostics of a file are collected and raised together as one SpecError.
 
 import re
 
-from vibcli import naming
 from vibcli.algebra.parse import plain_name
+from vibcli.consistent import resolve
 from vibcli.diagnostics import quoted
 from vibcli.document import Mapping, Scalar
 from vibcli.elements import answer, coordinates, equilibrium, find, gravity, initial
@@ -172,7 +172,7 @@ def _read_one(root, file, found, settings, files, remark=""):
 
             enter(spec, reader, spec.named["choose"])
         _settings(spec, settings)
-        naming.resolve(spec, reader)
+        resolve(spec, reader)
         _question(spec, root, reader)
     except TooMany:
         pass

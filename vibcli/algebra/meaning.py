@@ -7,6 +7,7 @@ from vibcli.algebra.parse import FUNCTIONS, ExpressionError
 from vibcli.algebra.rationals import HALF, ONE
 from vibcli.diagnostics import quoted
 
+ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
 
 
@@ -66,12 +67,16 @@ def whole_literal(tree):
 class DimensionCheck:
     """The dimension of trees, given `of(name, primes) -> dimension`; every misfit is raised as an ExpressionError.
 
-    `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity.
+    `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity; small whole ones are
+    factors, unless it is ALL_NUMBERS: then everything fits, as a factor 1 with a unit is not written.
     """
 
     def __init__(self, dimensions, of, free_numbers=False, quantity=None, text=""):
         self.dimensions, self.of, self.free_numbers, self.quantity = dimensions, of, free_numbers, quantity
         self.text = text
+
+    def _same(self, one, other):
+        return self.dimensions.equate(one, other) or self.free_numbers == ALL_NUMBERS
 
     def dimension(self, tree):
         return getattr(self, "_" + tree[0])(tree)
@@ -79,7 +84,8 @@ class DimensionCheck:
     def _number(self, tree):
         if tree[4]:
             return literal_unit(tree[4]).dimension
-        if not tree[3] or (self.free_numbers and (tree[3] >= 10 or tree[3].denominator > 1)):
+        small = tree[3] < 10 and tree[3].denominator == 1 and self.free_numbers != ALL_NUMBERS
+        if not tree[3] or (self.free_numbers and not small):
             return ANY
         return units.NONE
 
@@ -99,7 +105,7 @@ class DimensionCheck:
                 continue
             if found is ANY:
                 found, first = dimension, part
-            elif not self.dimensions.equate(found, dimension):
+            elif not self._same(found, dimension):
                 raise ExpressionError(part[1], part[2] - part[1], f"these cannot be {done}: {self._quoted(first)} is "
                                       f"{self._words(found)}, {self._quoted(part)} {self._words(dimension)}",
                                       "terms of one sum measure the same")
@@ -137,7 +143,7 @@ class DimensionCheck:
 
     def _pure(self, tree, what):
         dimension = self.dimension(tree)
-        if dimension is not ANY and not self.dimensions.equate(dimension, units.NONE):
+        if dimension is not ANY and not self._same(dimension, units.NONE):
             raise ExpressionError(tree[1], tree[2] - tree[1],
                                   f"{what} is a pure number, found {self._words(dimension)}")
 
@@ -169,7 +175,7 @@ class DimensionCheck:
             raise ExpressionError(tree[1], tree[2] - tree[1], f"{name} takes one argument, found {len(args)}",
                                   f"write {name}(t)")
         dimension = self.dimension(args[0])
-        if dimension is not ANY and not self.dimensions.equate(dimension, units.TIME):
+        if dimension is not ANY and not self._same(dimension, units.TIME):
             raise ExpressionError(args[0][1], args[0][2] - args[0][1], f"the argument of {name} is a time (s), found "
                                   + self._words(dimension))
         return self.dimensions.of(name + "()")

@@ -98,7 +98,8 @@ EXPRESSIONS = [
         ("equations", "`left = right`, in `answers` and `constraints`."),
     ],
     "Dimensions are checked in every expression. In a scene that uses units a plain number has none, save that 0 "
-    "fits everywhere. A scene that uses no unit at all is taken in consistent SI numbers. A parameter without "
+    "fits everywhere. A scene that uses no unit at all is taken in consistent SI numbers, those within expressions "
+    "and laws included: `law: d + 2*d^3` is in newtons. A parameter without "
     "value takes its dimension from where it stands, or from its `unit`.",
     "`Hz` is not `rad/s`: a cycle needs a factor π before it stands in an angle, an angular frequency or a stiffness, "
     "as in `sin(2*pi*f*t)` and `m*4*pi^2*f^2`; `frf[x, F](5 Hz)` takes either. `1/f` is a period. `rpm` is angular, "
