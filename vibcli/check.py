@@ -84,9 +84,20 @@ def _compare(problem, answer):
     found, error = value_of(problem, answer.asked)
     expected, _ = value_of(problem, answer.expected)
     tolerance = _tolerance(problem, answer, expected, error)
+    if problem.spec.get("motion") == "full" and error * abs(found) > tolerance:
+        raise _beyond_known(answer, found, error)
     agrees = bool(abs(found - expected) <= tolerance)
     remark = None if agrees else likely_mistake(head, expected, found)
     return Verdict(answer, agrees, expected, found, remark)
+
+
+def _beyond_known(answer, found, error):
+    """The refusal of an answer with more digits than two solutions of a full motion share."""
+    from vibcli.report.figures import figure, supported
+
+    shared = f"{answer.asked.text} = {supported(found, error * abs(found), 12)}, to {figure(error, digits=1)}"
+    return PhysicsError(f"two solutions of this motion agree on {shared}: the answer has more digits",
+                        "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
 
 
 def _tolerance(problem, answer, expected, error):

@@ -45,6 +45,10 @@ class PhysicsError(Exception):
         self.message, self.hint, self.where = message, hint, where
 
 
+class Unknown(PhysicsError):
+    """Of what is asked for a part is known, and stands: the rest is not."""
+
+
 class NotInLetters(PhysicsError):
     """There is such an answer, but it is not found in letters: a remark where other answers stand beside it."""
 

@@ -22,11 +22,27 @@ def measure_response(problem, tree):
     if not in_time:
         return _OF_FREQUENCY[head](problem, tree)
     try:
-        return _IN_TIME[head](problem, tree), ERROR
+        value = _IN_TIME[head](problem, tree)
+        return value, max(ERROR, _doubt(problem, tree, value))
     except PhysicsError as error:
         if error.hint and "(x)" in error.hint:
             error.hint = error.hint.replace("(x)", f"({_found(problem, tree)})")
         raise
+
+
+def _doubt(problem, tree, value):
+    """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
+    others that of the motion up to the instant that is found, or up to its end."""
+    if problem.spec.get("motion") != "full" or not problem.motion.integrated:
+        return 0.0
+    if tree[4] == "value":
+        instant = number_of(problem, tree[7][1])
+    elif tree[4] in ("max", "min"):
+        instant = _extreme(1 if tree[4] == "max" else -1, 0)(problem, tree)
+    else:
+        until = value if tree[4] in ("argmax", "argmin", "zero") else problem.motion.known
+        return problem.motion.trajectory().shared.of_state(until)
+    return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
 
 
 def _found(problem, tree):

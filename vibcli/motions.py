@@ -20,7 +20,6 @@ from vibcli.signals import ENERGIES
 
 LONGEST = 1e12      # seconds
 FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
-UNBALANCED = 1e-6   # of the largest energy: no motion that is known to six digits
 
 
 class Motion:
@@ -49,6 +48,12 @@ class Motion:
     def start(self):
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""
         return self.problem.start
+
+    @property
+    def title(self):
+        """That of the scene, with where the motion ends to be known."""
+        title = self.problem.spec.get("title") or ""
+        return title if self.known >= self.until else f"{title} (known up to t = {self.known:.4g} s)".strip()
 
     @cached_property
     def drive(self):
@@ -86,6 +91,10 @@ class SmallMotion(Motion):
     """Small oscillations about the equilibrium, exact in time."""
 
     WORDS = "small oscillations about the equilibrium"
+
+    @property
+    def known(self):
+        return self.until
 
     @cached_property
     def deviations(self):
@@ -234,13 +243,6 @@ class SmallMotion(Motion):
         return LinearSignal(motion, combined(outputs))
 
 
-def _require_balanced(balance):
-    if not balance.error <= UNBALANCED:
-        raise PhysicsError(f"the energies of this motion balance to {balance.error:.2g} of the largest of them alone: "
-                           "it is not known to the digits that are stated",
-                           "follow it for a shorter time, or let what acts change less abruptly")
-
-
 class FullMotion(Motion):
     """The motion of the full equations, integrated."""
 
@@ -250,17 +252,24 @@ class FullMotion(Motion):
         super().__init__(problem)
         self._trajectory = None
 
+    @property
+    def integrated(self):
+        return self._trajectory is not None
+
     def trajectory(self, until=None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         found = self._trajectory
         if found is None or (found.until < until and not found.reason):
-            from vibcli.analyses.trajectory.simulate import simulate
+            from vibcli.analyses.trajectory.simulate import known_motion
 
-            found = simulate(self.problem, until, initial=self.problem.given_start)
-            _require_balanced(found.balance)
-            self._trajectory = found
+            self._trajectory = known_motion(self.problem, until, self.problem.given_start)
         return self._trajectory
+
+    @property
+    def known(self):
+        """Up to when the motion is known, of that which is looked at [s]."""
+        return min(self.until, self.trajectory().end)
 
     def reaching(self, t):
         """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""

@@ -26,6 +26,14 @@ class Signal:
 
     KIND = "a signal"
 
+    def error(self, t):
+        """How far its value at an instant may be off; 0 where that is rounding."""
+        return 0.0
+
+    def error_of_time(self, t):
+        """How far an instant that was searched may be off [s]."""
+        return 0.0
+
     @property
     def steady(self):
         raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
@@ -207,15 +215,26 @@ class FullSignal(Signal):
         self.motion, self.node = motion, node
 
     def values(self, times, order=0):
-        from vibcli.algebra.arrays import Arrays
-
         if order:
             raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
         import numpy as np
 
         times = np.asarray(times, dtype=float)
+        return self._along(self.motion.reaching(times.max(initial=0.0)), times)
+
+    def error(self, t):
+        return self.motion.reaching(t).shared.of_signal(self._along, t)
+
+    def error_of_time(self, t):
+        return t * self.motion.reaching(t).shared.of_state(t)
+
+    def _along(self, trajectory, times):
+        """The values along one solution."""
+        import numpy as np
+
+        from vibcli.algebra.arrays import Arrays
+
         scene = self.motion.problem.scene
-        trajectory = self.motion.reaching(times.max(initial=0.0))
         values = {**self.motion.problem.floats, scene.time.name: times}
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}

@@ -42,4 +42,4 @@ def _shown(problem, plot, saves, force):
 
         click.echo("\n" + braille(figure, width=plot_width()))
     for path in saves:
-        save_to(path, force, problem, lambda: figure, None)
+        save_to(path, force, problem.spec.get("title") or "", lambda: figure, None)

@@ -62,5 +62,5 @@ def _shown(problem, wanted, nyquist, plot, saves, force):
 
         click.echo("\n" + braille(frequency_figure(problem, curves, nyquist), width=plot_width()))
     for path in saves:
-        save_to(path, force, problem, lambda: frequency_figure(problem, curves, nyquist),
+        save_to(path, force, problem.spec.get("title") or "", lambda: frequency_figure(problem, curves, nyquist),
                 lambda: frequency_columns(curves))

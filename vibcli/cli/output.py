@@ -6,7 +6,7 @@ import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.cli.reports import write_documents, write_text
-from vibcli.errors import Kinked, NotInLetters, PhysicsError
+from vibcli.errors import Kinked, NotInLetters, PhysicsError, Unknown
 from vibcli.questions import INSIGHT, RESPONSES
 from vibcli.report.blocks import Document, Refusal, paragraph, section
 from vibcli.report.document import Report, title_of
@@ -38,10 +38,12 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
                                  wanted)
                 found[case] = report.document(case, question)
                 _print_at_once(found, case, output)
-                if report.refusal:
+                if report.refusal and not isinstance(report.refusal, Unknown):
                     raise report.refusal
             if curves:
                 curves(problem)
+            if output.kind != "json" and report.refusal:
+                raise report.refusal
         except PhysicsError as error:
             if output.kind == "json" and len(problems) == 1:
                 raise

@@ -89,4 +89,4 @@ def _shown(problem, wanted, plot, saves, force):
 
         click.echo("\n" + braille(response_figure(problem, series), width=plot_width()))
     for path in saves:
-        save_to(path, force, problem, lambda: response_figure(problem, series), lambda: columns(series))
+        save_to(path, force, problem.motion.title, lambda: response_figure(problem, series), lambda: columns(series))

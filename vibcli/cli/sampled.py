@@ -83,13 +83,13 @@ def cases_to_show(problems, saves):
     return problems[:1] if saves else problems
 
 
-def save_to(path, force, problem, figure, columns):
-    """Write the figure or the columns, as the suffix says."""
+def save_to(path, force, title, figure, columns):
+    """Write the figure or the columns, under a title, as the suffix says."""
     from vibcli.report.saved import DATA, data
 
     suffix = Path(path).suffix.lower()
     if suffix in DATA:
-        found = data(suffix, problem.spec.get("title") or "", columns())
+        found = data(suffix, title, columns())
     else:
         from vibcli.report.plots.picture import picture
 

@@ -14,7 +14,10 @@ RESPONSE = [
          "once. `motion: full` needs an inertia for each."),
         ("small", "`motion: small`, the default: small oscillations about the equilibrium, exact at any time."),
         ("full", "`motion: full`: the full equations, integrated, for wide swings, laws, dry friction, stops, slack. "
-         "Events and the balance of the energies are printed. Values in time, `max`, `min`, `zero` and `period` can be "
+         "Events and the balance of the energies are printed; a motion whose energies do not balance to 1e-8 is "
+         "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
+         "do not share is not printed, and from where they share less than three digits (chaos, a start at an unstable "
+         "place) nothing is known; plots and files end there. Values in time, `max`, `min`, `zero` and `period` can be "
          "asked, no steady states. A period is looked for beyond the end, up to eight times as long."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, or what grows fastest has grown to 1000 times, between 2 and 60 of the longest periods; without "

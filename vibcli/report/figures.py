@@ -19,6 +19,13 @@ def figure(value, error=0.0, digits=SHOWN):
     return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
 
 
+def supported(value, error, digits=SHOWN):
+    """A number with the digits that its absolute error allows; where that is all of it, zeros up to its place."""
+    if error >= 0.5 * abs(value) and error > 0:
+        return f"{0:.{max(0, min(digits, int(-math.log10(error))))}f}"
+    return figure(value, error / abs(value) if value else 0.0, digits)
+
+
 def with_unit(value, dimension, error=0.0):
     """`0.0785 m`: a number and the SI unit of its dimension."""
     return "".join(quantity(value, dimension, error))

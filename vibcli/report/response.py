@@ -7,13 +7,14 @@ from vibcli.elements.initial import let_go
 from vibcli.errors import NotInLetters
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
-from vibcli.report.figures import figure, with_unit
+from vibcli.report.figures import figure, supported, with_unit
 from vibcli.report.responses import extremes, names_asked, signals_asked
 from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
 FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
+LEAST = 2.0**-52
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
@@ -46,14 +47,25 @@ def response(problem, report):
 
         yield from section("As a plot", plot("response", "The motion in time", response_figure(
             problem, sampled(problem, report.wanted))))
-    yield from _at_instants(problem, asked, report.wanted)
-    yield from _extremes(asked, motion)
+    known = _known(motion, report.wanted) if full else motion.until
+    yield from _at_instants(problem, asked, report.wanted, known)
+    yield from _extremes(asked, min(known, motion.until))
+    latest = max([motion.until, *(float(t) for _, t in report.wanted.at)])
+    if known < latest:
+        raise motion.trajectory().unknown(latest)
 
 
-def _at_instants(problem, asked, wanted):
-    """The values at the instants asked for."""
+def _known(motion, wanted):
+    """Up to when a full motion is known, of what is asked for [s]."""
+    latest = max([motion.until, *(float(t) for _, t in wanted.at)])
+    return min(latest, motion.trajectory(latest).end)
+
+
+def _at_instants(problem, asked, wanted, known):
+    """The values at the instants asked for, those up to `known`."""
     if wanted.at:
-        rows = tuple((f"{one.label} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) for _, t in wanted.at))
+        rows = tuple((f"{one.label} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) if t <= known else "–"
+                                                     for _, t in wanted.at))
                      for one in asked)
         yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
@@ -63,7 +75,7 @@ def value_at(problem, one, t, digits=None):
     if digits is None:
         import numpy as np
 
-        return figure(float(one.signal.values(np.array([float(t)]))[0]), digits=12)
+        return supported(float(one.signal.values(np.array([float(t)]))[0]), one.signal.error(float(t)), 12)
     import mpmath
 
     from vibcli.errors import PhysicsError
@@ -108,6 +120,10 @@ def _integration(trajectory):
         if values[-1]:
             rows.append((words, figure(float(values[-1]))))
     told = f"the balance of these energies holds to {figure(float(balance.error), digits=2)} of the largest of them"
+    shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
+    told += f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion"
+    if trajectory.end < trajectory.until:
+        told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
     if trajectory.drift is not None:
         told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
     yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(told))
@@ -117,12 +133,13 @@ def _integration(trajectory):
                        paragraph(f"and {more} more") if more else None)
 
 
-def _extremes(asked, motion):
+def _extremes(asked, until):
     rows = []
-    for one, (late, most), (early, least) in extremes(asked, motion.until):
-        rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), figure(most), figure(late), figure(least),
-                     figure(early)))
-    yield from section(f"Extremes for 0 ≤ t ≤ {figure(motion.until)} s",
+    for one, *both in extremes(asked, until):
+        cells = [cell for t, value in both
+                 for cell in (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t)))]
+        rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
+    yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
 
 

@@ -34,7 +34,7 @@ def sampled(problem, wanted):
     """The Series of the signals asked for."""
     import numpy as np
 
-    times = np.linspace(0.0, problem.motion.until, wanted.points)
+    times = np.linspace(0.0, problem.motion.known, wanted.points)
     found = []
     for one in signals_asked(problem, wanted.signals):
         parts = {}
@@ -73,7 +73,7 @@ def response_figure(problem, series):
             lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
             bounds.append(None)
-    return of_response(series[0].times, lines, steady, bounds, title=problem.spec.get("title") or "")
+    return of_response(series[0].times, lines, steady, bounds, title=problem.motion.title)
 
 
 def columns(series):

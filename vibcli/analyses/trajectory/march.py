@@ -8,7 +8,7 @@ from vibcli.analyses.trajectory.window import Window, iterated, newton
 from vibcli.errors import PhysicsError
 from vibcli.work import Spent
 
-POINTS, STIFF_POINTS = 40, 24
+FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
 TAIL = 3                    # coefficients which must be small
 LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
@@ -25,10 +25,11 @@ CALM = 6                    # windows without a failure before they grow by much
 class March:
     """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
 
-    def __init__(self, system, switching, q, v, rtol, until, task):
+    def __init__(self, system, switching, q, v, rtol, until, task, points=FIRST):
         self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
         self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
-        self.rule, self.windows, self.ends, self.struck = rule(POINTS), [], [], []
+        self.points = points
+        self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
 
@@ -138,8 +139,8 @@ class March:
             strained = grown < 1.2 or (failed and not unresolved)
             self.held = self.held + 1 if strained and used < UNUSED else 0
         self.H = grown * H if failed else max(self.H, grown * H) if grown > 1 else min(self.H, grown * H)
-        if self.held >= PATIENCE and not self.stiff and len(self.q) * STIFF_POINTS <= MOST_UNKNOWNS:
-            self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(STIFF_POINTS, radau=True), None
+        if self.held >= PATIENCE and not self.stiff and len(self.q) * self.points[1] <= MOST_UNKNOWNS:
+            self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(self.points[1], radau=True), None
 
     def finish(self, window, end=None):
         """Keep a window and move to its end, or keep it up to an earlier instant `end` of it alone."""

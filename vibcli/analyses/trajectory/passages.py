@@ -48,11 +48,13 @@ def _series(trajectory, signal, start, end):
     """(window, map of [−1, 1] to its times, Legendre series of the signal on it) of the windows that [start, end]
     meets."""
     gauss = rule(POINTS)
-    windows = [window for window in trajectory.windows if window.start <= end and window.start + window.end >= start]
-    times = np.concatenate([window.start + gauss.c * window.end for window in windows])
+    windows = [window for window in trajectory.windows if window.start <= min(end, trajectory.end)
+               and window.start + window.end >= start]
+    lengths = [min(window.end, trajectory.end - window.start) for window in windows]
+    times = np.concatenate([window.start + gauss.c * length for window, length in zip(windows, lengths, strict=True)])
     values = np.asarray(signal(times), dtype=float).reshape(len(windows), POINTS)
-    for window, row in zip(windows, values @ gauss.to_series, strict=True):
-        yield window, (lambda x, window=window: window.start + 0.5 * (x + 1) * window.end), row
+    for window, length, row in zip(windows, lengths, values @ gauss.to_series, strict=True):
+        yield window, (lambda x, window=window, length=length: window.start + 0.5 * (x + 1) * length), row
 
 
 def _roots(series):

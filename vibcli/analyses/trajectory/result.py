@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.analyses.trajectory.collocation import rule
-from vibcli.errors import PhysicsError
+from vibcli.errors import Unknown
 from vibcli.mechanics.compiled import Compiled
 
 POINTS = 40             # at most in a window
@@ -33,16 +33,23 @@ class Balance(NamedTuple):
     driving: np.ndarray
     error: float
 
+    @property
+    def gap(self):
+        """The largest difference of both sides [J]."""
+        return float(np.abs(self.energy - self.energy[0] - self.work + self.dissipated - self.driving).max())
+
 
 class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
-    (positions, velocities) relative to the motion, None without closed loops."""
+    (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
+    those of the motion."""
 
-    def __init__(self, system, switching, windows, until, events, balance, drift):
+    def __init__(self, system, switching, windows, until, events, balance, drift, sizes):
         self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
         self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
         self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
+        self.shared, self.sizes = None, sizes
         self.lengths = np.array([window.length for window in windows])
         self.starts = np.array([window.start for window in windows])
 
@@ -92,9 +99,12 @@ class Trajectory:
     def _require(self, times):
         late = times.max(initial=0.0)
         if late > self.end * (1 + LATE):
-            reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
-            raise PhysicsError(f"{reason}: its motion is not known at t = {late:.6g} s",
-                               self.advice or "follow it for longer")
+            raise self.unknown(late)
+
+    def unknown(self, t):
+        """The refusal of an instant after the end."""
+        reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
+        return Unknown(f"{reason}: its motion is not known at t = {t:.6g} s", self.advice or "follow it for longer")
 
     def values(self, nodes, times):
         """Expressions of the coordinates, velocities and the time at the times: an array for each."""

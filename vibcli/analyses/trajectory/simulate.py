@@ -7,26 +7,41 @@ from vibcli.analyses.trajectory.breaks import breaks
 from vibcli.analyses.trajectory.drift import drift
 from vibcli.analyses.trajectory.energy import balance
 from vibcli.analyses.trajectory.events import first_event
-from vibcli.analyses.trajectory.march import March
+from vibcli.analyses.trajectory.march import FIRST, SECOND, March
 from vibcli.analyses.trajectory.result import Event, Trajectory
 from vibcli.analyses.trajectory.ropes import slack
+from vibcli.analyses.trajectory.shared import Shared
+from vibcli.analyses.trajectory.sizes import EPSILON
 from vibcli.analyses.trajectory.start import start, vectors
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.switching import Switching
 from vibcli.mechanics.system import System
 from vibcli.work import Spent
 
-ACCURACY = 1e-12
+ACCURACY, BALANCED = 1e-12, 1e-8      # of a step relative to the motion; of the energies
 LONGEST = 1e12
 MOST_STEPS = 100_000
 MOST_AT_ONCE = 20       # events at one instant
 
 
-def simulate(problem, until, rtol=ACCURACY, initial=None):
+def known_motion(problem, until, initial=None):
+    """The Trajectory that `simulate` gives, as far as a second solution shares it."""
+    found = simulate(problem, until, initial=initial)
+    found.shared = Shared(found, simulate(problem, found.end, initial=initial, second=True))
+    horizon = found.shared.horizon
+    if horizon is not None:
+        found.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
+                   "another last digit of its start, share less than three digits", "ask for earlier instants: the "
+                   "motion is chaotic, or leaves an unstable place")
+    return found
+
+
+def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     """The Trajectory of a problem in numbers up to t = `until` [s].
 
     rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
     starts at rest in equilibrium. Where its work comes to its limit the motion is that which was found until then.
+    second: by rules of another order, from a start that differs in its last digit, its energies left alone.
     """
     if not 0 < until < LONGEST:
         raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
@@ -35,16 +50,22 @@ def simulate(problem, until, rtol=ACCURACY, initial=None):
     system = System(scene, problem.floats, problem.scene.freedom.redundant)
     owners, bounds = scene.law_switches()
     stops = breaks(scene, system.parts.nodes(), problem.floats, until)
-    with problem.work.task("the integration", MOST_STEPS) as task:
-        march = March(system, Switching(system, bounds, owners), *vectors(scene, places, speeds), rtol, until, task)
+    q, v = (x * (1 + EPSILON * second) for x in vectors(scene, places, speeds))
+    with problem.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
+        march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
         events = []
         try:
             _marched(march, stops, events)
         except Spent as spent:
             if spent.task is not task or not march.windows:
                 raise
+    if second:
+        return Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
-    found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows))
+    if not (energies.error <= BALANCED or energies.gap <= _rounding(problem, march, energies)):
+        raise _unbalanced(energies)
+    found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows),
+                       march.sizes)
     if any(tie.form == "rope" for tie in problem.scene.constraints):
         all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
         gone = slack(problem, all_of_it, found)
@@ -53,6 +74,21 @@ def simulate(problem, until, rtol=ACCURACY, initial=None):
     if march.t < until and not found.reason:
         found.stop(march.t, *march.endless())
     return found
+
+
+def _rounding(problem, march, energies):
+    """How far rounding may upset the balance [J]: that of the accelerations on the way, and that of V, whose springs
+    know their lengths to the last digit of the figure."""
+    way = sum(window.end * abs(v) for window, (_, v) in zip(march.windows, march.ends, strict=True))
+    figure = max(problem.figure_size, max(abs(march.q)))
+    of_V = abs(energies.energy).max() + figure * sum(march.system.sizes(march.t, march.q, march.v, march.g))
+    return float(march.sizes.weight**2 * march.sizes.noise @ way) + 4 * EPSILON * float(of_V)
+
+
+def _unbalanced(energies):
+    return PhysicsError(f"the energies of this motion balance to {energies.error:.2g} of the largest of them alone: it "
+                        "is not known to the digits that are stated",
+                        "follow it for a shorter time, or let what acts change less abruptly")
 
 
 def equations_of(problem):

@@ -36,7 +36,7 @@ class Sizes:
 
     def meet(self, a):
         """Note accelerations of shape (n, instants)."""
-        self.largest = np.maximum(self.largest, self._lifted(np.abs(a).max(axis=1)))
+        self.largest = np.maximum(self.largest, self.lifted(np.abs(a).max(axis=1)))
 
     def move(self, q):
         self.moved = np.maximum(self.moved, np.abs(q - self.origin))
@@ -45,11 +45,11 @@ class Sizes:
         """The size of each coordinate to which its error is compared; that of a motion that begins is taken from what
         it does within a radian."""
         T = min(H, self.radian)
-        size = self._lifted(np.maximum(self.moved, np.maximum(T * np.abs(v), T * T * np.abs(a))))
+        size = self.lifted(np.maximum(self.moved, np.maximum(T * np.abs(v), T * T * np.abs(a))))
         size = np.maximum(size, LEAST * np.abs(self.origin))
         return np.where(size > 0, size, 1.0)
 
-    def _lifted(self, size):
+    def lifted(self, size):
         """Sizes of those that move little, lifted to LEAST of the largest."""
         weighted = size * self.weight
         return np.maximum(weighted, LEAST * weighted.max(initial=0.0)) / self.weight

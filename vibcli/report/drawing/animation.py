@@ -31,7 +31,7 @@ def of_response(problem):
 
     from vibcli.algebra.parse import parse
 
-    times = np.linspace(0.0, *_span(problem, problem.motion.until))
+    times = np.linspace(0.0, *_span(problem, problem.motion.known))
     names = problem.scene.coordinates
     values = [problem.motion.signal(parse(name)).values(times).tolist() for name in names]
     return _of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],

@@ -1,0 +1,54 @@
+"""What two solutions of one motion share: how well it is known, and until when.
+
+The second solution is of another order, has other steps, and starts from a state that differs in the last digit. Of a
+motion that is not sensitive to these both differ by rounding; where it is chaotic, or leaves an unstable place, their
+difference grows as e^(λt), and from some instant on no digit of either is right.
+"""
+
+import numpy as np
+
+from vibcli.analyses.trajectory.collocation import rule
+from vibcli.analyses.trajectory.result import POINTS
+
+LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
+NEAR = POINTS       # places before and after an instant, at which two signals are compared
+STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
+
+
+class Shared:
+    """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
+    relative to how far each coordinate goes and how fast."""
+
+    def __init__(self, one, other):
+        self.one, self.other = one, other
+        end = min(one.end, other.end)
+        c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
+        times = np.concatenate([window.start + c * window.end for window in one.windows])
+        self.times = times[times <= end]
+        both = [trajectory.at(self.times)[:2] for trajectory in (one, other)]
+        worst = [_relative(a, b, one.sizes, self.times**power) for a, b, power in zip(*both, (2, 1), strict=True)]
+        self.error = np.maximum.accumulate(np.maximum(*worst))
+
+    @property
+    def horizon(self):
+        """The last place before the two share less than three digits; None where they share all of the motion."""
+        lost = int(np.searchsorted(self.error, LOST, side="right"))
+        return float(self.times[max(lost - 1, 0)]) if lost < len(self.times) else None
+
+    def of_state(self, t):
+        """The error of the states up to an instant, relative to the motion."""
+        return float(self.error[min(np.searchsorted(self.times, t), len(self.error) - 1)])
+
+    def of_signal(self, values, t):
+        """How far the two differ in a signal about an instant; values(trajectory, times)."""
+        k = int(np.searchsorted(self.times, t))
+        times = np.minimum(np.append(self.times[max(k - NEAR, 0):k + NEAR], t), min(self.one.end, self.other.end))
+        return float(np.abs(values(self.one, times) - values(self.other, times)).max())
+
+
+def _relative(a, b, sizes, ways):
+    """The largest |a − b| of each instant relative to how far a row goes; of what rests but for rounding, relative to
+    what the rounding of its acceleration may make of it."""
+    size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None]
+    size = size + sizes.noise[:, None] * ways / LOST
+    return np.divide(np.abs(a - b), size, out=np.zeros_like(a), where=size > 0).max(axis=0)
