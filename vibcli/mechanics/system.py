@@ -78,7 +78,8 @@ class System:
         for i, value in enumerate(values[len(self._pairs) + len(self._ties):]):
             right[i] = value
         if self._inverse is not None:
-            return (-right / self._inverse if self._inverse.ndim == 2 else -(self._inverse @ right)), None
+            column = self._inverse.shape[1] == 1
+            return (-right / self._inverse if column else -(self._inverse @ right)), None
         A = _bordered(values, self._pairs, self._ties, self.n, self.m, shape)
         try:
             x = np.linalg.solve(A, -right.T[:, :, None])[:, :, 0].T
