@@ -297,3 +297,11 @@ def test_language_is_read_back(batch):
 
 def point_of(point):
     return {name: mpmath.mpf(value) for name, value in point.items()}
+
+
+def test_functions_of_numbers_too_long_to_multiply_out():
+    table = Table()
+    for name, sign in (("sin", -1), ("cos", 1), ("abs", 1), ("tan", -1)):
+        tiny = table.number(Fraction(-8.361089130433666e-199))
+        value, opposite = evaluate([table.call(name, tiny), table.call(name, -tiny)], Floats, {})
+        assert value == pytest.approx(sign * opposite, abs=0)

@@ -28,9 +28,9 @@ def folded(table, name, args):
         return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero
     if name in table.records and args[0].is_zero and table.records[name].times[0] >= 0:
         return table.zero
-    if name in _ODD and _is_negative(args[0]):
+    if name in _ODD and _turns_positive(args[0]):
         return -table.call(name, -args[0])
-    if name in _EVEN and _is_negative(args[0]):
+    if name in _EVEN and _turns_positive(args[0]):
         return table.call(name, -args[0])
     if name in ("sin", "cos"):
         return _at_multiple_of_pi(table, name, args[0])
@@ -57,3 +57,8 @@ def _is_negative(node):
     if node.op == "sum":
         return all(c < 0 for _, c in node.args) and node.coefficient <= 0
     return node.coefficient < 0
+
+
+def _turns_positive(node):
+    """Is it negative, its opposite not? A number too long to be multiplied out is negative under either sign."""
+    return _is_negative(node) and not _is_negative(-node)
