@@ -54,8 +54,10 @@ def find_equilibrium(problem, start):
     while not search.flat(numbers):
         search.blocked = False
         steps += 1
-        if steps > STEPS or search.far(q):
+        if search.far(q):
             raise search.unbounded(q)
+        if steps > STEPS:
+            raise search.unbounded(q) if problem.conservative else search.unfinished(q)
         q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
@@ -180,11 +182,15 @@ class _Search:
         return q, numbers, radius, False
 
     def drift(self, q, numbers, dt):
-        """One implicit Euler step of q̇ = −r in scaled coordinates, halved where the force grows by much."""
+        """One implicit Euler step of q̇ = −r in scaled coordinates, twice as long as the last where the force fades as
+        it should, shorter where K pushes away (else it would turn back) or the force grows by much."""
         np = self.np
         force = -np.array(numbers.residual) * self.scale
         K = self.hessian(numbers)
         size = float(np.max(np.abs(K))) or float(np.max(np.abs(force))) or 1.0
+        least = float(np.linalg.eigvalsh((K + K.T) / 2)[0])
+        if least < 0.0:
+            dt = min(dt, 0.5 * size / -least)
         here = self.here
         for _ in range(60):
             p = np.linalg.lstsq(K + size / dt * np.eye(len(q)), force, rcond=None)[0]
@@ -192,11 +198,12 @@ class _Search:
             trial = q + self.scale * p * min(1.0, 0.5 / longest if longest else 1.0)
             if self.named(trial) is not None:
                 after = self.at(trial)
-                ratio = self.relative(numbers) / (self.relative(after) or 1e-300)
+                left = float(np.linalg.norm(np.array(after.residual) * self.scale))
+                ratio = float(np.linalg.norm(force)) / (left or 1e-300)
                 if ratio > 0.2:
                     if np.array_equal(trial, q):
                         return q, numbers, dt, False
-                    return trial, after, dt * min(max(ratio, 0.5), 10.0), True
+                    return trial, after, dt * min(max(2.0 * ratio, 0.5), 10.0), True
                 self.here = here
             dt *= 0.25
         return q, numbers, dt, False
@@ -229,6 +236,15 @@ class _Search:
                             "the potential energy keeps falling along it",
                             "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
                             self.problem.spec.coordinates[name].where)
+
+    def unfinished(self, q):
+        """Steps are out, though nothing has run off."""
+        place = ", ".join(f"{name} = {value:.6g}" for name, value in self.named_plainly(q).items())
+        if self.blocked or self.np.any(self.np.abs(q) > FAR * self.scale):
+            return self.unbounded(q)
+        return PhysicsError(
+            f"no equilibrium is reached from the drawn position in {STEPS} steps: the search has come to {place}",
+            "draw the scene nearer to its equilibrium, or say where it is with `equilibrium:`")
 
 
 def _tiny(values):
