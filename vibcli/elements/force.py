@@ -50,11 +50,11 @@ ELEMENT = Element(
 def build(record, scene):
     """Add the virtual work of a load to the scene."""
     if "value" in record:
-        scene.add_force(scene.lower(record["value"]), scene.symbol(record["coordinate"].text))
+        scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))
     elif "moment" in record:
         angle = scene.angle_of(record["body"], "write `at:` and `force:`")
         if angle is not None:
-            scene.add_force(scene.lower(record["moment"]), angle)
+            scene.add_force(*scene.load(record["moment"]), angle)
     elif "unbalance" in record:
         _unbalance(record, scene)
     else:
@@ -72,12 +72,13 @@ def _force(record, scene):
         if "carrier" in record:
             scene.report(record.place("carrier"), f"'{record['at'].text}' has no place: its force does not turn",
                          "leave `carrier` out")
-        scene.add_force(scene.lower(load), axis)
+        scene.add_force(*scene.load(load), axis)
     else:
-        fx, fy = scene.pair(load)
+        parts = zip(*map(scene.load, load), strict=True)        # (x, y) of the steady part, of that in time
         if "carrier" in record:
-            fx, fy = scene.frame(record["carrier"]).turned(fx, fy)
-        _at_point(record, scene, fx, fy)
+            frame = scene.frame(record["carrier"])
+            parts = [frame.turned(*part) for part in parts]
+        _at_point(record, scene, *zip(*parts, strict=True))
 
 
 def _axis(record, scene):
@@ -92,12 +93,13 @@ def _axis(record, scene):
 
 
 def _at_point(record, scene, fx, fy):
+    """A force of two components, each (steady part, part in time)."""
     x, y = scene.place(record["at"])[1]
     if not (x.mask or y.mask):
         scene.report(record.place("at"), f"'{record['at'].text}' never moves: this force does no work",
                      "a point of a body is P: {body: name, at: [x, y]} under `points`")
-    scene.add_force(fx, x)
-    scene.add_force(fy, y)
+    scene.add_force(*fx, x)
+    scene.add_force(*fy, y)
 
 
 def _unbalance(record, scene):
@@ -105,7 +107,8 @@ def _unbalance(record, scene):
     speed, axis = scene.lower(record["speed"]), _axis(record, scene)
     size, phase = scene.lower(record["unbalance"]) * speed * speed, speed * scene.time
     sin, cos = scene.table.call("sin", phase), scene.table.call("cos", phase)
+    zero = scene.table.zero
     if axis is not None:
-        scene.add_force(size * sin, axis)
+        scene.add_force(zero, size * sin, axis)
     else:
-        _at_point(record, scene, size * cos, size * sin)
+        _at_point(record, scene, (zero, size * cos), (zero, size * sin))

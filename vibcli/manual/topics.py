@@ -264,7 +264,8 @@ REMARKS = {
         "Components are those along the fixed axes; with `carrier` they turn with that body, from the drawn position "
         "on.",
         "Loads with the time `t` drive the scene and leave its equilibrium alone; constant ones, and those of "
-        "coordinates, shift it. A load of velocities damps: `value: -c*x'`.",
+        "coordinates, shift it. Each summand is one or the other, as it is written: of `F0 + F1*sin(W*t)` the first "
+        "is constant, `F0*(1 - cos(W*t))` is in time as a whole. A load of velocities damps: `value: -c*x'`.",
     ],
     "record": [
         "The file is plain text of at most 5 MB and 200000 rows, in UTF-8, with decimal points. Names lead down from "

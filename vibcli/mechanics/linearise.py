@@ -9,15 +9,15 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
 G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements
 that oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
-excitation; and so are loads that depend on the time, which add nothing to Σ P ∇²s unless it is steady, as where they
-turn with what they act on.
+excitation; and so are loads that depend on the time, the F₀ in F₀ (1 − cos Ωt) included, which add nothing to Σ P ∇²s
+unless it is steady, as where they turn with what they act on.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import ONE
 from vibcli.mechanics.linearisation import Linearisation
-from vibcli.mechanics.steady import without_time
+from vibcli.mechanics.steady import load_at_rest, without_time
 
 
 def linearise(scene, still=False):
@@ -58,13 +58,11 @@ def _loaded(scene, found, number, term, slips, turning, still):
     """A force F with the virtual work F δs; `turning`: where its parts that hold the time add F ∂²s, of which that
     remains whose time cancels, as of a force that turns with what it acts on."""
     rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
-    force, row = substitute([term.weight], rest)[0], _row(term.s, number)
-    at_once = scene.table.sum(*((part, c) for part, c in _parts(force) if part.mask & scene.time.mask))
-    curvature = _curvature(row, number)
-    found.curved.append((at_once - force, curvature, row))
+    row = _row(term.s, number)
+    steady, turning_part, waving, _ = load_at_rest(scene, term)
+    curvature, at_once = _curvature(row, number), turning_part if still else turning_part + waving
+    found.curved.append((turning_part - steady, curvature, row))
     if not at_once.is_zero:
-        if still:       # what the frames turn that carry it
-            at_once = scene.table.zero if term.force is None else substitute([term.force], rest)[0] - force + at_once
         for pair, second in curvature.items():
             turning.setdefault(pair, []).append(at_once * second)
         found.residual.append({i: -(at_once * slope) for i, slope in row.items()})
@@ -75,10 +73,6 @@ def _loaded(scene, found, number, term, slips, turning, still):
     for (i, j), node in _at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_speed.items()},
                                  rest).items():
         slips.setdefault((i, j), []).append(node)
-
-
-def _parts(node):
-    return node.args if node.op == "sum" else ((node, ONE),)
 
 
 def _driven(scene, found, number, term, kind, slips):

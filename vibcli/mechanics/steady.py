@@ -29,6 +29,17 @@ def without_time(scene, node):
                                    if not any(atom.mask & time for atom, _ in monomial)})
 
 
+def load_at_rest(scene, term):
+    """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
+    time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
+    rest = dict.fromkeys(scene.v, scene.table.zero)
+    force, steady_part = substitute([term.weight, term.weight if term.force is None else term.force], rest)
+    parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
+    turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
+    constant = without_time(scene, force - steady_part)
+    return steady_part, turning, force - steady_part - constant, constant
+
+
 def _terms(scene, node):
     try:
         return reduced(expanded(node))
@@ -135,15 +146,18 @@ def _periodic(scene, i, key):
 def excitation(scene, form, position):
     """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters.
 
-    Of the residual it is the terms that hold the time, as the others are in equilibrium; of driven displacements it is
-    the whole, the constants in them included, as the equilibrium is that of the scene with all of them left out.
+    Of the residual it is the terms that hold the time, as the others are in equilibrium; of driven displacements and
+    of loads in time it is the whole, the constants in them included, as the equilibrium is that of the scene with all
+    of them left out.
     """
     place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
-    rows, shaken, found = residual_terms(at_position(form, place)), _shaken(scene), {}
+    rows, constants, found = residual_terms(at_position(form, place)), _shaken(scene), {}
+    for i, terms in _begun(scene).items():
+        constants.setdefault(i, []).extend(terms)
     for i, terms in enumerate(rows):
         node = _with_time(scene, _negative(scene, terms))
-        if i in shaken:
-            node = _whole(scene, node + _negative(scene, substitute(shaken[i], place)))
+        if i in constants:
+            node = _whole(scene, node + _negative(scene, substitute(constants[i], place)))
         if not node.is_zero:
             found[i] = node
     return found
@@ -166,6 +180,17 @@ def _with_time(scene, node):
         return scene.table.zero
     return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
                                    if any(atom.mask & time for atom, _ in monomial)})
+
+
+def _begun(scene):
+    """{i: terms} of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
+    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+    for term in scene.forces:
+        constant = load_at_rest(scene, term)[3]
+        for q, slope in gradient(term.s).items() if not constant.is_zero else ():
+            if q in number:
+                found.setdefault(number[q], []).append(-(constant * slope))
+    return found
 
 
 def _shaken(scene):

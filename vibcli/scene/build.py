@@ -124,7 +124,6 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
             if "moves" in record:
                 self.place(Name(name, record.where))
         if self.driven:
-            self.keep_steady_loads()
             if any(map(self.oscillates, self.driven)):
                 self.resting = held_still(self)
             shaken = self.keep_shaken()

@@ -2,10 +2,11 @@
 
 from vibcli import units
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.meaning import lower
-from vibcli.algebra.normal import TooLong, collected, expanded, is_zero, reduced, textbook
+from vibcli.algebra.meaning import lower, names_in
+from vibcli.algebra.normal import TooLong, collected, expanded, is_zero, reduced
 from vibcli.algebra.parse import ExpressionError
 from vibcli.parameters import unusable
+from vibcli.reading import Expression
 
 
 class Expressions:
@@ -43,6 +44,18 @@ class Expressions:
                         "mind the signs" if value < 0 else None)
         return node
 
+    def load(self, expression):
+        """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
+        F0*(1 - cos(W*t)) is in time as a whole."""
+        tree, parts = expression.tree, ([], [])
+        for sign, part in tree[3] if tree[0] == "sum" else [(1, tree)]:
+            parts["t" in {name for name, *_ in names_in(part)}].append((sign, part))
+        if not all(parts):
+            whole = self.lower(expression)
+            return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
+        return tuple(self.lower(Expression(expression.scalar, (*tree[:3], part), expression.unit,
+                                           expression.dimension)) for part in parts)
+
     def pair(self, expressions):
         return self.lower(expressions[0]), self.lower(expressions[1])
 
@@ -68,10 +81,6 @@ class Expressions:
             return node
         return collected(self.table, {monomial: value for monomial, value in terms.items()
                                       if any(atom.mask & mask for atom, _ in monomial)})
-
-    def terms_without(self, node, mask):
-        """The other terms."""
-        return textbook(node - self.terms_with(node, mask)) if node.mask & mask else node
 
     def vanishes(self, node):
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""

@@ -11,8 +11,8 @@ SHAKEN = ("inertias", "springs", "dampers", "weights")  # kept as functions of d
 
 class Term(NamedTuple):
     """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, of a load
-    that driven frames carry that part which depends on the time through them alone; `owner` is the name of the element
-    that it came from."""
+    in time that part which depends on it through driven frames alone; `owner` is the name of the element that it came
+    from."""
 
     weight: object
     s: object
@@ -50,10 +50,11 @@ class Terms:
         """½·c·ṡ² to Φ."""
         self.dampers.append(Term(c, s, owner=self.owner))
 
-    def add_force(self, force, s):
-        """The virtual work δA = force·δs; the force depends on time, coordinates and velocities as it likes."""
-        if (s.mask or self.opened) and not force.is_zero:
-            self.forces.append(Term(force, s, owner=self.owner))
+    def add_force(self, steady, in_time, s):
+        """The virtual work δA = force·δs of a load in two parts, which depend on coordinates and velocities as they
+        like."""
+        if (s.mask or self.opened) and not (steady.is_zero and in_time.is_zero):
+            self.forces.append(Term(steady + in_time, s, None if in_time.is_zero else steady, self.owner))
 
     def add_constraint(self, record, node, form, part=""):
         """The condition node = 0."""
@@ -101,15 +102,6 @@ class Terms:
         its coordinates to what is driven to and fro."""
         tied = self.resting is not self and any(node.mask & self.time.mask for node in self.dependent.values())
         return self.resting if tied else self
-
-    def keep_steady_loads(self):
-        """Let each load know what of it does not depend on the time but through the driven frames that carry it."""
-        held = {symbol: self.table.variable(symbol.name + " held") for symbol in self.driven}
-        moved = dict(zip(held.values(), held, strict=True))
-        carried = [term.weight for term in self.forces]
-        steady = [self.terms_without(node, self.time.mask) for node in substitute(carried, held)]
-        self.forces = [term if not term.weight.mask & self.time.mask else term._replace(force=node)
-                       for term, node in zip(self.forces, substitute(steady, moved), strict=True)]
 
     def keep_shaken(self):
         """Keep the terms as functions of the symbols of driven displacements, and the stretches of the laws."""
