@@ -1,0 +1,15 @@
+"""Odd combinations: random scenes, answered by the program and by a mechanics that shares no code with it.
+
+    draw_*     scenes as YAML text
+    words      numbers with units and expressions, read from that text
+    jets       a value with its first and second derivatives
+    bodies     mass, moment of inertia and mass centre of each shape
+    places     where bodies, points and stretches are, as jets of the coordinates
+    ties       ropes, gears, joins, links: what holds between coordinates
+    figure     a scene read: inertias, springs, dampers, loads, each a number beside a jet
+    mechanics  what is left of the equations of motion, equilibrium, M, C, K
+    motion     small motions by exponentials of matrices, full ones by an integrator of high order
+    doors      the program, run: the same number by every way that it is told
+    compare    the two beside each other
+    sweep      many scenes, from the command line
+"""

@@ -1,0 +1,198 @@
+"""A scene answered twice: each number of the program beside that of the mechanics here."""
+
+import ast
+import random
+from collections import namedtuple
+
+import numpy as np
+
+from . import doors, mechanics, motion, words
+from .figure import Figure
+
+Difference = namedtuple("Difference", "what expected found")
+EXACT, IN_TIME, IN_FULL = 1e-9, 1e-8, 1e-6
+TIMES, FULL_EACH = (0.11, 0.37, 0.9), 4
+
+
+class Comparison:
+    """One scene; `path` is a file that holds its text. What disagrees gathers in `differences`."""
+
+    def __init__(self, text, path):
+        self.text, self.path, self.differences, self.refusals, self.compared = text, path, [], [], 0
+        self.data = doors.data("solve", path)
+        self.figure = figure_of(text, self.data["coordinates"])
+        self.q = self._equilibrium()
+        self.small = mechanics.small(self.figure, self.q)
+
+    def meet(self, what, expected, found, tolerance):
+        self.compared += 1
+        if not abs(expected - found) <= tolerance:
+            self.differences.append(Difference(what, expected, found))
+
+    def _equilibrium(self):
+        """The program's, if the forces vanish there and no other lies between: polished by Newton's method."""
+        names = self.figure.independent
+        given = self.figure.scene.get("equilibrium", {})
+        start = [self.figure.number(given[name]) if name in given else self.figure.drawn_values[name]
+                 for name in names]
+        theirs = self.data["equilibrium"]["coordinates"]
+        ours = mechanics.equilibrium(self.figure, start)
+        if ours is None or max(abs(a - theirs[n]) for a, n in zip(ours, names, strict=True)) > 1e-3:
+            ours = mechanics.equilibrium(self.figure, [theirs[name] for name in names]) or start
+        for name, value in zip(names, ours, strict=True):
+            self.meet(f"equilibrium[{name}]", value, theirs[name], EXACT * max(1, abs(value)))
+        return ours
+
+    def matrices(self):
+        n = len(self.q)
+        zero = np.zeros((n, n))
+        found = {key: zero if self.data["matrices"][key] is None else np.array(self.data["matrices"][key])
+                 for key in "MCGK"}
+        for key, ours, theirs in (("M", self.small.M, found["M"]), ("C", self.small.C, found["C"] + found["G"]),
+                                  ("K", self.small.K, found["K"])):
+            scale = max(np.abs(ours).max(), np.abs(theirs).max(), 1e-6 * np.abs(self.small.K).max())
+            for i in range(n):
+                for j in range(n):
+                    self.meet(f"{key}[{i + 1},{j + 1}]", ours[i, j], theirs[i, j], EXACT * scale)
+
+    def eigenvalues(self):
+        gyroscopic = self.small.C - (self.small.C + self.small.C.T) / 2
+        natural = [value for mode in self.data["modes"] for value in _of_mode(mode)]
+        self._match("eigenvalue of the undamped system", spectrum(self.small, gyroscopic), natural)
+        if self.data.get("damped"):
+            damped = [complex(re, sign * im) for re, im in (mode["eigenvalue"] for mode in self.data["damped"])
+                      for sign in ((1, -1) if im else (1,))]
+            self._match("eigenvalue", spectrum(self.small, self.small.C), damped)
+
+    def _match(self, what, ours, theirs):
+        """Each of ours has one of theirs nearby, those of the square root of rounding being let through near zero."""
+        scale, left = max(abs(ours)), list(theirs)
+        self.meet("number of values: " + what, len(ours), len(theirs), 0)
+        for value in sorted(ours, key=abs, reverse=True):
+            if not left:
+                return
+            near = min(left, key=lambda other: abs(other - value))
+            left.remove(near)
+            defect = abs(value - near) * max(abs(value), abs(near), 1e-7 * scale)
+            self.meet(what, value, near, abs(value - near) if defect <= 1e-9 * abs(value) ** 2 + 1e-12 * scale**2
+                      else 0)
+
+    def equations(self, dice):
+        """The printed equations of motion and T at random states, up to a factor for each equation."""
+        n, names, rows = len(self.q), self.figure.independent, []
+        texts = [equation["text"] for equation in self.data["equations"]]
+        trees = [[words.read(side) for side in text.split("=")] if text else None for text in texts]
+        kinetic = words.read(self.data["energies"]["T"])
+        for _ in range(4):
+            t = dice.uniform(0.01, 1)
+            u, u1, u2 = self.figure.driven(t)
+            q, v, a = ([x + dice.uniform(-size, size) for x in at] for at, size in (
+                (self.q, 0.05), ([0.0] * n, 0.5), ([0.0] * n, 2.0)))
+            state = mechanics.State(q, v, a, u, u1, u2)
+            known = {**self.figure.parameters, "t": t, **{
+                name + mark: value for mark, values in (("", q), ("__1", v), ("__2", a))
+                for name, value in zip(names, values, strict=True)}}
+            ours = mechanics.residual(self.figure, state, t)
+            rows.append([(ours[i], _difference(tree, known, self.figure)) for i, tree in enumerate(trees)])
+            if not self.figure.drives and set(words.names(kinetic)) <= set(known):
+                T = mechanics.energies(self.figure, state)[0]
+                self.meet("T", T, words.value(kinetic, known, self.figure.literal), EXACT * abs(T))
+        for i, name in enumerate(names):
+            ours, theirs = (np.array([row[i][side] for row in rows], dtype=float) for side in (0, 1))
+            if np.isnan(theirs).any():
+                continue
+            factor = ours @ theirs / (theirs @ theirs) if theirs.any() else 0.0
+            for one, other in zip(ours, factor * theirs, strict=True):
+                self.meet(f"motion[{name}]", one, other, EXACT * np.abs(ours).max())
+
+    def start(self):
+        initial, names = self.figure.scene.get("initial", {}), self.figure.independent
+        q0 = [self.figure.number(initial[name]) if name in initial else at
+              for name, at in zip(names, self.q, strict=True)]
+        v0 = [self.figure.number(initial.get(name + "'", "0")) for name in names]
+        return q0, v0
+
+    def in_time(self, times, full=False):
+        """Coordinates and velocities at instants."""
+        names = self.figure.independent
+        q0, v0 = self.start()
+        if full:
+            found = motion.full_motion(self.figure, [*q0, *v0], times)
+        else:
+            start = [*(a - b for a, b in zip(q0, self.q, strict=True)), *v0]
+            found = motion.small_motion(self.figure, self.small, start, times)
+        ours, largest = {}, 1e-6
+        for t, (q, v) in zip(times, found, strict=True):
+            for name, x, rate in zip(names, q, v, strict=True):
+                ours[f"{name}({t} s)"], ours[f"{name}'({t} s)"] = x, rate
+                largest = max(largest, abs(x), abs(rate))
+        units = self._units()
+        asked = {quantity: units[quantity.partition("(")[0].rstrip("'")] + ("/s" if "'" in quantity else "")
+                 for quantity in ours}
+        text = self.text
+        if full:
+            text = text.replace("motion: full\n", "") + (
+                f"motion: full\nfind: [{{response: {{until: {times[-1]} s}}}}]\n")
+        for quantity, value in doors.values(text, asked).items():
+            if isinstance(value, doors.Refusal):
+                raise value
+            self.meet(("full " if full else "") + quantity, ours[quantity], value,
+                      (IN_FULL if full else IN_TIME) * largest)
+
+    def in_part(self, ask, *args, **options):
+        """Ask for what may be refused while the rest is answered."""
+        try:
+            ask(*args, **options)
+        except doors.Refusal as refusal:
+            self.refusals.append(refusal)
+
+    def _units(self):
+        return {name: "1 m" if name.startswith("x") else "1 rad" for name in self.figure.coordinates}
+
+
+def figure_of(text, coordinates, **options):
+    figure = Figure(text, **options)
+    figure.independent = list(coordinates)
+    mechanics.settle_statics(figure)
+    return figure
+
+
+def spectrum(small, C):
+    """The values λ of (λ² M + λ C + K) φ = 0."""
+    n = len(small.q)
+    inverse = np.linalg.inv(small.M)
+    return np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ small.K, -inverse @ C]]))
+
+
+def _of_mode(mode):
+    """The values λ that a line of the table of modes stands for."""
+    omega, growth = mode["omega"], mode["growth_rate"]
+    if growth is None:
+        return [1j * omega, -1j * omega]
+    if omega is None:
+        return [growth, -growth]
+    return [complex(growth, omega), complex(growth, -omega)]
+
+
+def _difference(tree, known, figure):
+    """Left side less right side of an equation; nan where it holds what is not known here (multipliers)."""
+    if tree is None or any(name not in known for side in tree for name in words.names(side)
+                           if name != "pi" or isinstance(side, ast.Name)):
+        return float("nan")
+    left, right = (words.value(side, known, figure.literal, figure.functions) for side in tree)
+    return left - right
+
+
+def compared(draft, path, seed):
+    """The Comparison of a drawn scene: matrices, eigenvalues, equations and motions in time."""
+    dice = random.Random(f"compare {seed}")
+    found = Comparison(draft.text(), path)
+    found.matrices()
+    found.eigenvalues()
+    found.equations(dice)
+    full = draft.sections.get("motion") == "full"
+    if not full:
+        found.in_part(found.in_time, TIMES)
+    if full or seed % FULL_EACH == 0:
+        found.in_part(found.in_time, TIMES[:2], full=True)
+    return found

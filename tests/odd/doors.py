@@ -1,0 +1,47 @@
+"""The program, run on a scene: its answers by every way that it gives them."""
+
+import contextlib
+import io
+import json
+
+from vibcli.check import check
+from vibcli.cli import run
+from vibcli.document import read
+from vibcli.errors import PhysicsError, SpecError
+from vibcli.problem import Problem
+from vibcli.spec import read_spec
+
+
+class Refusal(Exception):
+    """The program refuses a scene: its exit code and the sentence."""
+
+    def __init__(self, code, message):
+        super().__init__(message)
+        self.code, self.message = code, message
+
+
+def printed(*words):
+    """What a command prints; Refusal where it does not end well."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        code = run([str(word) for word in words])
+    if code:
+        raise Refusal(code, err.getvalue() or out.getvalue())
+    return out.getvalue()
+
+
+def data(*words):
+    return json.loads(printed(*words, "--json"))
+
+
+def values(text, asked):
+    """{quantity: value or Refusal} of what `answers` can ask of a scene."""
+    answers = "".join(f"  {quantity!r}: {{value: {unit}, rtol: 1 %}}\n".replace("'", '"') if "'" not in quantity
+                      else f'  "{quantity}": {{value: {unit}, rtol: 1 %}}\n' for quantity, unit in asked.items())
+    node, diagnostics = read((text + "answers:\n" + answers).encode(), "scene.yaml")
+    try:
+        verdicts = check(Problem(read_spec(node, "scene.yaml", diagnostics)))
+    except (PhysicsError, SpecError) as error:
+        raise Refusal(4, str(error)) from error
+    return {quantity: Refusal(4, verdict.refusal.message) if verdict.refusal else verdict.found
+            for quantity, verdict in zip(asked, verdicts, strict=True)}

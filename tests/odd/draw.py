@@ -1,0 +1,23 @@
+"""A random scene from a seed."""
+
+import random
+
+from . import draw_axis, draw_loads, draw_plane
+from .draft import Draft
+
+
+def drawn(seed):
+    """(the draft, its dice) of a seed."""
+    dice = random.Random(f"odd {seed}")
+    draft = Draft(dice)
+    if draft.chance(0.25):
+        dice.choice((draw_axis.chain, draw_axis.shaft))(draft)
+    else:
+        draw_plane.machine(draft)
+        draw_plane.dressed(draft)
+    for _ in range(dice.choice((0, 1, 1, 2))):
+        draw_loads.load(draft)
+    draw_loads.start(draft, [name for name in draft.coordinates if name not in draft.tied])
+    if any("law" in spring for spring in draft.springs.values()):
+        draft.sections["motion"] = "full"
+    return draft

@@ -1,0 +1,109 @@
+"""What drives a scene, and where its motion starts."""
+
+
+def wave(draft, letter, low, high, unit, smooth=False):
+    """A function of the time: harmonic, decaying or a pulse; `smooth`: without jumps, for displacements."""
+    size, speed = draft.given(letter, low, high, unit), draft.given("W", 2, 12, "rad/s")
+    if " " in size:
+        size = f"({size})"
+    if " " in speed:
+        speed = f"({speed})"
+    kind = draft.dice.choice(("sin", "cos", "versine", "decay", "two") if smooth else (
+        "sin", "cos", "sum", "versine", "decay", "step", "ramp", "pulse", "square", "sawtooth", "impulse", "rectified"))
+    late = f"({draft.some(0.05, 0.4)} s)"
+    span = f"({draft.some(0.1, 0.5)} s)"
+    return {"sin": f"{size}*sin({speed}*t)", "cos": f"{size}*cos({speed}*t)",
+            "versine": f"{size}*(1 - cos({speed}*t))", "two": f"{size}*(sin({speed}*t) + cos(2*{speed}*t)/3)",
+            "sum": f"{size}*sin({speed}*t) + {size}*cos(3*{speed}*t)/2",
+            "decay": f"{size}*(1 - exp(-t/{span}))", "step": f"{size}*step(t - {late})",
+            "ramp": f"{size}*(ramp(t - {late}) - ramp(t - {late} - {span}))/{span}",
+            "pulse": f"{size}*sin(pi*t/{span})*(step(t) - step(t - {span}))",
+            "square": f"{size}*square({speed}*t)", "sawtooth": f"{size}*sawtooth({speed}*t)",
+            "rectified": f"{size}*abs(sin({speed}*t))",
+            "impulse": f"({draft.some(0.1, 1)} s)*{size}*impulse(t - {late})"}[kind]
+
+
+def load(draft):
+    """One load on whatever there is to load; steady, in time, of coordinates or velocities."""
+    kinds = []
+    if draft.axis:
+        kinds += ["on axis", "unbalance on axis"]
+    if draft.places:
+        kinds += ["force", "force", "follower", "unbalance"]
+    if draft.turning:
+        kinds += ["moment"]
+    if draft.coordinates:
+        kinds += ["generalised"]
+    if kinds:
+        {"on axis": _on_axis, "force": _force, "follower": _follower, "unbalance": _unbalance, "moment": _moment,
+         "unbalance on axis": _unbalance_on_axis, "generalised": _generalised}[draft.dice.choice(kinds)](draft)
+
+
+def _size(draft, unit, scale=1.0):
+    """A load: steady or in time."""
+    if draft.chance(0.3):
+        return ("-" if draft.chance(0.5) else "") + draft.given("F", 1 * scale, 6 * scale, unit)
+    return wave(draft, "F", 1 * scale, 6 * scale, unit)
+
+
+def _on_axis(draft):
+    draft.forces[draft.new("f")] = {"at": draft.dice.choice(draft.axis), "force": _size(draft, "N")}
+
+
+def _unbalance_on_axis(draft):
+    draft.forces[draft.new("f")] = {"at": draft.dice.choice(draft.axis),
+                                    "unbalance": draft.given("U", 0.005, 0.03, "kg*m"),
+                                    "speed": draft.given("W", 2, 12, "rad/s")}
+
+
+def _force(draft):
+    components = [_size(draft, "N"), _size(draft, "N")]
+    if draft.chance(0.4):
+        components[draft.dice.randrange(2)] = "0"
+    draft.forces[draft.new("f")] = {"at": draft.dice.choice(list(draft.places)), "force": components}
+
+
+def _follower(draft):
+    """A force that turns with a body; steady, as one in time would make the stiffness depend on it."""
+    _force(draft)
+    if draft.turning:
+        force = draft.forces[f"f{draft.counts['f']}"]
+        force["force"] = [draft.given("F", 1, 6, "N"), "-" + draft.given("F", 1, 6, "N")]
+        draft.forces[f"f{draft.counts['f']}"]["carrier"] = draft.dice.choice(draft.turning)
+
+
+def _unbalance(draft):
+    draft.forces[draft.new("f")] = {"at": draft.dice.choice(list(draft.places)),
+                                    "unbalance": draft.given("U", 0.005, 0.03, "kg*m"),
+                                    "speed": draft.given("W", 2, 12, "rad/s")}
+
+
+def _moment(draft):
+    draft.forces[draft.new("f")] = {"body": draft.dice.choice(draft.turning), "moment": _size(draft, "N*m", 0.3)}
+
+
+def _generalised(draft):
+    name = draft.dice.choice(list(draft.coordinates))
+    length = draft.coordinates[name] == "m"
+    if draft.chance(0.4):
+        c = draft.given("c", 0.2, 2, "N*s/m" if length else "N*m*s")
+        value = f"-{c}*{name}'" if " " not in c else f"-({c})*{name}'"
+    elif draft.chance(0.4):
+        k = draft.given("k", 5, 40, "N/m" if length else "N*m/rad")
+        value = f"-{k}*{name}" if " " not in k else f"-({k})*{name}"
+    else:
+        value = _size(draft, "N" if length else "N*m", 1 if length else 0.3)
+    draft.forces[draft.new("f")] = {"coordinate": name, "value": value}
+
+
+def start(draft, names, tied=()):
+    """Where a motion starts."""
+    initial = {}
+    for name in names:
+        length = draft.coordinates[name] == "m"
+        if draft.chance(0.6):
+            initial[name] = f"{draft.some(-0.08, 0.08)} {'m' if length else 'rad'}"
+        if draft.chance(0.4):
+            initial[name + "'"] = f"{draft.some(-0.5, 0.5)} {'m/s' if length else 'rad/s'}"
+    if initial:
+        draft.sections["initial"] = initial
