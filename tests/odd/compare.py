@@ -81,6 +81,8 @@ class Comparison:
         """The printed equations of motion and T at random states, up to a factor for each equation."""
         n, names, rows = len(self.q), self.figure.independent, []
         texts = [equation["text"] for equation in self.data["equations"]]
+        if len(texts) != n:             # with multipliers, of closed loops
+            return
         trees = [[words.read(side) for side in text.split("=")] if text else None for text in texts]
         kinetic = words.read(self.data["energies"]["T"])
         for _ in range(4):

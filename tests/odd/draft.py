@@ -12,6 +12,13 @@ KINDS = ("torsion", "law", "stretch", "preload", "free_length", "friction", "for
          "carrier", "rope", "gear", "belt", "join", "link", "point", "equation")
 
 
+class Plain(yaml.SafeDumper):
+    """Without anchors: what stands twice is written twice."""
+
+    def ignore_aliases(self, data):
+        return True
+
+
 class Draft:
     """`dice`: a seeded random.Random, by which alone all is drawn."""
 
@@ -65,7 +72,7 @@ class Draft:
         used = set(re.findall(r"\w+", str(sections)))
         parameters = {name: value for name, value in self.parameters.items() if name in used}
         kept = {key: value for key, value in {"parameters": parameters, **sections}.items() if value or value == 0}
-        return yaml.safe_dump(kept, sort_keys=False, default_flow_style=None, width=1000, allow_unicode=True)
+        return yaml.dump(kept, Dumper=Plain, sort_keys=False, default_flow_style=None, width=1000, allow_unicode=True)
 
     def holds(self):
         """The kinds of what stands in the scene, for counting."""

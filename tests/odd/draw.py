@@ -2,7 +2,7 @@
 
 import random
 
-from . import draw_axis, draw_loads, draw_plane
+from . import draw_axis, draw_loads, draw_plane, draw_tied
 from .draft import Draft
 
 
@@ -12,6 +12,9 @@ def drawn(seed):
     draft = Draft(dice)
     if draft.chance(0.25):
         dice.choice((draw_axis.chain, draw_axis.shaft))(draft)
+    elif draft.chance(0.25):
+        draw_tied.mechanism(draft)
+        draw_plane.dressed(draft)
     else:
         draw_plane.machine(draft)
         draw_plane.dressed(draft)

@@ -30,10 +30,10 @@ def chain(draft):
 
 def _support(draft):
     """A support without mass that moves as prescribed."""
-    from .draw_loads import wave
+    from .draw_loads import SMOOTH, wave
 
     name = draft.new("support")
-    draft.bodies[name] = {"slide": wave(draft, "Y", 0.01, 0.05, "m", smooth=True)}
+    draft.bodies[name] = {"slide": wave(draft, "Y", 0.01, 0.05, "m", SMOOTH)}
     draft.springs[draft.new("s")] = {"k": draft.given("k", 100, 2000, "N/m"),
                                      "between": [name, draft.dice.choice(draft.axis)]}
     if draft.chance(0.5):

@@ -1,15 +1,18 @@
 """What drives a scene, and where its motion starts."""
 
 
-def wave(draft, letter, low, high, unit, smooth=False):
-    """A function of the time: harmonic, decaying or a pulse; `smooth`: without jumps, for displacements."""
+SMOOTH = "sin", "cos", "versine", "decay", "two"
+ALL = ("sin", "cos", "sum", "versine", "decay", "step", "ramp", "pulse", "square", "sawtooth", "impulse", "rectified")
+
+
+def wave(draft, letter, low, high, unit, kinds=ALL):
+    """A function of the time: harmonic, decaying or a pulse; those of SMOOTH have no jumps, for displacements."""
     size, speed = draft.given(letter, low, high, unit), draft.given("W", 2, 12, "rad/s")
     if " " in size:
         size = f"({size})"
     if " " in speed:
         speed = f"({speed})"
-    kind = draft.dice.choice(("sin", "cos", "versine", "decay", "two") if smooth else (
-        "sin", "cos", "sum", "versine", "decay", "step", "ramp", "pulse", "square", "sawtooth", "impulse", "rectified"))
+    kind = draft.dice.choice(kinds)
     late = f"({draft.some(0.05, 0.4)} s)"
     span = f"({draft.some(0.1, 0.5)} s)"
     return {"sin": f"{size}*sin({speed}*t)", "cos": f"{size}*cos({speed}*t)",

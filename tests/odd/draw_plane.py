@@ -2,7 +2,7 @@
 
 import math
 
-from .draw_loads import wave
+from .draw_loads import SMOOTH, wave
 
 
 def shape(draft, at):
@@ -233,7 +233,7 @@ def shaken_point(draft):
     name, to = draft.new("S"), draft.dice.choice(list(draft.places))
     x, y = draft.places[to]
     dx, dy = arrow(draft, 0.4, 0.8)
-    moves = [wave(draft, "Y", 0.005, 0.03, "m", smooth=True), "0"]
+    moves = [wave(draft, "Y", 0.005, 0.03, "m", SMOOTH), "0"]
     if draft.chance(0.5):
         moves.reverse()
     draft.points[name] = {"at": draft.spot(x + dx, y + dy), "moves": moves}
