@@ -17,7 +17,7 @@ springs: {{s: {{k: k, between: [[0, 0], p]}}}}
 forces: {{F: {{at: p, force: [0, -P]}}}}
 choose: {{{choose}}}
 """
-TRUSSES = 5
+TRUSSES = 3
 
 
 def trusses():

@@ -4,26 +4,46 @@ With C, or loads that follow velocities: −max Re λ. Without: of the μ = −�
 which is negative where two have met and left the real axis (flutter).
 """
 
-ZERO = 1e-9
+ZERO, FREE = 1e-9, 1e-13
 
 
-def margin(elements):
-    """(margin, its size); None of a conservative system without gyroscopic terms."""
+def margin(elements, free):
+    """(margin, its size), `free` roots that are always zero left out; None of a conservative system without gyroscopic
+    terms."""
     damped = bool(elements.dampers) or any(elements.C.values()) or any(elements.drag.values())
     pushed = any(elements.C.values()) or any(elements.drag.values()) or any(c < 0 for c, _ in elements.dampers)
     if not (elements.circulatory or pushed or any(elements.G.values())):
         return None
-    roots = _eigenvalues(elements, damped)
+    roots = sorted(_eigenvalues(elements, damped), key=abs)
+    size, moving = abs(roots[-1]), roots[free:]
     if damped:
-        size = max(map(abs, roots))
-        moving = [root for root in roots if abs(root) > ZERO * size]
-        return -max(root.real for root in moving), size
-    squares = [-root * root for root in roots if root.imag > 0 or (root.imag == 0 and root.real > 0)]
-    size = max(map(abs, squares))
+        return -max((root.real for root in moving), default=-size), size
+    squares = [-root * root for root in moving if root.imag > 0 or (root.imag == 0 and root.real > 0)]
+    size = max(map(abs, squares), default=size * size)
     real = [x.real for x in squares if abs(x.imag) <= ZERO * size]
     apart = [((x - y) * (x - y)).real / size for i, x in enumerate(squares) for y in squares[:i]
              if abs((x - y).real * (x - y).imag) <= ZERO * size * size]
     return min(real + apart, default=size), size
+
+
+def free_roots(elements):
+    """The number of roots λ = 0 of motion that nothing holds: K v = 0, twice where (C + G) v = 0 too."""
+    import numpy as np
+
+    _, C, G, K = _matrices(elements)
+    values, directions = np.linalg.svd(K)[1:]
+    along = directions[values <= FREE * values.max()].T
+    resisted = np.linalg.svd((C + G) @ along)[1] if along.size else np.array([])
+    size = max(abs(C + G).max(), 1e-300)
+    return 2 * along.shape[1] - int((resisted > FREE * size).sum())
+
+
+def _matrices(elements):
+    import numpy as np
+
+    n = elements.n
+    return [np.array([[float(matrix.get((i, j), 0)) for j in range(n)] for i in range(n)])
+            for matrix in elements.matrices()]
 
 
 def _eigenvalues(elements, damped):
@@ -31,8 +51,7 @@ def _eigenvalues(elements, damped):
     import numpy as np
 
     n = elements.n
-    M, C, G, K = (np.array([[float(matrix.get((i, j), 0)) for j in range(n)] for i in range(n)])
-                  for matrix in elements.matrices())
+    M, C, G, K = _matrices(elements)
     if not damped and not G.any():
         roots = np.sqrt(-np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex))
         return [complex(sign * root) for root in roots for sign in (1, -1)]

@@ -14,7 +14,7 @@ from vibcli.algebra.expression import reachable
 from vibcli.algebra.rationals import ONE
 from vibcli.elements.choose import BALANCE
 from vibcli.errors import PhysicsError, SpecError
-from vibcli.inverse.margin import margin
+from vibcli.inverse.margin import free_roots, margin
 from vibcli.inverse.ranges import admissible
 from vibcli.measured import value_of
 
@@ -29,7 +29,7 @@ class System:
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
         self.shares = not in_geometry(problem, self.names)
-        self.refusal, self._measured, self.rigid = None, {}, None
+        self.refusal, self._measured, self.rigid, self.free = None, {}, None, None
         self.scales = [0.0] * len(self.conditions)
         self.rest, self.ends = {}, []                               # equilibria as found, and where following them ends
         self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
@@ -83,7 +83,9 @@ class System:
     def _slowest(self, numeric):
         """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
         loads or damping that may drive a mode, its margin to flutter and divergence."""
-        found = margin(numeric.elements)
+        free = free_roots(numeric.elements)
+        self.free = free if self.free is None else min(free, self.free)
+        found = margin(numeric.elements, self.free)
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
