@@ -11,6 +11,7 @@ from vibcli.algebra.parse import parse
 from vibcli.analyses.forcing.output import Output
 from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
 from vibcli.analyses.response.motion import linear_motion
+from vibcli.analyses.response.precise import precise_value
 from vibcli.analyses.stability import WORDS, stability
 from vibcli.cli import run
 from vibcli.errors import PhysicsError
@@ -236,3 +237,45 @@ def test_stability_without_inertia(stiffness, words):
     """)
     assert is_stable(scene) is (words == "stable")
     assert WORDS[stability(scene).kind] == words
+
+
+@pytest.mark.parametrize("kinds", ["mz", "mzs", "zs"])
+def test_digits_without_inertia(kinds):
+    """To 30 digits, and as the floats: values, rates and accelerations after a step, a wave and a blow."""
+    M, C, K = system(kinds, np.random.default_rng(8))
+    n = len(kinds)
+    blow = ((0, 0.25),)
+    waves = Wave(0, 1 - 0.5j, 0, 1.5j), Wave(1, 0.5, 1, 0j)
+    pieces = [Segment(0.0, (Wave(n - 1, 2.0, 0, 0j),)), Segment(0.5, waves, blow)]
+    start = [0.125] * n, [0.5 if M[i, i] else 0.0 for i in range(n)]
+    motion = linear_motion(M, C, K, Forcing(n, pieces), *start)
+    matrices = [matrix.tolist() for matrix in (M, C, K)]
+    for output in (Output(q={n - 1: 1.0}), Output(0.5, {0: 1.0}, {n - 1: 2.0}, {1: 0.5})):
+        for order in range(2):
+            some = [precise_value(*matrices, motion.forcing, *start, output, 1.25, digits, order)
+                    for digits in (16, 30)]
+            found = motion.values(output, np.array([1.25]), order)[0]
+            assert abs(some[0] - some[1]) <= 1e-16 * abs(some[1])
+            assert found == pytest.approx(float(some[1]), rel=1e-12)
+
+
+def test_relaxation_to_forty_digits(tmp_path, capsys):
+    file = tmp_path / "scene.yaml"
+    file.write_text("""
+bodies: {a: {slide: u}}
+springs: {s: {k: 50 N/m, between: [ground, a]}}
+dampers: {d: {c: 6 N*s/m, between: [ground, a]}}
+initial: {u: 2 cm}
+""")
+    assert run(["response", str(file), "--at", "0.1", "--digits", "40"]) == 0
+    with mpmath.workdps(50):
+        exact = mpmath.nstr(mpmath.exp(-mpmath.mpf(5) / 6) / 50, 40)
+    assert exact in capsys.readouterr().out
+
+
+def test_digits_are_refused_where_dampers_hold_only_a_stretch():
+    C = [[2, -2], [-2, 2]]
+    with pytest.raises(PhysicsError, match="only some motions") as refusal:
+        precise_value([[0, 0], [0, 0]], C, [[3, 0], [0, 5]], Forcing(2, [Segment(0.0)]), [1, 0], [0, 0],
+                      Output(q={0: 1.0}), 1, 20)
+    assert refusal.value.hint == "leave --digits out"

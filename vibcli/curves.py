@@ -104,5 +104,6 @@ class FrequencyResponse:
     def span(self):
         """The range of Ω in which what matters lies: from a fifth of the lowest frequency to five times the highest."""
         places = [Omega for Omega, _ in self.peaks] + self.antiresonances
-        places += [float(mode.omega) for mode in self.problem.modes if mode.omega] or [1.0]
+        modes = self.problem.modes or self.problem.damped or ()
+        places += [float(mode.omega) for mode in modes if mode.omega] or [1.0]
         return 0.2 * min(places), 5.0 * max(places)

@@ -17,8 +17,6 @@ def precise_value(problem, name, primes, time, digits):
     from vibcli.mechanics.precise import elements_to, equilibrium_to
 
     scene, names = problem.scene, problem.scene.coordinates
-    if problem.elements.massless:
-        raise PhysicsError("more digits are not found where a coordinate has no inertia", "leave --digits out")
     if name not in names:
         raise PhysicsError(f"'{name}' is no independent coordinate: more digits are found of these alone",
                            "ask for " + " or ".join(names[:3]))

@@ -212,5 +212,5 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        modes = self.named(natural_modes, self.elements, *self.sources, digits=digits)
+        modes = self.named(natural_modes, self.elements, *self.sources, digits=digits) if self.modes else []
         return modes, self.named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)

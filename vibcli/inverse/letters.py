@@ -124,10 +124,12 @@ def _vanishing(problem, condition):
             return [_characteristic(problem, SQUARES[head](value, problem.scene.table.pi))]
         if head == "zeta":
             value, (m, c, k) = side(problem, other), one_degree(problem)
+            if m.is_zero:
+                raise NotInLetters("without inertia there is no damping ratio")
             return [c * c - 4 * value * value * k * m]
         if head == "decay":
-            value, (m, c, _) = side(problem, other), one_degree(problem)
-            return [c - 2 * m * value]
+            value, (m, c, k) = side(problem, other), one_degree(problem)
+            return [k - c * value if m.is_zero else c - 2 * m * value]
     return [side(problem, condition.left) - side(problem, condition.right)]
 
 

@@ -180,7 +180,8 @@ def _bordered(values, pairs, ties, n, m, instants):
 
 def massless(name):
     return PhysicsError(f"no inertia moves with '{name}': its motion in time does not follow from a mass",
-                        "give what moves with it a mass, or take the coordinate out")
+                        "give what moves with it a mass, take the coordinate out, or look at small oscillations "
+                        "with motion: small")
 
 
 def _solved(table, parts, n):

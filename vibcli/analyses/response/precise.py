@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from vibcli.analyses import fixed as fx
+from vibcli.analyses.response.descriptor import Descriptor, real
 
 GUARD, MORE, TRIES = 64, 96, 12
 
@@ -38,42 +39,33 @@ def precise_values(M, C, K, forcing, q0, v0, outputs, time, digits, order=0):
 
 
 def _values(M, C, K, forcing, q0, v0, outputs, time, order, bits):
-    from mpmath import mp
-
-    n, time = len(M), _real(time)
-    inverse = mp.inverse(mp.matrix([[_real(x) for x in row] for row in M]))
+    n, time, system = len(M), real(time), Descriptor(M, C, K)
     pieces = forcing.segments(math.nextafter(float(time), math.inf))
-    state = [_real(x) for x in (*q0, *v0)]
+    state = [real(q0[i]) for i in system.places] + [real(v0[i]) for i in system.heavy]
     for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
-        start = _real(piece.start)
+        start = real(piece.start)
         for channel, size in piece.impulses:
-            for i in range(n if channel < n else 0):
-                state[n + i] += inverse[i, channel] * _real(size)
-        G, z, forces = _generator(inverse, C, K, piece.waves, state, forcing.channels)
-        last = after is None or _real(after.start) > time
-        z = _carried(G, (time if last else _real(after.start)) - start, z, bits)
+            for i in range(len(state) if channel < n else 0):
+                state[i] += system.B[i, channel] * real(size)
+        G, z, forces, Q = _generator(system, piece.waves, state, forcing.channels, n)
+        last = after is None or real(after.start) > time
+        z = _carried(G, (time if last else real(after.start)) - start, z, bits)
         if last:
             break
-        state = [z[i] for i in range(2 * n)]
-    return [_read(G, z, forces, output, order, n) for output in outputs]
+        state = [z[i] for i in range(len(state))]
+    return [_read(G, z, forces, Q, output, order) for output in outputs]
 
 
-def _real(x):
-    from mpmath import mp, mpf
-
-    return mpf(x.numerator) / x.denominator if hasattr(x, "numerator") and not isinstance(x, float) else mp.mpf(x)
-
-
-def _generator(inverse, C, K, waves, state, channels):
-    """(G, z, rows of the forces): z = (q, q̇, parts of the waves), f = forces z."""
+def _generator(system, waves, state, channels, n):
+    """(G, z, rows of the forces, rows of q): z = (y, parts of the waves), f = forces z, q = Q z."""
     from mpmath import mp
 
-    n = len(state) // 2
-    size = 2 * n + sum(2 * (wave.power + 1) for wave in waves)
-    G, forces, z = mp.matrix(size, size), mp.matrix(channels, size), mp.matrix(size, 1)
+    first = len(state)
+    size = first + sum(2 * (wave.power + 1) for wave in waves)
+    G, forces, z, Q = mp.matrix(size, size), mp.matrix(channels, size), mp.matrix(size, 1), mp.matrix(n, size)
     for i, x in enumerate(state):
         z[i] = x
-    at = 2 * n
+    at = first
     for channel, coefficient, power, exponent in waves:
         s, c = mp.mpc(exponent), mp.mpc(coefficient) * mp.factorial(power)
         z[at] = mp.one
@@ -85,37 +77,34 @@ def _generator(inverse, C, K, waves, state, channels):
         forces[channel, re] += c.real
         forces[channel, im] -= c.imag
         at = im + 1
-    loads = forces[:n, :].copy() if at > 2 * n else mp.matrix(n, size)
-    for i in range(n):
-        for j in range(n):
-            loads[i, j] -= _real(K[i][j])
-            loads[i, n + j] -= _real(C[i][j])
-    loads = inverse * loads
-    for i in range(n):
-        G[i, n + i] = mp.one
-        for j in range(size):
-            G[n + i, j] = loads[i, j]
-    return G, z, forces
+    for whole, own, driven in ((G, system.A, system.B), (Q, system.Q, system.F)):
+        loads = driven * forces[:n, :] if waves else None
+        for i in range(own.rows):
+            for j in range(size):
+                if j < first:
+                    whole[i, j] = own[i, j]
+                elif waves:
+                    whole[i, j] = loads[i, j]
+    return G, z, forces, Q
 
 
-def _read(G, z, forces, output, order, n):
+def _read(G, z, forces, Q, output, order):
     """The output and its derivatives: those of z are G z, G² z …"""
     from mpmath import mp
 
     row = mp.matrix(1, len(z))
     for channel, x in output.channels.items():
         for j in range(len(z)):
-            row[j] += _real(x) * forces[channel, j]
-    for i, x in output.q.items():
-        row[i] += _real(x)
-    for i, x in output.v.items():
-        row[n + i] += _real(x)
-    for i, x in output.a.items():
-        for j in range(len(z)):
-            row[j] += _real(x) * G[n + i, j]
+            row[j] += real(x) * forces[channel, j]
+    places = mp.matrix(1, len(z))
+    for parts in (output.a, output.v, output.q):        # (a G + v) G + q
+        places = places * G
+        for i, x in parts.items():
+            places += real(x) * Q[i, :]
+    row += places
     for _ in range(order):
         row = row * G
-    return (row * z)[0] + (_real(output.constant) if not order else 0)
+    return (row * z)[0] + (real(output.constant) if not order else 0)
 
 
 def _carried(G, tau, z, bits):

@@ -19,6 +19,9 @@ def mode(problem, index):
     """The Mode of a number; PhysicsError where there is none."""
     modes = problem.modes
     if not 1 <= index <= len(modes):
+        if not modes:
+            raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
+                               "inertia", "look at its motion in time, as `vibcli animate --response` shows it")
         count = "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}"
         raise PhysicsError(f"this scene has no mode {index}", f"it has {count}")
     return modes[index - 1]
