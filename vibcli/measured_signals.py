@@ -41,7 +41,7 @@ def _doubt(problem, tree, value):
         instant = _extreme(1 if tree[4] == "max" else -1, 0)(problem, tree)
     else:
         until = value if tree[4] in ("argmax", "argmin", "zero") else problem.motion.known
-        return problem.motion.trajectory().shared.of_state(until)
+        return problem.motion.reaching(until).shared.of_state(until)
     return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
 
 

@@ -268,8 +268,13 @@ class FullMotion(Motion):
 
     @property
     def known(self):
-        """Up to when the motion is known, of that which is looked at [s]."""
-        return min(self.until, self.trajectory().end)
+        """Up to when the motion is known, of that which is looked at [s]; where nobody says how long that is, of that
+        which was followed."""
+        try:
+            until = self.until
+        except PhysicsError:
+            return self._trajectory.end
+        return min(until, self.trajectory().end)
 
     def reaching(self, t):
         """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
