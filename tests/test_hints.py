@@ -1,143 +1,91 @@
-"""Hints are claims: what a hint of the quantities and signals tells to write or to ask for is written, and answered."""
+"""Options and commands that messages, help and manual name: each exists, and belongs to the command it is named with;
+hints that a command prints name options that it has."""
 
-import math
+import ast
 import re
+from pathlib import Path
 
 import pytest
-from scenes import problem
+from test_bad import BAD, expected
 
-from vibcli.algebra.parse import parse
-from vibcli.cli import run
-from vibcli.document import read
-from vibcli.errors import PhysicsError, SpecError
-from vibcli.measured import measure, value_of
-from vibcli.questions import ASKED
-from vibcli.spec import read_spec
+import vibcli
+from vibcli.cli import COMMANDS, group, run
+from vibcli.manual import words
 
-SCENE = """
-parameters: {m: 2 kg, k: 800 N/m, c: 8 N*s/m}
-bodies: {block: {mass: m, at: [0, 0], slide: {along: [1, 0], by: u}}}
-springs: {spring: {k: k, between: [[-1 m, 0], block]}}
-dampers: {dash: {c: c, between: [[-1 m, 0], block]}}
-forces: {push: {at: block, force: [3 N*sin(5 rad/s*t), 0]}}
-answers:
-  "ASKED": ZERO
-"""
+PACKAGE = Path(vibcli.__file__).parent
+FILES = sorted(path for path in PACKAGE.rglob("*.py") if "bench" not in path.parts)
+OPTION = re.compile(r"(?<![\w(-])--[a-z][a-z-]*(?!:)\b")
+COMMAND = re.compile(r"\bvibcli ([a-z]+)\b([^`;,]*)")
+PROSE = {"derives", "alone", "itself"}        # vibcli derives …, which is no command line
 
 
-def diagnostics(asked):
-    text = SCENE.replace("ASKED", asked).replace("ZERO", "0 Hz" if asked.startswith("frequency[") else "0")
-    node, found = read(text.encode(), "scene.yaml")
-    try:
-        read_spec(node, "scene.yaml", found)
-    except SpecError as error:
-        return error.diagnostics
-    return []
+def texts(path):
+    """(line, text) of every string of a file, {…} standing for what is filled in."""
+    found, parts = [], set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.JoinedStr):
+            parts.update(map(id, node.values))
+            found.append((node.lineno, "".join(part.value if isinstance(part, ast.Constant) else "{…}"
+                                               for part in node.values)))
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in parts:
+            found.append((node.lineno, node.value))
+    return found
 
 
-@pytest.mark.parametrize("head", [head for head, asked in ASKED.items() if asked.indices or asked.args])
-def test_a_quantity_written_bare_is_told_in_names_of_the_scene(head):
-    one, = diagnostics(head)
-    told = one.hint.removeprefix("write ")
-    assert one.hint.startswith("write ") and told.startswith(head)
-    if head not in ("equation", "motion", "Q"):                 # of these 0 is no answer
-        assert diagnostics(told) == [], told
+def options(command):
+    context = group.make_context("vibcli", [], resilient_parsing=True)
+    of = group if command is None else group.get_command(context, command)
+    return {name for parameter in of.get_params(context) for name in (*parameter.opts, *parameter.secondary_opts)}
 
 
-@pytest.mark.parametrize("asked", ["re(omega[1])", "im(M[u,u])", "arg(zeta[1])", "re(amplitude(u))", "re(u)", "arg(u)",
-                                   "peak[1](u).value", "half_power[1](omega[1])", "re(frf[u, push])",
-                                   "peak[1](frf[u, push](3 Hz)).value", "phase(frf[u, push])", "max(2 s)", "omega",
-                                   "omega[1, 2, 3]", "mode[1]", "transmissibility[u]", "sensitivity[1]"])
-def test_what_stands_at_the_wrong_place_is_told_how_it_is_written(asked):
-    one = diagnostics(asked)[0]
-    told = re.sub(r"^(?:write|ask for) | itself$", "", one.hint)
-    assert one.hint and (told == one.hint or diagnostics(told) == []), one.hint
+OPTIONS = {command: options(command) | {"--help"} for command in COMMANDS}
+ANY = set().union(*OPTIONS.values(), options(None), {"--quick", "--only", "--sympy"})
 
 
-ROTOR = """
-parameters: {m: 1 kg, k: 100 N/m, W: 3 rad/s}
-coordinates: {x: , y: }
-energies: {T: "m/2*((x' - W*y)^2 + (y' + W*x)^2)", V: k/2*(x^2 + 2*y^2)}
-"""
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_what_is_named_exists(path):
+    for line, text in texts(path):
+        for option in OPTION.findall(text):
+            assert option in ANY, f"{path.name}:{line}: {option}"
+        for command, rest in COMMAND.findall(text):
+            if command in PROSE:
+                continue
+            assert command in COMMANDS, f"{path.name}:{line}: vibcli {command}"
+            assert set(OPTION.findall(rest)) <= OPTIONS[command], f"{path.name}:{line}: vibcli {command}{rest}"
+            page = re.match(r" ([a-z_]+)\b", rest) if command == "explain" else None
+            assert page is None or page[1] in words() or "{…}" in rest, f"{path.name}:{line}: explain {page[1]}"
 
 
-def test_the_parts_of_a_complex_mode():
-    """x'' − 2W y' + (100 − W²) x = 0 and y'' + 2W x' + (200 − W²) y = 0: y/x = −i·(100 − W² − ω²)/(2Wω)·(−1)."""
-    scene = problem(ROTOR)
-    omega = measure(scene, parse("omega[1]"))[0]
-    ratio = (100 - 9 - omega**2) / (2 * 3 * omega)              # (k − W² − ω²) x = 2W iω y
-    assert abs(measure(scene, parse("re(mode[1][y])"))[0]) < 1e-9
-    assert abs(measure(scene, parse("im(mode[1][y])"))[0]) == pytest.approx(abs(ratio), rel=1e-9)
-    assert abs(measure(scene, parse("arg(mode[1][y])"))[0]) == pytest.approx(math.pi / 2, rel=1e-9)
+def test_many_are_named():
+    named = [found for path in FILES for _, text in texts(path) for found in OPTION.findall(text)]
+    called = [found for path in FILES for _, text in texts(path) for found in COMMAND.findall(text)]
+    assert len(named) > 100 and len(called) > 60
 
 
-REFUSED = [                 # (scene, quantity): each is refused, with a hint that names what is there instead
-    ("""energies: {T: "1 kg/2*x'^2", V: "-3 N/m/2*x^2"}""", "omega[1]"),
-    ("""energies: {T: "1 kg/2*x'^2", V: "3 N/m/2*x^2"}""", "growth_rate[1]"),
-    ("bodies: {a: {mass: 1 kg, slide: x}}", "period[1]"),
-    ("""
-bodies: {a: {mass: 1 kg, slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
-dampers: {d: {c: 60 N*s/m, between: [ground, a]}}
-""", "decrement[1]"),
-    ("""
-bodies: {a: {slide: x}}
-springs: {s: {k: 4 N/m, between: [ground, a]}}
-dampers: {d: {c: 60 N*s/m, between: [ground, a]}}
-""", "omega[1]"),
-]
+@pytest.mark.parametrize("path", BAD, ids=lambda path: path.stem)
+def test_hints_name_options_of_the_command_that_prints_them(path):
+    _, command, diagnostics = expected(path)
+    for _, message, hint in diagnostics:
+        assert set(OPTION.findall(f"{message} {hint}")) <= OPTIONS[command]
 
 
-@pytest.mark.parametrize(("scene", "asked"), REFUSED)
-def test_what_is_named_instead_is_there(scene, asked):
-    scene = problem(scene)
-    with pytest.raises(PhysicsError) as refusal:
-        measure(scene, parse(asked))
-    found = re.findall(r"[a-z_]+\[1\]", refusal.value.hint)
-    assert found
-    for told in found:
-        assert measure(scene, parse(told))
+REPORTED = {"--digits", "--json", "--of"}       # in answers to these options, and in reports, which have them
 
 
-def test_a_complex_number_is_told_to_be_taken_apart():
-    scene = problem(ROTOR + "answers: {\"mode[1][y]\": 1}\n")
-    with pytest.raises(PhysicsError, match="complex") as refusal:
-        value_of(scene, scene.spec.answers[0].asked)
-    for part in ("re", "im", "abs", "arg"):
-        assert part in refusal.value.hint
-        measured = problem(ROTOR + f"answers: {{\"{part}(mode[1][y])\": 1}}\n")
-        assert math.isfinite(value_of(measured, measured.spec.answers[0].asked)[0])
+def test_hints_from_within_can_be_followed_in_every_command():
+    """What is refused while scenes are solved is told by `check` too: the options that it names are there."""
+    for path in FILES:
+        if path.parent.name in ("cli", "manual") or path.name in ("page.py", "json_keys.py"):
+            continue
+        for line, text in texts(path):
+            bare = COMMAND.sub("", text)
+            assert set(OPTION.findall(bare)) <= OPTIONS["check"] | REPORTED, f"{path.name}:{line}: {text}"
 
 
-SWING = """
-bodies: {rod: {shape: rod, mass: 2 kg, from: [0, 0], to: [0, -1 m], pin: {at: [0, 0], by: phi}}}
-gravity: 9.81 m/s^2
-initial: {phi: 20 deg}
-find: [{response: {until: 2 s}}]
-"""
-
-
-@pytest.mark.parametrize(("motion", "signal"), [("full", "phi"), ("full", "rod.x"), ("small", "rod.x"),
-                                                ("small", "2*phi"), ("small", "steady(phi)")])
-def test_digits_are_refused_with_what_has_them(motion, signal, tmp_path, capsys):
-    file = tmp_path / "scene.yaml"
-    file.write_text(SWING + f"motion: {motion}\n")
-    options = ["--of", signal, "--at", "0.5"]
-    assert run(["response", str(file), *options, "--digits", "20"]) == 4
-    hint = capsys.readouterr().err.partition("hint: ")[2].strip()
-    if hint == "leave --digits out":
-        assert run(["response", str(file), *options]) == 0
-    else:
-        told = hint.removeprefix("ask for ").split()
-        assert told[0] == "--of" and run(["response", str(file), *told, "--at", "0.5", "--digits", "20"]) == 0
-    assert "0.5" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize(("asked", "words"), [
-    ("rod.reaction.y", "springs and dampers alone"), ("steady(phi)", "no steady part"),
-    ("phi + transient(phi)", "no transient")])
-def test_signals_that_a_full_motion_has_not(asked, words):
-    scene = problem(SWING + "motion: full\n")
-    with pytest.raises(PhysicsError) as refusal:
-        measure(scene, parse(f"max({asked})"))
-    assert words in f"{refusal.value.message} {refusal.value.hint}" and refusal.value.hint
+def test_a_scene_in_letters_is_checked_with_numbers(tmp_path, capsys):
+    scene = tmp_path / "scene.yaml"
+    scene.write_text("parameters: {k: , m: }\nbodies: {a: {mass: m, slide: x}}\n"
+                     "springs: {s: {k: k, between: [ground, a]}}\nanswers:\n  omega[1]: 3 rad/s\n")
+    assert run(["check", str(scene), "--set", "k=18 N/m", "--set", "m=2 kg"]) == 0
+    assert run(["check", str(scene), "--set", "k=20 N/m", "--set", "m=2 kg"]) == 1
+    assert "1 answer agrees" in capsys.readouterr().out

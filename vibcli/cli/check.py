@@ -13,11 +13,13 @@ GRAVEST = (3, 4, 1, 0)
 
 @click.command("check")
 @click.argument("paths", nargs=-1, required=True, type=click.Path())
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+              help="Give a parameter another value, in every file: k=500 in the file's unit, or 'k=0.5 N/mm'.")
 @click.option("--json", "as_json", is_flag=True, help="Verdicts as JSON.")
 @click.option("--quiet", "-q", is_flag=True, help="Print only what differs.")
 @patience_option
 @color_option
-def command(paths, as_json, quiet, patience):
+def command(paths, settings, as_json, quiet, patience):
     """Compare the answers in scene files (and in folders of them) with the results.
 
     Exit code: 0 all agree, 1 an answer differs, 3 a file is invalid, 4 a scene cannot be solved (of several the
@@ -27,7 +29,7 @@ def command(paths, as_json, quiet, patience):
     counts = {"agree": 0, "differ": 0, "files": 0, "failed": 0}
     codes, data = [0], []
     for file in files:
-        code, verdicts = _check_file(file, patience)
+        code, verdicts = _check_file(file, settings, patience)
         codes.append(code)
         counts["files"] += 1
         counts["failed"] += code in (3, 4)
@@ -58,10 +60,10 @@ def _files(path):
     return found
 
 
-def _check_file(file, patience):
+def _check_file(file, settings, patience):
     """(exit code, verdicts) of one file; what is wrong with it goes to stderr."""
     try:
-        problem = load(file, patience=patience)
+        problem = load(file, settings, patience)
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             _settle(problem)
             return 0, []
