@@ -76,7 +76,9 @@ def _places(problem, item):
 def _rates(problem, found):
     if found.growth_rate is not None:
         return f"grows as exp({figure(found.growth_rate)}·t)"
-    return ", ".join(figure(omega) for omega in _omega(problem, found))
+    if found.kind == OPEN:
+        return ""
+    return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error) for mode in problem.modes)
 
 
 def _omega(problem, found):

@@ -83,15 +83,19 @@ def free_vibration(problem, asked):
 def _regime(problem):
     from vibcli.analyses.response.formula import regime
     from vibcli.analyses.response.free import decrement
+    from vibcli.report.rows import bounds
 
     mode = problem.damped[0] if problem.damped else None
     words = regime(*problem.motion.matrices)
     if words == "under-damped" and mode is not None and mode.omega_d:
         decay, omega_d = float(mode.decay), float(mode.omega_d)
         delta = decrement(-decay, omega_d)
-        return [f"under-damped, ζ = {figure(float(mode.zeta))}",
-                f"decay constant {figure(decay)} 1/s, logarithmic decrement {figure(delta)}; the amplitude falls to "
-                f"1/10 in {figure(math.log(10) / decay)} s, or {figure(math.log(10) / delta)} cycles"]
+        bound = sum(bounds(mode))
+        zeta, shown, per_cycle, time, cycles = (figure(value, bound) for value in (
+            float(mode.zeta), decay, delta, math.log(10) / decay, math.log(10) / delta))
+        return [f"under-damped, ζ = {zeta}",
+                f"decay constant {shown} 1/s, logarithmic decrement {per_cycle}; the amplitude falls to 1/10 in {time} "
+                f"s, or {cycles} cycles"]
     return [words]
 
 

@@ -2,7 +2,7 @@
 
 from cmath import polar as to_polar
 from itertools import pairwise
-from math import degrees
+from math import degrees, hypot
 
 from vibcli.report.blocks import Name, Table, maths, paragraph
 from vibcli.report.figures import figure
@@ -48,10 +48,20 @@ def damped_row(mode):
             note = f"over-damped, λ = {figure(_float(mode.eigenvalue.real), mode.error)} 1/s"
     if mode.growth_rate:
         note = "flutter" if mode.kind == "flutter" else "unstable"
-    return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), mode.error),
-            figure(_float(mode.omega_d), mode.error),
-            figure(TURN / float(mode.omega_d), mode.error) if mode.omega_d else "–",
-            figure(_float(mode.decay), mode.error), error, note)
+    of_decay, of_omega_d = bounds(mode)
+    return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), of_decay),
+            figure(_float(mode.omega_d), of_omega_d),
+            figure(TURN / float(mode.omega_d), of_omega_d) if mode.omega_d else "–",
+            figure(_float(mode.decay), of_decay), error, note)
+
+
+def bounds(mode):
+    """Bounds of the relative errors of decay and ζ, and of ω_d: that of |λ| falls on the parts of λ, the small too."""
+    if not mode.omega_d:
+        return mode.error, mode.error
+    real, imaginary = abs(float(mode.decay)), abs(float(mode.omega_d))
+    size = hypot(real, imaginary)
+    return mode.error * size / real if real else mode.error, mode.error * size / imaginary
 
 
 def _float(value):
