@@ -7,10 +7,14 @@ import mpmath
 import numpy as np
 import pytest
 from motions import duffing_period, problem
+from scenes import number
 
 from vibcli.algebra.antiderivative import from_zero
+from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table
+from vibcli.algebra.meaning import lower
+from vibcli.algebra.parse import parse
 from vibcli.analyses.trajectory.period import exact_period
 from vibcli.analyses.trajectory.simulate import simulate
 from vibcli.errors import PhysicsError
@@ -43,6 +47,32 @@ def test_antiderivatives_against_quadrature():
                                                                                        abs=1e-12)
         swept += 1
     assert swept >= 17
+
+
+@pytest.mark.parametrize("written", [
+    "sign(x)*abs(x)^(1/3)", "x/abs(x)^(2/3)", "x*abs(x)^(-2/3)", "sign(x)*sqrt(abs(x))", "x/sqrt(abs(x))", "x^3/abs(x)",
+    "sign(x)*abs(x)^(-1/3)", "abs(x)^(1/3)", "abs(x)", "x^2*sign(x)", "x*sign(x)", "sign(x)^2*x", "abs(x)^a*sign(x)",
+    "x*abs(x)^(a - 1)", "sign(a*x + 2)*abs(a*x + 2)^(1/3)", "(a*x + 2)/abs(a*x + 2)^(2/3)", "abs(-x)^(1/3)*sign(x)",
+    "a*x + 3*x/abs(x)^(2/3)", "(x - 1)*abs(x - 1)^(3/2)"])
+def test_powers_of_sizes_are_integrated_to_both_sides(written):
+    """The energy is that of quadrature left and right of 0, and its slope is the law, at 0 too where that is finite."""
+    table = Table()
+    x, a = table.variable("x"), table.parameter("a")
+    law = lower(parse(written), table, lambda name, primes, tree: {"x": x, "a": a}[name])
+    energy = from_zero(law, x)
+    slope = gradient(energy)[x]
+    with mpmath.workdps(25):
+        names = {"x": mpmath.mpf(0), "a": mpmath.mpf("1.3")}
+        kinks = (-2 / names["a"], mpmath.mpf(1))
+        for end in (-3.1, 2.9):
+            passed = sorted({mpmath.mpf(0), mpmath.mpf(end), *(p for p in kinks if min(0, end) < p < max(0, end))})
+            path = passed if end > 0 else passed[::-1]
+            wanted = mpmath.quad(lambda s: number(parse(written), names | {"x": s}, mpmath), path)
+            at = {"x": end, "a": 1.3}
+            assert evaluate([energy], Floats, at)[0] == pytest.approx(float(wanted), rel=1e-9)
+            assert evaluate([slope], Floats, at)[0] == pytest.approx(evaluate([law], Floats, at)[0], rel=1e-12)
+    if "-1/3" not in written and "^a" not in written and "(a - 1)" not in written:
+        assert math.isfinite(evaluate([slope], Floats, {"x": 0.0, "a": 1.3})[0])
 
 
 def test_what_has_no_antiderivative_is_said_so():

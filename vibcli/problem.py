@@ -136,7 +136,13 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """The form in the drawn position, in letters: what vanishes there by structure is exactly zero."""
         from vibcli.mechanics.linearisation import at_position
 
-        return defined_as_drawn(at_position, self.form, self.scene.vibrating.drawn_position)
+        scene = self.scene.vibrating
+        try:
+            return at_position(self.form, scene.drawn_position)
+        except ZeroDivisionError:
+            from vibcli.mechanics.kinks import without_slope
+
+            defined_as_drawn(without_slope, scene)
 
     @cached_property
     def is_linear(self):

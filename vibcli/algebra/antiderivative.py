@@ -1,6 +1,7 @@
 """∫ f(x) dx of sums of what laws of springs and dampers are made of, by rules; None where no rule fits.
 
-    xⁿ, |u|ⁿ, sign u, max(u, 0), ramp u and their products, u = a x + b:  u f/((n + 1) a), n being the degree of f in u
+    xⁿ, max(u, 0), ramp u and their products, u = a x + b:  u f/((n + 1) a), n being the degree of f in u
+    |u|ⁿ sign u:  |u|ⁿ⁺¹/((n + 1) a)     |u|ⁿ:  sign u |u|ⁿ⁺¹/((n + 1) a)
     sin u, cos u, tan u, exp u, sinh u, cosh u, tanh u:  F(u)/a            1/u:  log|u|/a
 """
 
@@ -85,9 +86,30 @@ def _homogeneous(factors, x):
             return None
         u, degree = u or part, degree + n * e
         total = total * table.power(base, e)
+    odd = _is_odd(factors, u)
+    if odd is not None:
+        power = table.power(table.call("abs", u), degree + 1) / ((degree + 1) * _slope(u, x)) if not is_zero(
+            degree + 1) else None
+        return power if odd or power is None else table.call("sign", u) * power
     if is_zero(degree + 1):
         return table.call("log", table.call("abs", u)) / _slope(u, x) if len(factors) == 1 else None
     return u * total / ((degree + 1) * _slope(u, x))
+
+
+def _is_odd(factors, u):
+    """Of powers of |u|, u and sign u: are they |u|ⁿ sign u, and not |u|ⁿ? None of others, and of powers of u alone."""
+    odd, bent = False, False
+    for base, e in factors:
+        if base.op == "call" and base.name == "power" and base.args[0].op == "call":
+            base, e = base.args[0], None
+        if base.op == "call" and base.name == "abs" and base.args[0] is u:
+            bent = True
+        elif e is not None and e.denominator == 1 and (base is u or (
+                base.op == "call" and base.name == "sign" and base.args[0] is u)):
+            odd, bent = odd != bool(e % 2), bent or base is not u
+        else:
+            return None
+    return odd if bent else None
 
 
 def _degree(base, x):

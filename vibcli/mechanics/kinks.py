@@ -46,3 +46,13 @@ def _jumps(problem, node):
     sides = [substitute([node], {part: number(SIDES[part.name][side]) for part in turns})[0] for side in (0, 1)]
     left, right = evaluate(sides, Floats, at)
     return abs(left - right) > SAME * max(abs(left), abs(right))
+
+
+def without_slope(scene):
+    """Refuse small oscillations where the slope of a force is infinite as drawn, as of ∛d at d = 0; ZeroDivisionError
+    where the energies themselves are not defined there."""
+    from vibcli.mechanics.energies import kinetic, potential
+
+    V = potential(scene)
+    substitute([kinetic(scene), V, *gradient(V).values()], scene.drawn_position)
+    raise Kinked("the slope of a force is infinite as drawn: there are no small oscillations about that", HINT)

@@ -54,9 +54,10 @@ def _unbent(problem, report):
     """What is said instead of small oscillations where there is a kink."""
     if problem.sticking is not None and not report.told_held:
         yield from section("Equilibrium", *held(problem))
-    why = "dry friction" if problem.sticking is not None else "abs, sign, min, max, step or ramp"
-    yield from section("Small oscillations", paragraph(
-        f"none: {why} has a kink there; `motion: full` follows the motion", hang=0))
+    why = problem.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
+    if problem.sticking is not None:
+        why = "dry friction has a kink there"
+    yield from section("Small oscillations", paragraph(f"none: {why}; `motion: full` follows the motion", hang=0))
 
 
 def _full(problem, report):
