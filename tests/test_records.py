@@ -15,6 +15,7 @@ from vibcli.algebra.samples import Samples
 from vibcli.check import check
 from vibcli.cli import run
 from vibcli.document import read_file
+from vibcli.errors import SpecError
 from vibcli.problem import Problem
 from vibcli.spec import read_spec
 
@@ -78,6 +79,38 @@ def test_a_record_is_read_once_for_all_cases(beside, monkeypatch):
     monkeypatch.setattr(columns, "_parsed", lambda *args, kept=columns._parsed: calls.append(1) or kept(*args))
     problem(path)
     assert len(calls) == 1
+
+
+SLIPS = ("1.O", "0x10", "1e400", "nan", "-inf", "1_0", "1,5", "", "O.5", "--1", "5 m", "1e", "−2", "½", "x")
+
+
+@pytest.mark.parametrize("heading", [True, False])
+@pytest.mark.parametrize("row", [0, 1, 3])
+@pytest.mark.parametrize("column", [0, 1])
+def test_a_slip_in_any_row_is_found_where_it_is(beside, heading, row, column):
+    """Of no row is a slip taken for a heading, and no row is left out."""
+    for slip in SLIPS:
+        cells = [["0", "5"], ["0.1", "2"], ["0.3", "-1"], ["0.4", "0"]]
+        cells[row][column] = slip
+        lines = ["t;a"] * heading + [";".join(pair) for pair in cells]
+        with pytest.raises(SpecError) as error:
+            problem(beside(text="\n".join(lines) + "\n"))
+        place = error.value.diagnostics[0].where
+        assert (place.line, place.column) == (row + heading + 1, 1 if column == 0 else len(cells[row][0]) + 2)
+
+
+@pytest.mark.parametrize("first", ["t,a", '"time [s]","a in m/s²"', "Zeit,Beschl.", "(t),[a]", "$t$,\\ddot{x}", "μ,α"])
+def test_headings_are_names_throughout(beside, first):
+    assert samples(beside(text=first + "\n0,5\n0.1,2\n")).values == (5, 2)
+    for mixed in ("t,2", "0,a", "t,1.O", "t,"):
+        with pytest.raises(SpecError, match="expected a number"):
+            problem(beside(text=mixed + "\n0,5\n0.1,2\n"))
+
+
+def test_rows_have_as_many_cells_as_the_first(beside):
+    for text in ("0,5\n0.1,2,5\n0.2,3\n", "t,a\n0,5\n0.1\n0.2,3\n", "t,a\n0,5,1\n0.1,2,5\n"):
+        with pytest.raises(SpecError, match="expected 2 columns, found"):
+            problem(beside(text=text))
 
 
 # values
@@ -155,7 +188,7 @@ WRONG = {
     "0,0\n0.1,inf\n": ("a.csv:2:5", "found 'inf'"), "0,0\n0.1,1e999\n": ("a.csv:2:5", "found '1e999'"),
     "0,0\n0.1,\n": ("a.csv:2:5", "found nothing"), "0,0\n0.1\n": ("a.csv:2:1", "expected 2 columns, found 1"),
     "0,0\n0.2,1\n0.1,2\n": ("a.csv:3:1", "the times must ascend"), "0,0\n0,1\n": ("a.csv:2:1", "the times must ascend"),
-    "0;0\n0,1;2\n": ("a.csv:2:1", "decimals are written with a point"), "0,1_0\n1,2\n": ("a.csv", "at least two rows"),
+    "0;0\n0,1;2\n": ("a.csv:2:1", "decimals are written with a point"), "0,1_0\n1,2\n": ("a.csv:1:3", "found '1_0'"),
     "t,a\n0,1\n": ("a.csv", "at least two rows"), "": ("a.csv", "at least two rows"),
     "0,0\n1,1e99\n": ("a.csv:2:3", "out of range"), b"0,0\n\xff,1\n": ("a.csv:2", "not UTF-8"),
     "\u0660,0\n\u0661,1\n\u0662,1\n": ("a.csv:2:1", "expected a number"), "0\n1\n2\n": ("scene.yaml:3", "no column 2"),

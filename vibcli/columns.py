@@ -30,7 +30,7 @@ class Columns:
         found, wrong = [], 0
         for line, text in self.rows:
             cells = text.split(self.separator)
-            value = _number(cells[i]) if i < len(cells) else None
+            value = _number(cells[i]) if i < len(cells) == self.count else None
             if value is None:
                 wrong += 1
                 if wrong <= MAX_PROBLEMS:
@@ -54,13 +54,17 @@ class Columns:
 
     def _not_a_number(self, line, text, i):
         cells = text.split(self.separator)
-        if i >= len(cells):
+        if len(cells) != self.count:
+            more = self.separator == "," and len(cells) > self.count
+            hint = "every row has the same columns" + ("; decimals are written with a point: 0.5" if more else "")
             return Where(self.file, line, 1, max(len(text), 1)), (
-                f"expected {i + 1} columns, found {len(cells)}"), "every row has the same columns"
+                f"expected {self.count} columns, found {len(cells)}"), hint
         where, cell = self._cell(line, text, i)
         comma = self.separator != "," and "," in cell
-        return where, f"expected a number, found {quoted(cell) if cell else 'nothing'}", (
-            "decimals are written with a point: 0.5" if comma else "write a finite number such as 0.5 or 1e-3")
+        hint = "decimals are written with a point: 0.5" if comma else "write a finite number such as 0.5 or 1e-3"
+        if line == self.rows[0][0] and self.header is None and _is_name(cell):
+            hint = "a first line of names has a name for every column"
+        return where, f"expected a number, found {quoted(cell) if cell else 'nothing'}", hint
 
 
 def _number(text):
@@ -70,6 +74,16 @@ def _number(text):
     except ValueError:
         return None
     return value if value - value == 0 and text.isascii() and "_" not in text else None
+
+
+def _is_name(text):
+    """Does a cell look like the name of a column: is it no number, not even one with a slip such as 1.O or 1e400?"""
+    text = text.strip().strip('"').strip()
+    try:
+        float(text)     # nan and inf too
+    except ValueError:
+        return any(map(str.isalpha, text)) and not (text[0].isdigit() or text[0] in "+-−.,")
+    return False
 
 
 def read_columns(scene, name):
@@ -130,7 +144,7 @@ def _parsed(path, data):
                                 "thin the record out, or cut it")
     separator = next((sign for sign in SEPARATORS if rows and sign in rows[0][1]), None)
     header = None
-    if rows and any(_number(cell) is None for cell in rows[0][1].split(separator)):
+    if rows and all(map(_is_name, rows[0][1].split(separator))):
         header = [cell.strip().strip('"') for cell in rows.pop(0)[1].split(separator)]
     if len(rows) < 2:
         return None, Diagnostic(Where(path, 1, 1, 0), "expected at least two rows of numbers",
