@@ -160,7 +160,7 @@ class SmallMotion(Motion):
         speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         if forcing.period is not None:
             speeds = [6.283185307179586 / forcing.period]
-        modes = () if problem.damped else problem.modes
+        modes = () if problem.damped or not self.alone.blocks else problem.modes
         return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
 
     def signal(self, tree):
