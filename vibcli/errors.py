@@ -57,6 +57,13 @@ class Kinked(PhysicsError):
     """There are no small oscillations, as friction or a stop has no slope at rest: a remark beside equations."""
 
 
+class Inertless(PhysicsError):
+    """Nothing has inertia, so that nothing vibrates: a remark beside the equations of equilibrium."""
+
+    def __init__(self):
+        super().__init__("nothing in the scene has inertia: nothing can vibrate", "give a mass")
+
+
 def defined_as_drawn(function, *args):
     """What the function gives; a refusal where an expression divides by zero in the drawn position."""
     try:

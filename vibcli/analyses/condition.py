@@ -16,9 +16,13 @@ EPSILON = 2.0**-52
 
 def stiffness_condition(problem):
     """The largest condition number over the modes of lowest frequency, rigid ones aside; 1 where nothing cancels, and
-    where K is singular and its elements are known in floats alone (mechanics/degenerate.py)."""
+    where K is singular and its elements are known in floats alone (mechanics/degenerate.py); None where nothing has
+    inertia."""
     from vibcli.analyses.modal import factored
+    from vibcli.analyses.stability import inertless
 
+    if inertless(problem.elements):
+        return None
     if factored(problem.elements) or problem.sources[0] is None:
         return 1.0
     modes = sorted((mode for mode in problem.modes if not mode.rigid), key=_rate)[:LEAST]
@@ -27,7 +31,7 @@ def stiffness_condition(problem):
 
 def bifurcation_warning(condition):
     """A sentence where the condition number is large, else None."""
-    if not condition > NEAR:
+    if condition is None or not condition > NEAR:
         return None
     return (f"near a bifurcation: the stiffness is nearly singular (condition {condition:.0e}); frequencies have about "
             f"{round(math.log10(condition / 2))} digits fewer than the data").replace("e+0", "e").replace("e+", "e")

@@ -9,7 +9,7 @@ import math
 
 from vibcli.analyses.rigid import rigid_count
 from vibcli.analyses.scaled import mechanism, scaling
-from vibcli.errors import PhysicsError
+from vibcli.errors import Inertless
 
 CERTIFIED = 40
 CERTIFIABLE = 120
@@ -89,7 +89,7 @@ def prepared(elements, dragged=False):
     if not dragged:
         check_ties(elements)
         if len(elements.massless) == elements.n:
-            raise PhysicsError("nothing in the scene has inertia: nothing can vibrate", hint="give a mass")
+            raise Inertless
     return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
 
 

@@ -4,10 +4,11 @@ Without gyroscopic terms a damper does not change the answer that K gives (Thoms
 them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in.
 """
 
-from vibcli.errors import PhysicsError
+from vibcli.errors import Inertless, PhysicsError
 
 STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
 OPEN = "open"
+ROUNDING = 1e-13        # of the largest entry of K
 WORDS = {STABLE: "stable", HELD: "stable, but only terms beyond the linear ones hold it",
          NEUTRAL: "neutral: it can move freely", UNSTABLE: "unstable",
          FALLING: "unstable: terms beyond the linear ones drive it away"}
@@ -29,6 +30,8 @@ class Stability:
 
 def stability(problem):
     """The Stability of the equilibrium of a numeric problem."""
+    if inertless(problem.elements):
+        return _of_springs(problem)
     modes = (problem.damped if _dampers_decide(problem.elements) else None) or problem.modes
     if not modes:
         return _of_first_order(problem.damped)
@@ -40,6 +43,34 @@ def stability(problem):
     if "free" in kinds:
         return Stability(NEUTRAL)
     return Stability(HELD if kinds else STABLE)
+
+
+def inertless(elements):
+    """Do springs, weights and loads alone act on it?"""
+    return len(elements.massless) == elements.n and not elements.dampers and not any(
+        any(part.values()) for part in (elements.C, elements.drag, elements.G))
+
+
+def _of_springs(problem):
+    """By the signs of K, which is that of a potential: what dampers and masses are added does not matter."""
+    import numpy as np
+
+    elements = problem.elements
+    if elements.circulatory:
+        raise Inertless
+    sizes = [1.0 if not problem.dimension(name) else problem.figure_size or 1.0 for name in problem.scene.coordinates]
+    K = np.zeros((elements.n, elements.n))
+    for (i, j), value in elements.stiffness().items():
+        K[i, j] = value * sizes[i] * sizes[j]
+    values = np.linalg.eigvalsh(K) / (np.abs(K).max() or 1.0)
+    if values[0] < -ROUNDING:
+        return Stability(UNSTABLE)
+    if values[0] > ROUNDING:
+        return Stability(STABLE)
+    if not problem.is_linear:
+        raise PhysicsError("K is singular in the equilibrium, and nothing has inertia: terms beyond the linear ones "
+                           "decide whether it is stable", "give a mass")
+    return Stability(NEUTRAL)
 
 
 def _of_first_order(damped):

@@ -6,7 +6,7 @@ import click
 
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.cli.reports import write_documents, write_text
-from vibcli.errors import Kinked, NotInLetters, PhysicsError, Unknown
+from vibcli.errors import Inertless, Kinked, NotInLetters, PhysicsError, Unknown
 from vibcli.questions import INSIGHT, RESPONSES
 from vibcli.report.blocks import Document, Refusal, paragraph, section
 from vibcli.report.document import Report, title_of
@@ -106,6 +106,7 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
     from vibcli.report.results import (
         energies_data,
         equations_data,
+        equilibrium_data,
         frequencies_data,
         matrices_data,
         sticking_data,
@@ -124,6 +125,8 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
             if not letters and not _without_slope(problem, error, sections):
                 raise
             found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
+            if isinstance(error, Inertless):
+                found |= {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
     if "equilibria" in sections:
         from vibcli.report.equilibria import equilibria_data
 
@@ -152,8 +155,8 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
 
 
 def _without_slope(problem, refusal, sections):
-    """Does friction or a kink leave no slope, where nothing that needs one is asked by name?"""
-    if not isinstance(refusal, Kinked) and problem.sticking is None:
+    """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
+    if not isinstance(refusal, (Kinked, Inertless)) and problem.sticking is None:
         return False
     asked = problem.spec.get("find") or ()
     beside = "equations" in sections or "frequencies" not in sections
@@ -168,6 +171,8 @@ def _report(problem, sections, normalise, digits, pictures, wanted=None):
         remark = paragraph(f"{report.refusal.message}: {report.refusal.hint}", hang=0)
         report.sections += section("Not found in letters", remark)
         report.refusal = None
+    if isinstance(report.refusal, Inertless) and _without_slope(problem, report.refusal, sections):
+        report.sections += section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0))
     if report.refusal and _without_slope(problem, report.refusal, sections):      # said beside the equations
         report.refusal = None
     if digits is not None:

@@ -1,7 +1,7 @@
 """The list of all equilibria, as a section of a report and as data."""
 
 from vibcli.analyses.condition import bifurcation_warning, stiffness_condition
-from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, judged
+from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, inertless, judged
 from vibcli.report.blocks import Name, Table, Words, maths, paragraph, section, separated
 from vibcli.report.figures import figure, with_unit
 from vibcli.report.given import unit
@@ -83,7 +83,9 @@ def _rates(problem, found):
 
 def _omega(problem, found):
     """The natural angular frequencies, None of what does not oscillate."""
-    return [] if found.kind == OPEN else [None if mode.omega is None else float(mode.omega) for mode in problem.modes]
+    if found.kind == OPEN or inertless(problem.elements):
+        return []
+    return [None if mode.omega is None else float(mode.omega) for mode in problem.modes]
 
 
 def _kind(found, item):

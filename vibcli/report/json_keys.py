@@ -24,7 +24,7 @@ KEYS = {
                           "open",
     "equilibrium.residual": "what is left of the forces, relative to the sum of the magnitudes of their terms",
     "equilibrium.condition": "by which factor a relative change of the data grows in a frequency squared; null in "
-                             "letters",
+                             "letters, and where nothing has inertia",
     "equilibrium.warning": "a sentence where the equilibrium is near a bifurcation, else null",
     "equilibria": "where `find` asks for them: a list of all equilibria found within the bounds, in ascending order",
     "equilibria[].coordinates": "{name: value}",

@@ -1,6 +1,7 @@
 """Natural frequencies, damping and mode shapes."""
 
 from vibcli.analyses.shapes import WORDS
+from vibcli.errors import Inertless
 from vibcli.report.blocks import Table, equations, line, paragraph, section
 from vibcli.report.rows import damped_row, mode_row, polar, repeated, shapes
 
@@ -37,6 +38,8 @@ def _frequencies_in_letters(problem):
 
     equilibrium_in_letters(problem)  # refused where there is none
     M, C, _, K = problem.matrices_in_letters
+    if not M and not C:
+        raise Inertless
     if len(problem.scene.q) == 1 and not M and C and K:
         yield from section("Relaxation", equations([line("λ = ", -(K[0, 0] / C[0, 0]))]))
         return

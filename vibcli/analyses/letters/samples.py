@@ -4,7 +4,7 @@ A set of values is admissible where the figure fits together and as many modes a
 """
 
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.errors import PhysicsError, SpecError
+from vibcli.errors import Inertless, PhysicsError, SpecError
 from vibcli.scene.sampling import given_values
 
 WANTED, ATTEMPTS, FAILURES = 4, 24, 6
@@ -64,7 +64,7 @@ def squares(candidate):
     if len(candidate.scene.q) == 1:
         M, _, _, K = candidate.elements.matrices()
         if not M.get((0, 0)):
-            raise PhysicsError("nothing in the scene has inertia: nothing can vibrate")
+            raise Inertless
         return [K.get((0, 0), 0.0) / M[0, 0]]
     return sorted(-float(mode.growth_rate) ** 2 if mode.omega is None else float(mode.omega) ** 2
                   for mode in candidate.modes)
