@@ -155,9 +155,14 @@ class InNumbers:
             return self.drawn_numbers.elements
         if self.is_linear:
             return in_numbers(self.form, _floats(), {**self.floats, **self.equilibrium.values}, self.rational).elements
-        from vibcli.mechanics.precise import require_inertia, rounded_elements
+        from vibcli.mechanics.precise import Degenerate, require_inertia, rounded_elements
 
-        found = rounded_elements(self)
+        try:
+            found = rounded_elements(self)
+        except Degenerate as degenerate:
+            from vibcli.mechanics.degenerate import settled_alone
+
+            return settled_alone(self, degenerate.position)
         if closed:
             require_inertia(self, found)
         return found

@@ -218,5 +218,10 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.spectrum import damped_modes, natural_modes
 
-        modes = self.named(natural_modes, self.elements, *self.sources, digits=digits) if self.modes else []
+        elements = self.elements
+        if self.sources[0] is None:
+            from vibcli.mechanics.precise import Degenerate
+
+            raise Degenerate
+        modes = self.named(natural_modes, elements, *self.sources, digits=digits) if self.modes else []
         return modes, self.named(damped_modes, self.elements, lambda: modes, *self.sources, digits=digits)

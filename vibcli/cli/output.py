@@ -122,7 +122,7 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
             found |= frequencies_data(problem, normalise, digits)
         except PhysicsError as error:
             letters = isinstance(error, NotInLetters) and "equations" in parts
-            if not letters and not _without_slope(problem, error, sections):
+            if not (letters or _without_slope(problem, error, sections) or _listed_alone(problem, sections)):
                 raise
             found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
             if isinstance(error, Inertless):
@@ -133,14 +133,16 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
         found |= equilibria_data(problem)
     if "equations" in parts:
         refusal = problem.equations.refusal
-        if refusal and not isinstance(refusal, NotInLetters) and not _without_slope(problem, refusal, sections):
+        if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
+                            or _listed_alone(problem, sections)):
             raise refusal
         if problem.sticking is not None:
             found["sticking"] = sticking_data(problem)
         found["energies"] = energies_data(problem)
         found["equations"] = equations_data(problem)
         if "frequencies" not in parts:
-            found["matrices"] = None if refusal else matrices_data(problem)
+            known = not refusal or isinstance(refusal, NotInLetters)
+            found["matrices"] = matrices_data(problem) if known else None
     if asked := [word for word in sections if word in RESPONSES]:
         from vibcli.report import response_data
         from vibcli.report.wanted import Wanted
@@ -161,6 +163,12 @@ def _without_slope(problem, refusal, sections):
     asked = problem.spec.get("find") or ()
     beside = "equations" in sections or "frequencies" not in sections
     return beside and not any(word in sections and word in asked for word in SLOPES)
+
+
+def _listed_alone(problem, sections):
+    """Is a list of all equilibria asked, and nothing about the one that is reached from the drawn position?"""
+    asked = problem.spec.get("find") or ()
+    return "equilibria" in sections and not any(word in asked for word in ("equilibrium", "equations", *SLOPES))
 
 
 def _report(problem, sections, normalise, digits, pictures, wanted=None):

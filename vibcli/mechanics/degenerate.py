@@ -16,6 +16,7 @@ from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.neutral import FREE
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
+SAMPLES = 12
 LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
 UNIT = 2.0**53
 
@@ -30,6 +31,34 @@ def about(problem, item):
         if item.free and len(rigid) == len(item.free):
             found.zero_modes = dict.fromkeys(rigid, FREE)
     return found
+
+
+def settled_alone(problem, position):
+    """The elements of a Problem whose equilibrium is degenerate, in floats; `position`: a better one, or None."""
+    if position is not None and problem.scene.loops is None:
+        problem.equilibrium.values = {name: float(value) for name, value in position.items()}
+    forces = _learnt(problem)
+    _blur(problem, forces, ALONG if freedom(problem, forces) else BLUR)
+    return problem.elements
+
+
+def freedom(problem, forces=None):
+    """In how many directions the equilibrium can be moved and stays one."""
+    from vibcli.mechanics.families import free_directions
+
+    forces = forces or _learnt(problem)
+    place = forces.at(forces.vector(problem.equilibrium.values))
+    return 0 if place is None else len(free_directions(forces, place))
+
+
+def _learnt(problem):
+    """The Forces of a Problem, their size learnt near the drawn position."""
+    from vibcli.mechanics.scaled_forces import Forces, near_drawn
+
+    forces = Forces(problem, problem.scene.coordinates)
+    forces.learn_periods()
+    forces.learn_sizes(near_drawn(forces, SAMPLES))
+    return forces
 
 
 def at_limit(problem, position, felt):

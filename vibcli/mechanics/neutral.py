@@ -15,7 +15,17 @@ FREE, HELD, FALLING = "free", "held", "falling"
 
 def zero_modes(problem):
     """{index of a mode without frequency: FREE, HELD or FALLING}."""
-    return {mode.index: _along(problem, mode.shape) for mode in problem.modes if mode.rigid}
+    rigid = [mode for mode in problem.modes if mode.rigid]
+    if rigid and not problem.is_linear and _all_free(problem, len(rigid)):
+        return dict.fromkeys((mode.index for mode in rigid), FREE)
+    return {mode.index: _along(problem, mode.shape) for mode in rigid}
+
+
+def _all_free(problem, count):
+    """Do so many directions lead to other equilibria, on curved lines too?"""
+    from vibcli.mechanics.degenerate import freedom
+
+    return freedom(problem) == count
 
 
 def _along(problem, shape):

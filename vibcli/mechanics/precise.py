@@ -5,7 +5,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.evaluated import in_numbers
 
-ROUNDED, NOTHING = 40, 1e-20
+ROUNDED, NOTHING, FALLEN = 40, 1e-20, 1e-10
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
@@ -29,23 +29,44 @@ def place_to(problem, values, arithmetic):
     return problem.equilibrium.values if problem.is_linear else equilibrium_to(problem, values, arithmetic)
 
 
+class Degenerate(PhysicsError):
+    """K is singular in the equilibrium: Newton's method finds no more digits of it. position: {coordinate: number}, the
+    best that is known, where it is a multiple zero."""
+
+    def __init__(self, position=None):
+        self.position = position
+        super().__init__("the equilibrium is degenerate (its stiffness is singular): no more digits of it are found",
+                         "leave --digits out")
+
+
 def equilibrium_to(problem, values, arithmetic):
-    """{coordinate: mpf} in equilibrium at the working precision, dependent coordinates included."""
+    """{coordinate: mpf} in equilibrium at the working precision, dependent coordinates included.
+
+    Towards a multiple zero Newton's method crawls, its residual falling by a factor; where there is none it stays.
+    """
     import mpmath
 
     names, loops = problem.scene.coordinates, problem.scene.resting.loops
     position = {name: mpmath.mpf(value) for name, value in problem.equilibrium.values.items()}
+    left, step = [], None
     for _ in range(60):
         if loops is not None:
             found = loops.refined({**values, problem.scene.time.name: mpmath.mpf(0), **position}, arithmetic)
             position = {name: found[name] for name in position}
         numbers = in_numbers(problem.form, arithmetic, {**values, **position})
-        step = _newton_step(numbers, mpmath)
+        left.append(max(map(abs, numbers.residual), default=mpmath.mpf(0)))
+        before, step = step, _newton_step(numbers, mpmath)
         for name, change in zip(names, step, strict=True):
             position[name] += change
         if max(map(abs, step)) <= mpmath.eps * 10 ** (GUARD - 3) * (1 + max(map(abs, position.values()))):
             return position
-    raise PhysicsError("the equilibrium does not converge to more digits: it is degenerate", "ask for fewer digits")
+    if left[-1] <= FALLEN * left[0]:
+        ratio = max(map(abs, step)) / max(map(abs, before))     # the steps are a geometric series
+        raise Degenerate({**position, **{name: position[name] + change * ratio / (1 - ratio)
+                                         for name, change in zip(names, step, strict=True)}})
+    place = ", ".join(f"{name} = {problem.equilibrium.values[name]:.6g}" for name in names)
+    raise PhysicsError(f"near {place} the forces all but vanish, but no equilibrium is found there",
+                       "change the data by a little, or start elsewhere with `equilibrium:`")
 
 
 def _newton_step(numbers, mpmath):
@@ -59,7 +80,7 @@ def _newton_step(numbers, mpmath):
         try:
             found = mpmath.lu_solve(block, mpmath.matrix([-numbers.residual[i] for i in held]))
         except ZeroDivisionError:
-            raise PhysicsError("the equilibrium is not isolated: it cannot be refined to more digits") from None
+            raise Degenerate from None
         for i, value in zip(held, found, strict=True):
             step[i] = value
     return step

@@ -29,12 +29,12 @@ def _in_numbers(problem):
     from vibcli.report.equilibria import equilibrium_warning
 
     found = problem.equilibrium
-    values = [*found.values.items(),
-              *((name, value) for name, value in problem.dependent_values.items() if name not in found.values)]
     try:
         stable = WORDS[stability(problem).kind]
     except Kinked:
         stable = "a kink: no small oscillations about it"
+    values = [*found.values.items(),
+              *((name, value) for name, value in problem.dependent_values.items() if name not in found.values)]
     told = separated(maths(Name(name), " = ", *measured(value, problem.dimension(name))) for name, value in values)
     where = "the drawn position" if found.drawn else "shifted from the drawn position"
     warning = None if stable.startswith("a kink") else equilibrium_warning(problem)

@@ -1,0 +1,70 @@
+"""Equilibria at which the stiffness is singular, and places that are none: what is said of them is true."""
+
+import json
+
+import pytest
+from scenes import problem
+
+from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, stability
+from vibcli.cli import run
+
+SCENE = "parameters: {J: 1 kg*m^2, E: 1 J}\ncoordinates: [x]\nenergies:\n  T: J*x'^2/2\n  V: E*(POTENTIAL)\n"
+RING = """
+parameters: {m: 1 kg, k: 10 N/m, a: 1 m}
+bodies: {p: {mass: m, at: [1.3 m, 0.2 m], move: [x, y, 0]}}
+springs: {s: {k: k, between: [[0, 0], p], free_length: a}}
+"""
+
+
+@pytest.fixture
+def ask(tmp_path, capsys):
+    def ask(text, *line):
+        path = tmp_path / "scene.yaml"
+        path.write_text(text)
+        code = run([line[0], str(path), *line[1:]])
+        return code, *capsys.readouterr()
+    return ask
+
+
+@pytest.mark.parametrize("V, place", [("(x - 1)^4", 1.0), ("(x - 1)^6", 1.0), ("(x + 1/3)^4*(x - 3)^2", -1 / 3)])
+def test_a_multiple_zero_away_from_the_drawn_position(V, place, ask):
+    """No digits are asked, so that none are refused; nor does the place show digits that are not known."""
+    text = SCENE.replace("POTENTIAL", V)
+    found = problem(text)
+    assert stability(found).kind == HELD
+    assert found.equilibrium.values["x"] == pytest.approx(place, abs=1e-8)
+    code, out, err = ask(text, "solve")
+    assert code == 0 and not err and "digits" not in out
+    code, _, err = ask(text, "frequencies", "--digits", "30")
+    assert code == 4 and "degenerate" in err and "leave --digits out" in err
+    assert ask(text, "frequencies")[0] == 0
+
+
+def test_a_line_of_equilibria_that_bends_is_neutral():
+    assert stability(problem(RING)).kind == NEUTRAL
+
+
+@pytest.mark.parametrize("V, kind", [("x^3", FALLING), ("x^4", HELD), ("-x^4", FALLING)])
+def test_as_drawn_terms_beyond_the_linear_ones_decide(V, kind):
+    assert stability(problem(SCENE.replace("POTENTIAL", V))).kind == kind
+
+
+def test_where_there_is_none(ask):
+    """V′ = (x − 1)² + 10⁻¹⁶ comes near zero at x = 1 and stays above it."""
+    text = ("parameters: {J: 1 kg*m^2, E: 1 J}\ncoordinates: [x, y]\nequilibrium: {x: 1.0001, y: 0}\nenergies:\n"
+            "  T: J*(x'^2 + y'^2)/2\n  V: E*((x - 1)^3/3 + 1e-16*x + y^2)\n")
+    code, _, err = ask(text, "frequencies")
+    assert code == 4 and "no equilibrium is found there" in err and "digits" not in err
+
+
+def test_a_list_stands_where_the_drawn_position_leads_nowhere(ask):
+    text = SCENE.replace("POTENTIAL", "(x + 3/2)^2/2 - (x + 3/2)^4/4") + (
+        "find: {equilibria: all, within: {x: [-4, 4]}}\n")
+    code, out, err = ask(text, "solve")
+    assert code == 0 and not err and out.count("unstable") == 2
+    code, out, err = ask(text, "solve", "--json")
+    found = json.loads(out)
+    assert code == 0 and [entry["stable"] for entry in found["equilibria"]] == [False, True, False]
+    assert found["equilibrium"] is None and "no equilibrium is reached" in found["remark"] and found["equations"]
+    code, out, err = ask(text.replace("find: {", "find: [equilibrium, {").replace("]}}", "]}}]"), "solve")
+    assert code == 4 and out.count("unstable") == 2 and "no equilibrium is reached" in err
