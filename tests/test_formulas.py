@@ -15,6 +15,7 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table, reachable
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.language import language
+from vibcli.report.letters import turned
 from vibcli.report.notation import plain
 from vibcli.report.results import equations_data
 
@@ -111,3 +112,10 @@ def test_reports_are_read_back(path):
         for entry in equations_data(found) if found.loose.q else ():
             printed.compared_texts(entry["text"], entry["latex"], values)
             printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)
+
+
+def test_what_leads_by_a_quarter_of_a_period_keeps_its_sign():
+    table = Table()
+    m, k = table.parameter("m"), table.parameter("k")
+    for node in (-2 * m, m - k, -m / (k - m), table.one, -table.one, -(m - k) ** 2):
+        assert printed.compared(["H = ", *turned(table.node(node))], {"m": 1.3, "k": 0.7}) == 2

@@ -11,6 +11,7 @@ import yaml
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.document import read
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
+from vibcli.mechanics.signals import displacement
 from vibcli.scene.build import build_scene
 from vibcli.spec import read_spec
 
@@ -98,12 +99,14 @@ def built(scene, path):
 
 
 def described(scene):
-    """T, V, Φ, Q and G of a scene at a few positions that are drawn at random."""
+    """T, V, Φ, Q, G and the displacements of all bodies at a few positions that are drawn at random."""
     for node, record in scene.static_preloads:
         scene.replace({node: scene.table.number(len(record.name))})
     V = potential(scene)
     nodes = [kinetic(scene), V - scene.at_drawn(V)[0], dissipation(scene), *(tie.node for tie in scene.constraints),
-             *(generalised_force(scene, i) for i in range(len(scene.q)))]
+             *(generalised_force(scene, i) for i in range(len(scene.q))),
+             *(displacement(scene, f"{name}.{axis}") for name, body in scene.bodies.items() if body.frame is not None
+               for axis in "xy")]
     draw, found = random.Random(11), []
     for _ in range(3):
         values = {symbol.name: draw.uniform(0.05, 0.15) for symbol in (*scene.q, *scene.v, scene.time)}
