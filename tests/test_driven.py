@@ -4,7 +4,7 @@ from textwrap import dedent
 
 import numpy as np
 import pytest
-from scenes import problem, value
+from scenes import problem, problem_of, value
 
 from vibcli.errors import PhysicsError
 
@@ -19,6 +19,7 @@ FIGURES = {
                   "[[0, 0], b]", "b.x"),
     "beside a coordinate": ("bodies: {b: {mass: m, at: [1 m, 0], slide: x + MOTION}}", "[[0, 0], b]", "b.x"),
 }
+TIMES = np.array([0.0, 0.3, 1.0, 1.4])
 SIGNALS = "x", "s.force", "s.stretch", "s.energy", "d.force", "V"
 
 
@@ -38,7 +39,7 @@ find: [{{response: {{until: 2 s}}}}]
 
 
 def values(scene, signal):
-    return scene.motion.signal(("name", 0, 0, signal, 0)).values(np.array([0.0, 0.3, 1.0, 1.9]))
+    return scene.motion.signal(("name", 0, 0, signal, 0)).values(TIMES)
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
@@ -72,7 +73,8 @@ def test_what_is_tied_to_a_driven_body_vibrates_with_it(motion):
     """A small motion of the crank of a closed loop: to first order as by the full equations."""
     small, full = (problem(LINKAGE.format(motion=motion, kind=kind)) for kind in ("small", "full"))
     assert small.equilibrium.values["y"] == pytest.approx(0, abs=1e-14)
-    for signal in ("y", "x", "psi", "s.force", "d.force", "rod.y"):
+    for signal in ("y", "x", "psi", "s.force", "d.force", "rod.y", "crank.drive", "piston.reaction.y", "rod.reaction.x",
+                   "c.force.x", "T", "V"):
         expected = values(full, signal)
         assert values(small, signal) == pytest.approx(expected, abs=1e-4 * abs(expected).max()), signal
 
@@ -133,3 +135,55 @@ find: [{response: {until: 1.5 s}}]
 """ + dedent(ENERGIES[figure]).replace("MOTION", motion))
     balance = one.motion.trajectory().balance
     assert balance.error < 1e-10
+
+
+@pytest.mark.parametrize(("figure", "drive", "lost"), [
+    ("a slider on a driven arm that has weight", "arm.drive", None),
+    ("a crank, a rod and a piston with a bob", "crank.drive", "d.power")])
+def test_the_power_of_a_drive_is_what_the_energies_gain(figure, drive, lost):
+    one = problem("""
+parameters: {Y: 0.1 m, w: 3 rad/s}
+motion: full
+find: [{response: {until: 1.5 s}}]
+""" + dedent(ENERGIES[figure]).replace("MOTION", "Y*sin(w*t)"))
+    gained = sum(one.motion.signal(("name", 0, 0, name, 1)).values(TIMES) for name in "TV")
+    spent = gained + (values(one, lost) if lost else 0.0)
+    assert values(one, drive) * 0.3 * np.cos(3 * TIMES) == pytest.approx(spent, rel=1e-9, abs=1e-9 * abs(spent).max())
+
+
+@pytest.mark.parametrize("kind", ["small", "full"])
+def test_where_all_is_prescribed(kind):
+    """A rod on two driven wheels is turned as they are; the force on a driven cart is its inertia and its weight."""
+    one = problem(f"""
+        gravity: 10 m/s^2
+        parameters: {{a: 0.2 m, w: 3 rad/s}}
+        bodies:
+          cart: {{mass: 2 kg, at: [0, 0], slide: {{along: [3, 4], by: a*(1 - cos(w*t))}}}}
+          wheel: {{inertia: 0.5 kg*m^2, at: [1 m, 0], pin: {{at: [1 m, 0], by: 2*w*t}}}}
+        forces: {{push: {{at: cart, force: [5 N, 0]}}}}
+        motion: {kind}
+        """)
+    acceleration = 0.2 * 9 * np.cos(3 * TIMES)
+    assert values(one, "cart.drive") == pytest.approx(2 * acceleration + 2 * 10 * 0.8 - 5 * 0.6, rel=1e-12)
+    assert values(one, "cart.reaction.x") == pytest.approx(2 * acceleration * 0.6 - 5, rel=1e-12)
+    assert values(one, "cart.y") == pytest.approx(0.16 * (1 - np.cos(3 * TIMES)), rel=1e-12)
+    assert values(one, "T") == pytest.approx((0.6 * np.sin(3 * TIMES)) ** 2 + 0.25 * 36, rel=1e-12)
+    assert values(one, "wheel.drive") == pytest.approx(0, abs=1e-12)
+    assert one.motion.signal(("name", 0, 0, "cart.x", 2)).values(TIMES) == pytest.approx(0.6 * acceleration)
+
+
+def test_a_record_and_an_impulse_in_one_force(tmp_path):
+    """With nothing else: m x' is the integral of the record up to the blow, and P more from then on."""
+    (tmp_path / "f.csv").write_text("0, 1\n1, 2\n2, 2\n", encoding="utf-8")
+    scene = tmp_path / "scene.yaml"
+    scene.write_text("""
+parameters: {P: 3 N*s, F: 4 N}
+records: {f: {file: f.csv}}
+bodies: {b: {mass: 2 kg, slide: x}}
+forces: {push: {at: b, force: F*f(t) + P*impulse(t - 0.5 s)}}
+initial: {x: 0 m}
+motion: full
+find: [{response: {until: 1.5 s}}]
+""", encoding="utf-8")
+    speed = problem_of(scene).motion.signal(("name", 0, 0, "x", 1)).values(np.array([0.4, 0.6, 1.0]))
+    assert speed == pytest.approx([4 * 0.48 / 2, (4 * 0.78 + 3) / 2, (6 + 3) / 2], rel=1e-10)

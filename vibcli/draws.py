@@ -120,7 +120,7 @@ def _closed(problem, found):
         return found
     start = {**problem.floats, time: 0.0, **problem.drawn_floats}
     found |= {name: [] for name in loops.names}
-    for i in range(len(found[names[0]])):
+    for i in range(len(next(iter(found.values())))):
         for halving in range(MOST_HALVINGS):
             near = 0.5**halving
             target = {**start, **{name: start[name] + near * (found[name][i] - start[name]) for name in names},

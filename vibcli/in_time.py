@@ -36,7 +36,15 @@ class InTime:
         """The motion in time, as `motion:` of the file says."""
         from vibcli import motions
 
+        if not self.scene.q and self.scene.timed:
+            from vibcli.prescribed import PrescribedMotion
+
+            return PrescribedMotion(self)
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
             raise motions.nonlinear(self.spec, self.scene.laws[0].owner)
-        return motions.FullMotion(self) if kind == "full" else motions.SmallMotion(self)
+        if kind == "full":
+            from vibcli.full_motion import FullMotion
+
+            return FullMotion(self)
+        return motions.SmallMotion(self)

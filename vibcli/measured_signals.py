@@ -33,7 +33,7 @@ def measure_response(problem, tree):
 def _doubt(problem, tree, value):
     """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
     others that of the motion up to the instant that is found, or up to its end."""
-    if problem.spec.get("motion") != "full" or not problem.motion.integrated:
+    if problem.motion.KIND != "full" or not problem.motion.integrated:
         return 0.0
     if tree[4] == "value":
         instant = number_of(problem, tree[7][1])
@@ -209,7 +209,7 @@ def _free(find, fraction=False):
 
 def _period(problem, tree):
     """Of the steady state that loads keep up, else of the free vibration."""
-    if problem.spec.get("motion") == "full":
+    if problem.motion.KIND != "small":
         return problem.motion.period(tree[7][0])
     signal = _linear(problem, tree)
     return TURN / kept_up.fundamental(signal) if read_off.kept_up(signal) else read_off.free_period(signal)

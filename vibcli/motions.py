@@ -15,7 +15,7 @@ from vibcli.analyses.forcing.output import Output, combined
 from vibcli.elements.find import RESPONSE
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.signals import energy
-from vibcli.moving_signals import ComposedSignal, FullSignal, LinearSignal
+from vibcli.moving_signals import Closing, ComposedSignal, LinearSignal
 from vibcli.signals import ENERGIES
 
 LONGEST = 1e12      # seconds
@@ -23,17 +23,26 @@ FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a c
 
 
 class Motion:
-    """What both kinds of motion share: until when they are looked at, and what drives them."""
+    """What all kinds of motion share: until when they are looked at, and what drives them. KIND: small, full or
+    prescribed."""
 
     def __init__(self, problem):
         self.problem = problem
 
+    @property
+    def ends(self):
+        """Is it said until when it is looked at?"""
+        return self.problem.end is not None or "until" in (self._asked or ())
+
+    @property
+    def _asked(self):
+        find = self.problem.spec.get("find")
+        return find.about(RESPONSE) if find is not None else None
+
     @cached_property
     def until(self):
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
-        end, where = self.problem.end, None
-        find = self.problem.spec.get("find")
-        record = find.about(RESPONSE) if find is not None else None
+        end, where, record = self.problem.end, None, self._asked
         if end is None and record is not None and "until" in record:
             end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)
             where = record["until"].where
@@ -90,7 +99,7 @@ def check_start(problem, motion):
 class SmallMotion(Motion):
     """Small oscillations about the equilibrium, exact in time."""
 
-    WORDS = "small oscillations about the equilibrium"
+    KIND, WORDS = "small", "small oscillations about the equilibrium"
 
     @property
     def known(self):
@@ -172,8 +181,7 @@ class SmallMotion(Motion):
         slopes = gradient(node)
         if any(slope.mask for slope in slopes.values()) or not all(isinstance(part[0], Output)
                                                                   for part in parts.values()):
-            signals = {symbol.name: self._one(part) for symbol, part in parts.items()}
-            return ComposedSignal(node, signals, self.problem.floats, self.problem.scene.time)
+            return self._composed(node, parts)
         used = [symbol for symbol in parts if symbol in slopes]
         values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
         constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
@@ -206,9 +214,17 @@ class SmallMotion(Motion):
     def state_signal(self, node):
         """The signal of an expression of coordinates, velocities and accelerations."""
         parts = {}
-        node = self._at_states(parts, node)
+        return self._composed(self._at_states(parts, node), parts)
+
+    def _composed(self, node, parts):
+        """The function `node` of the signals of `parts`, and of coordinates that close loops where it holds some."""
+        scene, closing = self.problem.scene, None
+        if scene.loops is not None and any(part.op == "symbol" and part.name in scene.loops.names
+                                           for part in reachable([node])):
+            free = {q: self.signal(("name", 0, 0, q, 0)) for q in scene.coordinates}
+            closing = Closing(scene.loops, self.problem.at_rest, free)
         return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
-                              self.problem.floats, self.problem.scene.time)
+                              self.problem.floats, scene.time, closing)
 
     def _at_states(self, parts, node):
         """The same with the coordinates and their rates replaced by symbols of their signals."""
@@ -241,91 +257,3 @@ class SmallMotion(Motion):
                 channel += 1
             outputs.append((factor, output))
         return LinearSignal(motion, combined(outputs))
-
-
-class FullMotion(Motion):
-    """The motion of the full equations, integrated."""
-
-    WORDS = "full equations, integrated"
-
-    def __init__(self, problem):
-        super().__init__(problem)
-        self._trajectory = None
-
-    @property
-    def integrated(self):
-        return self._trajectory is not None
-
-    def trajectory(self, until=None):
-        """The Trajectory up to an instant at least, to the end asked for if none is given."""
-        until = self.until if until is None else until
-        found = self._trajectory
-        if found is None or (found.until < until and not found.reason):
-            from vibcli.analyses.trajectory.simulate import known_motion
-
-            self._trajectory = known_motion(self.problem, until, self.problem.given_start)
-        return self._trajectory
-
-    @property
-    def known(self):
-        """Up to when the motion is known, of that which is looked at [s]; where nobody says how long that is, of that
-        which was followed."""
-        try:
-            until = self.until
-        except PhysicsError:
-            return self._trajectory.end
-        return min(until, self.trajectory().end)
-
-    def reaching(self, t):
-        """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
-        if self._trajectory is None or self._trajectory.until < t:
-            try:
-                return self.trajectory(max(t, self.until))
-            except PhysicsError:
-                return self.trajectory(t)
-        return self._trajectory
-
-    def lasting(self):
-        from vibcli.analyses.duration import duration
-
-        try:
-            return duration(self.problem.modes, self.problem.damped, 0.0, [])
-        except PhysicsError:
-            raise PhysicsError("it is not known how long this motion is to be looked at",
-                               "say until when: find: [{response: {until: 10 s}}]") from None
-
-    def period(self, tree):
-        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
-        from vibcli.analyses.trajectory.period import exact_period
-        from vibcli.analyses.trajectory.repetition import searched_period
-
-        problem = self.problem
-        if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
-            name = tree[3]
-            found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
-            if found is not None:
-                return found
-        try:
-            first = self.until
-        except PhysicsError:
-            first = None
-        return searched_period(self.signal(tree), first)
-
-    def state_signal(self, node):
-        """The signal of an expression of coordinates, velocities and accelerations."""
-        return FullSignal(self, node)
-
-    def signal(self, tree):
-        """The signal of a tree: a function of the coordinates, velocities and accelerations."""
-        from vibcli.mechanics.signals import moving
-
-        scene = self.problem.scene
-
-        def symbol(name, primes, part):
-            if part[0] == "quantity":
-                getattr(FullSignal(self, scene.table.zero), part[4])      # says why there is none
-            if name in scene.parameters.nodes and not primes:
-                return scene.parameters.nodes[name]
-            return moving(self.problem, name, primes)
-
-        return FullSignal(self, lower(tree, scene.table, symbol))

@@ -87,13 +87,28 @@ class LinearSignal(Signal):
         return harmonics(self)
 
 
+class Closing:
+    """Coordinates that close loops, as functions of the time: of the free ones, whose signals are {name: signal}."""
+
+    def __init__(self, loops, rest, free):
+        self.loops, self.rest, self.free = loops, rest, free
+
+    def values(self, times, known):
+        """{name: array}, `known` being the values of parameters and of the time."""
+        found = self.loops.along(self.rest, {**known, **{name: one.values(times) for name, one in self.free.items()}})
+        if found is None:
+            raise PhysicsError("the loops of this scene cannot close along its small oscillations",
+                               "mind how large they are, or write motion: full")
+        return found
+
+
 class ComposedSignal(Signal):
     """A function of signals, instant by instant; `node` in symbols that `signals` names, and in the time."""
 
     KIND = "a signal composed of others"
 
-    def __init__(self, node, signals, floats, time):
-        self.node, self.signals, self.floats, self.time = node, signals, floats, time
+    def __init__(self, node, signals, floats, time, closing=None):
+        self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
 
     def values(self, times, order=0):
         from vibcli.algebra.arrays import Arrays
@@ -104,7 +119,9 @@ class ComposedSignal(Signal):
 
         values = {name: signal.values(times) for name, signal in self.signals.items()}
         with np.errstate(all="ignore"):
-            found = evaluate([self.node], Arrays, {**self.floats, self.time.name: np.asarray(times), **values})[0]
+            values |= {**self.floats, self.time.name: np.asarray(times)}
+            values |= {} if self.closing is None else self.closing.values(times, values)
+            found = evaluate([self.node], Arrays, values)[0]
         return require_finite(np.broadcast_to(found, np.shape(times)), times)
 
     def extreme(self, start, end, sense):
@@ -156,7 +173,7 @@ class ComposedSignal(Signal):
                               self.time)
 
     def _require_no_time(self, what):
-        if self.node.mask & self.time.mask:
+        if self.node.mask & self.time.mask or self.closing is not None:
             raise PhysicsError(f"the {what} of what holds a driven motion in a product is not found",
                                "ask for its values at instants, or for max and min")
 
@@ -204,73 +221,3 @@ class Envelope(Signal):
         if part.rate > 0:
             raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
         return 0.0 if part.rate else part.amplitude
-
-
-class FullSignal(Signal):
-    """A function of the coordinates, velocities and accelerations of a motion that was integrated."""
-
-    KIND = "a motion that is integrated"
-
-    def __init__(self, motion, node):
-        self.motion, self.node = motion, node
-
-    def values(self, times, order=0):
-        if order:
-            raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
-        import numpy as np
-
-        times = np.asarray(times, dtype=float)
-        return self._along(self.motion.reaching(times.max(initial=0.0)), times)
-
-    def error(self, t):
-        return self.motion.reaching(t).shared.of_signal(self._along, t)
-
-    def error_of_time(self, t):
-        return t * self.motion.reaching(t).shared.of_state(t)
-
-    def _along(self, trajectory, times):
-        """The values along one solution."""
-        import numpy as np
-
-        from vibcli.algebra.arrays import Arrays
-
-        scene = self.motion.problem.scene
-        values = {**self.motion.problem.floats, scene.time.name: times}
-        for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
-            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
-        with np.errstate(all="ignore"):
-            node = self._with_senses(trajectory, times, values)
-            found = evaluate([node], Arrays, values)[0]
-        return require_finite(np.broadcast_to(found, times.shape), times)
-
-    def _with_senses(self, trajectory, times, values):
-        """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
-        from vibcli.algebra.arrays import Arrays
-        from vibcli.algebra.calculus import substitute
-        from vibcli.algebra.expression import reachable
-
-        signs = [part for part in reachable([self.node]) if part.name == "sign" and part.mask]
-        if not signs:
-            return self.node
-        from vibcli.analyses.trajectory.senses import senses
-
-        scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
-        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
-        symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
-        values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
-        return substitute([self.node], symbols)[0]
-
-    def zeros(self, start, end, level=0.0):
-        """Instants at which the signal passes a level."""
-        from vibcli.analyses.trajectory.passages import passages
-
-        return passages(self.motion.reaching(end), self.values, start, end, level)
-
-    def extreme(self, start, end, sense):
-        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
-        from vibcli.analyses.trajectory.passages import extreme
-
-        return extreme(self.motion.reaching(end), self.values, start, end, sense)
-
-    def final(self):
-        raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")

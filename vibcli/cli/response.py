@@ -65,7 +65,7 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
 def refuse_parts(problem, parts):
     """PhysicsError, before anything is integrated, where a motion has no such parts."""
     from vibcli.errors import PhysicsError
-    from vibcli.moving_signals import FullSignal
+    from vibcli.full_signals import FullSignal
 
     if parts and problem.spec.get("motion") == "full":
         raise PhysicsError(f"{FullSignal.KIND} has no {parts[0]} part that is found", f"leave --{parts[0]} out")

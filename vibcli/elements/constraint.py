@@ -184,7 +184,7 @@ def _parted(record, scene, names, radii):
     if record.get("inside") and scene.sign(radii[0] - radii[1]) < 0:
         ex, ey = -ex, -ey
     places = [part for body, rim in zip(bodies, rims, strict=True) for part in body.frame.point(*rim)]
-    held = substitute(places, dict.fromkeys(scene.released, scene.table.zero))
+    held = substitute(places, dict.fromkeys(scene.supports, scene.table.zero))
     cx, cy, dx, dy = (now - then for now, then in zip(places, held, strict=True))
     tx, ty = scene.carrier(record).turned(-ey, ex)
     return (cx - dx) * tx + (cy - dy) * ty

@@ -24,6 +24,6 @@ def build(point, scene):
         if not any(scene.lower(part).mask for part in point["moves"]):
             scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
                          "let `at` say where it is")
-        x, y = (place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}")
+        x, y = (place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
                 for axis, place, part in zip("xy", drawn, point["moves"], strict=True))
     return drawn, scene.frame(point["body"]).point(x, y) if "body" in point else (x, y)

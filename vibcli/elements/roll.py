@@ -84,13 +84,14 @@ def _on_circle(roll, body, drawn, scene, surface, radius, carrier):
         scene.report(roll.where, f"'{body.name}' is as large as the circle it rolls on", "give another radius")
         return scene.still(body.centre)
     sense = -1 if inside else 1
+    given = scene.change(roll["turn"]) if "turn" in roll else None
     if "swing" in roll:
         swing = scene.change(roll["swing"])
     elif "travel" in roll:
         swing = scene.change(roll["travel"]) / arm
     else:
-        swing = (scene.change(roll["turn"]) - carrier.angle) * radius * sense / arm
-    turn = scene.change(roll["turn"]) if "turn" in roll else carrier.angle + swing * arm * sense / radius
+        swing = (given - carrier.angle) * radius * sense / arm
+    turn = given if given is not None else carrier.angle + swing * arm * sense / radius
     centre = carrier.point(cx, cy)
     frame = scene.new_frame((cx, cy), centre, carrier.angle + swing)
     outward = -1 if inside or encloses else 1

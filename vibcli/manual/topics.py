@@ -216,6 +216,8 @@ TIME = [
     ],
     "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
     "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
+    "Where all is prescribed, a linkage turned by its crank say, nothing is solved but its loops: `x(2 s)`, `x'(2 s)`, "
+    "`T(2 s)`, reactions, and `crank.drive(2 s)`, the moment that it takes.",
     "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
     "modes and damping are those of the scene without the terms that hold `t`, all small motions being held where they "
     "are drawn; centrifugal and gyroscopic terms of a "

@@ -110,7 +110,7 @@ class MovingReactions:
         name, _, part = text.partition(".")
         if part in ("normal", "friction"):
             return self._contact(name, part)
-        if name in (self.problem.spec.get("points") or {}):
+        if name in (self.problem.spec.get("points") or {}) and not part.startswith("drive"):
             text = f"{pinned_at(self.problem, name)}.{part}"
         if text not in self.rows:
             pieces = [signal for signal in self.rows if signal.startswith(text + ".")]

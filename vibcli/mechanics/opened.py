@@ -127,7 +127,8 @@ class Opened:
         return evaluate([steadily], Floats, self.values)[0], [] if at is steadily else [(1.0, at - steadily)]
 
     def _steady_constraints(self, nodes):
+        closed = set(self.scene.dependent.values())
         for part in reachable(nodes):
-            if part in self.scene.dependent.values() and self.scene.time in gradient(part):
+            if part.op == "symbol" and part in closed and self.scene.time in gradient(part):
                 raise PhysicsError(f"'{part.name}' is driven through a loop that closes at every instant",
                                    "drive a point or a body instead of the constraint")

@@ -47,11 +47,16 @@ class Released:
         count = len(problem.spec.coordinates)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
-    def slopes_at_rest(self):
+    def slopes(self):
         """∂G_k/∂q over all coordinates, releases last, as lists of expressions."""
+        return self._slopes_of(self.scene.constraints)
+
+    def slopes_at_rest(self):
+        return self._slopes_of(self.scene.resting.constraints)
+
+    def _slopes_of(self, constraints):
         zero = self.scene.table.zero
-        return [[gradient(constraint.node).get(q, zero) for q in self.scene.q]
-                for constraint in self.scene.resting.constraints]
+        return [[gradient(constraint.node).get(q, zero) for q in self.scene.q] for constraint in constraints]
 
 
 def _float_of(problem, record):

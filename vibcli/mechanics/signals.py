@@ -113,7 +113,7 @@ def force(problem, text):
     known = {reaction.signal: reaction for reaction in problem.reactions}
     if part in ("normal", "friction"):
         return _contact(problem, name, part, known)
-    if name in (problem.spec.get("points") or {}):
+    if name in (problem.spec.get("points") or {}) and not part.startswith("drive"):
         text = f"{pinned_at(problem, name)}.{part}"
     found = known.get(text)
     if found is None:

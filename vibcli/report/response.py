@@ -1,6 +1,6 @@
 """The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
 
-from math import degrees
+from math import degrees, inf
 
 from vibcli.elements.find import RESPONSE
 from vibcli.elements.initial import let_go
@@ -30,11 +30,13 @@ def response(problem, report):
         yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
         return
     motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
-    full = problem.spec.get("motion") == "full"
-    yield from _start(problem, motion, None if full else _drive(problem, motion))
-    if full:
-        yield from _integration(motion.trajectory())
+    if motion.KIND == "prescribed":
+        yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
+        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else None)
+    if motion.KIND == "full":
+        yield from _integration(motion.trajectory())
+    elif motion.KIND == "small":
         from vibcli.report.formulas import formulas, free_vibration, steady_state
 
         yield from free_vibration(problem, asked)
@@ -47,7 +49,10 @@ def response(problem, report):
 
         yield from section("As a plot", plot("response", "The motion in time", response_figure(
             problem, sampled(problem, report.wanted))))
-    known = _known(motion, report.wanted) if full else motion.until
+    if motion.KIND == "prescribed" and report.wanted.at and not motion.ends:
+        yield from _at_instants(problem, asked, report.wanted, inf)
+        return
+    known = _known(motion, report.wanted) if motion.KIND == "full" else motion.until
     yield from _at_instants(problem, asked, report.wanted, known)
     yield from _extremes(asked, min(known, motion.until))
     latest = max([motion.until, *(float(t) for _, t in report.wanted.at)])
@@ -81,9 +86,9 @@ def value_at(problem, one, t, digits=None):
     from vibcli.errors import PhysicsError
     from vibcli.precise_motion import precise_value
 
-    if problem.spec.get("motion") == "full":
-        raise PhysicsError("--digits is for small motions: more digits of one that is integrated are not found",
-                           "leave --digits out")
+    if problem.motion.KIND != "small":
+        raise PhysicsError(f"--digits is for small motions: more digits of one that is {problem.motion.WORDS} are not "
+                           "found", "leave --digits out")
     if one.tree[0] != "name" or one.tree[3] not in problem.scene.coordinates:
         raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
                            "ask for --of " + problem.scene.coordinates[0])

@@ -16,8 +16,7 @@ def response_data(problem, wanted):
     for one, (late, most), (early, least) in extremes(asked, motion.until):
         found["signals"].append({"signal": one.text, "unit": one.unit, "max": most, "argmax": late, "min": least,
                                  "argmin": early, "steady": _steady(motion, one.signal, wanted.phase)})
-    full = problem.spec.get("motion") == "full"
-    return found | {"balance": float(motion.trajectory().balance.error) if full else None}
+    return found | {"balance": float(motion.trajectory().balance.error) if motion.KIND == "full" else None}
 
 
 def _steady(motion, signal, convention):

@@ -47,15 +47,25 @@ def virtual_work(problem, report):
                        blocks.equations(lines), *with_lengths(lengths))
 
 
+def _unit(problem, signal):
+    """N, or N·m of a moment."""
+    from vibcli.signals import signal_dimension
+    from vibcli.units import FORCE
+
+    return "N" if signal_dimension(problem.spec, signal) in (None, FORCE) else "N·m"
+
+
 def reactions(problem, _):
     """The reactions in equilibrium, of a scene in numbers, and those along a motion."""
     from vibcli.mechanics.reactions import along_the_motion
 
     if not problem.symbolic:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
-                 f"{figure(reaction.value)} {'N·m' if reaction.signal.endswith('moment') else 'N'}")
+                 f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
                 for reaction in problem.reactions if reaction.value != 0.0]
-        yield from section("Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
+        yield from section("Reactions in equilibrium (tension positive; what supports and drives exert on the body, "
+                           "fixed axes)" if any(".drive" in signal for signal, _ in rows) else
+                           "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
                            Table(("force", "value"), tuple(rows)))
     yield from section("Reactions along a motion", blocks.equations(
         line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem).items()))

@@ -8,6 +8,7 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 
 CONTRACTION, SHORTEST, ROUNDS = 0.25, 2.0**-12, 40
+ALONG = 1e-14       # of its size: what is left of a step
 
 
 class Loops:
@@ -74,6 +75,27 @@ class Loops:
                 return size <= 1e-12
             before = size
         return False
+
+    def along(self, start, values):
+        """{name: array} of the unknowns for arrays of coordinates and instants near the closed position `start`; None
+        where Newton's method does not find them."""
+        import numpy as np
+
+        from vibcli.algebra.arrays import Arrays
+
+        n, shape = len(self.names), np.broadcast_shapes(*(np.shape(value) for value in values.values()))
+        z = np.array([np.full(shape, start[name]) for name in self.names])
+        for _ in range(ROUNDS):
+            at = {**values, **dict(zip(self.names, z, strict=True))}
+            flat = [np.broadcast_to(x, shape) for x in evaluate([*self.conditions, *self.slopes], Arrays, at)]
+            G, Gz = np.array(flat[:n]).T, np.array(flat[n:]).reshape(n, n, *shape).transpose(2, 0, 1)
+            step = np.linalg.solve(Gz, -G[:, :, None])[:, :, 0].T
+            z = z + step
+            if not np.isfinite(z).all():
+                return None
+            if not (ALONG * (np.array(self.sizes) + np.abs(z.T)) < np.abs(step).T).any():
+                return dict(zip(self.names, z, strict=True))
+        return None
 
     def refined(self, values, arithmetic):
         """The same in mpmath at the working precision, from float values close to the solution; in place."""

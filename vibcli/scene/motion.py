@@ -35,16 +35,17 @@ class Motion:
             self._symbols[name, primes] = self.rate(self.symbol(name, primes - 1))
         return self._symbols[name, primes]
 
-    def driven_by(self, node, name):
+    def driven_by(self, node, name, drive):
         """A displacement of what has this name: where it depends on the time, a symbol that is zero as drawn and stands
-        for it until the scene is assembled; of an opened scene an input."""
+        for it until the scene is assembled; of an opened scene an input. Where supports give way its `drive` does."""
         if not node.mask & self.time.mask:
             return node
+        slip = self._released(drive) if self.releasing else self.table.zero
         if self.opened and self.waves(node):
-            return self.add_input(name, node)
+            return self.add_input(name, node) + slip
         symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
         self.driven[symbol], self._drawn_at_rest[symbol] = node, self.table.zero
-        return symbol
+        return symbol + slip
 
     def turns(self, body):
         """Does a body turn, other than by its support giving way?"""
@@ -56,6 +57,11 @@ class Motion:
         x, y, turn = (self._released(f"{body.name}.reaction.{part}") for part in ("x", "y", "moment"))
         frame = body.frame
         return self.new_frame(frame.drawn, (frame.place[0] + x, frame.place[1] + y), frame.angle + turn)
+
+    @property
+    def supports(self):
+        """The coordinates by which supports give way, drives apart."""
+        return [q for q in self.released if ".reaction." in q.name]
 
     def _released(self, name):
         self.released.append(self._further(name))
@@ -138,12 +144,13 @@ class Motion:
         """The nodes in the drawn position, at rest."""
         return substitute(nodes, self._drawn_at_rest) if any(node.mask for node in nodes) else list(nodes)
 
-    def change(self, expression):
+    def change(self, expression, part=""):
         """A displacement from the drawn position: how much the terms that hold coordinates have changed since then, and
-        what is prescribed in time, which counts as it stands, constants included."""
-        node = self.lower(expression)
+        what is prescribed in time, which counts as it stands, constants included. `part`: .x, .y or .moment of a body
+        that has several."""
+        node, drive = self.lower(expression), f"{self.owner}.drive{part}"
         if node.mask == self.time.mask:
-            return self.driven_by(node, self.owner)
+            return self.driven_by(node, self.owner, drive)
         drawn, = self.at_drawn(node)
         held = self.terms_with(node, ~self.time.mask) if node.mask & self.time.mask else node
         driven = textbook(node - held)
@@ -152,4 +159,4 @@ class Motion:
         at_start, = self.at_drawn(held)
         if drawn.is_zero:
             driven = driven + at_start
-        return held - at_start + self.driven_by(driven, self.owner)
+        return held - at_start + self.driven_by(driven, self.owner, drive)

@@ -1,0 +1,90 @@
+"""Signals of motions whose places, velocities and accelerations are known at any instant: integrated or prescribed."""
+
+from vibcli.algebra.evaluate import evaluate
+from vibcli.errors import PhysicsError
+from vibcli.moving_signals import ComposedSignal, Signal, require_finite
+
+
+class FullSignal(Signal):
+    """A function of the coordinates, velocities and accelerations of a motion that was integrated, and of `forces`
+    {symbol: name} of constraints, supports and drives."""
+
+    KIND = "a motion that is integrated"
+
+    def __init__(self, motion, node, forces=None):
+        self.motion, self.node, self.forces = motion, node, forces or {}
+
+    def values(self, times, order=0):
+        if order:
+            raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
+        import numpy as np
+
+        times = np.asarray(times, dtype=float)
+        return self._along(self.motion.reaching(times.max(initial=0.0)), times)
+
+    def error(self, t):
+        return self.motion.reaching(t).shared.of_signal(self._along, t)
+
+    def error_of_time(self, t):
+        return t * self.motion.reaching(t).shared.of_state(t)
+
+    def _along(self, trajectory, times):
+        """The values along one solution."""
+        import numpy as np
+
+        from vibcli.algebra.arrays import Arrays
+
+        values = self.motion.places(times, trajectory)
+        if self.forces:
+            values |= self.motion.forces(self.forces, values, trajectory)
+        with np.errstate(all="ignore"):
+            node = self._with_senses(trajectory, times, values)
+            found = evaluate([node], Arrays, values)[0]
+        return require_finite(np.broadcast_to(found, times.shape), times)
+
+    def _with_senses(self, trajectory, times, values):
+        """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
+        from vibcli.algebra.arrays import Arrays
+        from vibcli.algebra.calculus import substitute
+        from vibcli.algebra.expression import reachable
+
+        signs = [part for part in reachable([self.node]) if part.name == "sign" and part.mask]
+        if not signs:
+            return self.node
+        from vibcli.analyses.trajectory.senses import senses
+
+        scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
+        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
+        symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
+        values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
+        return substitute([self.node], symbols)[0]
+
+    def zeros(self, start, end, level=0.0):
+        """Instants at which the signal passes a level."""
+        from vibcli.analyses.trajectory.passages import passages
+
+        return passages(self.motion.reaching(end), self.values, start, end, level)
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.trajectory.passages import extreme
+
+        return extreme(self.motion.reaching(end), self.values, start, end, sense)
+
+    def final(self):
+        raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")
+
+
+class PrescribedSignal(FullSignal):
+    """The same of a motion that is prescribed."""
+
+    KIND = "a motion that is prescribed"
+
+    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+    error, error_of_time = Signal.error, Signal.error_of_time
+
+    def _with_senses(self, trajectory, times, values):
+        return self.node
+
+    def final(self):
+        raise PhysicsError("a motion that is prescribed has no known limit", "ask for its value at a late instant")
