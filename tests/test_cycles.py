@@ -90,6 +90,27 @@ def test_what_the_hint_says_is_accepted(key, text):
         text = re.sub(rf"(?<!pi\*)\b{turned[2]}", turned[1], text, count=1)
 
 
+@pytest.mark.parametrize(("k", "line", "fits"), [
+    ("80 N/m", "frequency[1]: 0", True), ("80 N/m", "frequency[1]: 0 Hz", True), ("80 N/m", "frequency[1]: 1 Hz", True),
+    ("80", "frequency[1]: 1.007", True), ("80", "frequency[1]: 0", True), ("80", "frequency[1]: 3", True),
+    ("80", "2*frequency[1]: 0.5", True), ("80", "omega[1]/(2*pi): frequency[1]", True), ("80", "omega[1]: 6.3", True),
+    ("k", "frequency[1]: sqrt(k/m)/(2*pi)", True), ("k", "omega[1]: 2*pi*frequency[1]", True),
+    ("k", "frequency[1]: 1/period[1]", True), ("k", "period[1]: 1/frequency[1]", True),
+    ("k", "period[1]: 2*pi/omega[1]", True), ("k", "period[1]: 2*pi/frequency[1]", False),
+    ("k", "omega[1]: frequency[1]", False), ("k", "frequency[1]: omega[1]", False),
+    ("k", "omega[1]: 1/period[1]", False), ("k", "2*omega[1]: 1/period[1]", False),
+    ("k", "omega[1] - 2*pi/period[1]: 0", True)])
+def test_answers_about_frequencies(k, line, fits):
+    m = "2" if k == "80" else "m"
+    found = wrong(f"""
+parameters: {{m: {"2 kg" if m == "m" else 2}, k: {{value: {k if k != "k" else "80 N/m"}, unused: allowed}}}}
+bodies: {{one: {{mass: m, slide: x}}}}
+springs: {{s: {{k: k, between: [ground, one]}}}}
+answers: {{"{line.partition(": ")[0]}": "{line.partition(": ")[2]}"}}
+""")
+    assert (found == []) is fits
+
+
 def angular_parameters():
     for path in SCENES:
         text = path.read_text(encoding="utf-8")

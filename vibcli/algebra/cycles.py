@@ -6,7 +6,7 @@ counts CYCLE − PERIOD cycles. A rate v/R or a number n counts neither, and is 
 """
 
 from vibcli import units
-from vibcli.algebra.meaning import children, constant, literal_unit
+from vibcli.algebra.meaning import ANY, children, constant, literal_unit
 from vibcli.algebra.parse import FUNCTIONS, ExpressionError
 from vibcli.algebra.rationals import HALF
 from vibcli.diagnostics import quoted
@@ -51,9 +51,9 @@ def in_radians(count, dimension):
 
 
 def fits_both(count, dimension):
-    """Does it count neither, being a number or a rate?"""
+    """Does it count neither, being a number or a rate, or what fits everywhere?"""
     angular = count.get(RADIAN, 0) > 0 and count.get(PI, 0) >= 0
-    return left_over(count) == 0 and not angular and dimension in (units.NONE, RATE)
+    return left_over(count) == 0 and not angular and dimension in (units.NONE, RATE, ANY)
 
 
 def agree(counts, dimensions):
