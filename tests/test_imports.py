@@ -23,7 +23,7 @@ ROOMS = (
     ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document",
                   "columns")),
     ("algebra", ("algebra",)),
-    ("fields", ("reading", "fields")),
+    ("fields", ("reading", "fields", "named_place")),
     ("elements", ("elements",)),
     ("spec", ("signals", "recorded", "fit", "counting", "naming", "consistent", "asking", "asking_signals",
               "choosing", "parameters", "spec")),

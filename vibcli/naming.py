@@ -9,8 +9,8 @@ from vibcli.algebra.meaning import (
 from vibcli.algebra.parse import parse
 from vibcli.diagnostics import quoted
 from vibcli.elements.initial import RELEASED
-from vibcli.fields import NamedPlace
 from vibcli.fit import check, check_whole_literal
+from vibcli.named_place import NamedPlace
 from vibcli.questions import dimension
 from vibcli.reading import Record, nearest
 from vibcli.recorded import call_records, record_dimensions

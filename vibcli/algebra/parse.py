@@ -17,6 +17,7 @@ Nothing is ever evaluated as code.
 import re
 from fractions import Fraction
 
+from vibcli.algebra.unit_slips import TAKEN, unit_meant
 from vibcli.diagnostics import quoted
 from vibcli.units import UNITS
 
@@ -82,31 +83,6 @@ def parse(text, equation=None):
         tree = ("equation", 0, len(text), tree, right)
     parser.finish()
     return tree
-
-
-def _unit_meant(word):
-    """The unit, or product of units, that a word most likely stands for; None where it is like none."""
-    from difflib import get_close_matches
-
-    one = word.removesuffix("s")
-    if len(word) > 2 and one in UNITS:
-        return one
-    split = [f"{word[:i]}*{word[i:]}" for i in range(1, len(word)) if word[:i] in UNITS and word[i:] in UNITS]
-    if word in _TAKEN:
-        return _TAKEN[word]
-    same = [unit for unit in UNITS if unit.lower() == word.lower()]
-    spelt = [_SPELT[one.lower()]] if one.lower() in _SPELT else []
-    found = split or same or spelt or get_close_matches(word, UNITS, 1)
-    return found[0] if found else None
-
-
-_TAKEN = {"t": "tonne", "d": "day"}     # what books write so is the time and a deflection here
-_SPELT = {"meter": "m", "metre": "m", "centimeter": "cm", "millimeter": "mm", "kilogram": "kg", "gram": "g",
-          "second": "s", "sec": "s", "minute": "min", "newton": "N", "kilonewton": "kN", "joule": "J", "pascal": "Pa",
-          "hertz": "Hz", "degree": "deg", "radian": "rad", "percent": "%", "inch": "in", "foot": "ft", "feet": "ft",
-          "pound": "lb", "ounce": "oz", "yard": "yd", "mile": "mi", "hour": "h", "hr": "h", "kph": "km/h",
-          "kmh": "km/h", "kmph": "km/h", "revolution": "rev", "turn": "rev", "ton": "tonne", "watt": "W",
-          "horsepower": "hp"}
 
 
 class _Parser:
@@ -295,10 +271,10 @@ class _Parser:
 
     def unknown_unit(self, match, start):
         word = match.group(2)
-        meant = None if word == "pi" else _unit_meant(word)
+        meant = None if word == "pi" else unit_meant(word)
         product = f"a product is written with *: {self.text[start:self.at]}*{word}"
         raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
-                              f"write {meant}; {product}" if word in _TAKEN else
+                              f"write {meant}; {product}" if word in TAKEN else
                               f"did you mean '{meant}'?" if meant else product)
 
     def word(self, match, depth):

@@ -7,7 +7,8 @@ parallel axis theorem; a part with `cut: true` counts negative.
 
 from vibcli.elements import fitting, rim
 from vibcli.elements.shapes import LAWS, NEEDS
-from vibcli.fields import DRAWN, Choice, Element, Field, Flag, Lazy, Many, Quantity, load
+from vibcli.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
+from vibcli.named_place import DRAWN
 
 _SHAPE = {
     "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
