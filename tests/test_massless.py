@@ -1,5 +1,6 @@
 """Coordinates without inertia in time: relaxation, Zener's model, joints of springs. Against mpmath's e^{At}."""
 
+import json
 import re
 
 import mpmath
@@ -279,3 +280,20 @@ def test_digits_are_refused_where_dampers_hold_only_a_stretch():
         precise_value([[0, 0], [0, 0]], C, [[3, 0], [0, 5]], Forcing(2, [Segment(0.0)]), [1, 0], [0, 0],
                       Output(q={0: 1.0}), 1, 20)
     assert refusal.value.hint == "leave --digits out"
+
+
+def test_the_start_that_is_told_is_where_what_follows_stands(tmp_path, capsys):
+    """(k + k₁) u = k₁ x + F cos Wt at t = 0, which the report and --json say."""
+    file = tmp_path / "scene.yaml"
+    file.write_text("""
+bodies: {block: {mass: 2 kg, slide: x}, joint: {slide: u}}
+springs: {s: {k: 50 N/m, between: [ground, joint]}, s1: {k: 80 N/m, between: [block, joint]}}
+dampers: {d: {c: 6 N*s/m, between: [ground, block]}}
+forces: {F: {at: joint, force: 3 N*cos(4 rad/s*t)}}
+initial: {x: 2 cm}
+""")
+    assert run(["response", str(file), "--json"]) == 0
+    initial = json.loads(capsys.readouterr().out)["response"]["initial"]
+    assert initial["u"] == pytest.approx((80 * 0.02 + 3) / 130, rel=1e-14) and initial["x"] == 0.02
+    assert run(["response", str(file)]) == 0
+    assert "u(0) = 0.0353846 m" in capsys.readouterr().out

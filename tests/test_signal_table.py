@@ -316,3 +316,23 @@ def test_parts_of_integrated_motions_are_refused_before_they_are_integrated(part
         assert run(["response", str(PROBLEM), *options]) == 0       # as the hint tells
         capsys.readouterr()
         target.unlink(missing_ok=True)
+
+
+def test_vibrations_that_a_dying_load_forces_are_not_free():
+    """An over-damped block under F e^{−t} sin 3t swings as the load does, and has no free vibration."""
+    scene = problem(SCENE.format(load="2 N*exp(-t/(1 s))*sin(3 rad/s*t)", motion="small", k=25, c=26))
+    for quantity in ("amplitude", "phase", "decrement", "time_to[0.1]", "cycles_to[0.5]", "period"):
+        with pytest.raises(PhysicsError, match="does not vibrate freely"):
+            measure(scene, parse(f"{quantity}(x)"))
+
+
+def test_the_period_of_a_signal_that_passes_its_middle_more_than_twice_in_it():
+    scene = problem("""
+        bodies: {a: {mass: 1 kg, slide: x}, b: {mass: 1 kg, slide: y}}
+        springs: {s: {k: 4 N/m, between: [ground, a]}, r: {k: 36 N/m, between: [ground, b]}}
+        initial: {x: 1 cm, y: 1 cm}
+        motion: full
+        find: [{response: {until: 7 s}}]
+    """)
+    assert measure(scene, parse("period(x + y)"))[0] == pytest.approx(math.pi, rel=1e-9)
+    assert measure(scene, parse("period(x + 0.3*y)"))[0] == pytest.approx(math.pi, rel=1e-9)
