@@ -28,17 +28,13 @@ choose: {{{choose}}}
 SCENES = [
     (ONE, "m: , c: , F0: , W: , X: ", 'k: "amplitude(x) = X"'),
     (ONE, "m: , c: , F0: , W: ", 'k: {so: "amplitude(x) = 2 cm", to: 1000 N/m}'),
-    (ONE, "m: , c: , F0: , W: , X: ", 'k: {so: "amplitude(x) = X", to: m*W^2}'),
     (ONE, "m: , c: , F0: , W: , X: ", 'k: {so: "amplitude(x) = X", from: m*W^2, to: 2*m*W^2}'),
     (ONE, "c: , k: , F0: , W: , X: ", 'm: "amplitude(x) = X"'),
     (ONE, "m: , k: , F0: , W: , X: ", 'c: "amplitude(x) = X"'),
-    (ONE, "m: 2 kg, c: 30 N*s/m, F0: 5 N, W: ", 'k: "transmissibility[ground.force, F](W) = 0.1"'),
     (ONE, "m: , c: , F0: , W: , T: ", 'k: "transmissibility[ground.force, F](W) = T"'),
-    (ONE, "m: , k: , F0: , W: , w: ", 'c: "omega_d[1] = w"'),
     (ONE, "c: , k: , F0: , W: , w: ", 'm: "omega_d[1] = w"'),
     (ONE, "m: , k: , F0: , W: , w: ", 'c: "decay[1] = w"'),
     (TWO, "m1: , m2: , k2: , w: ", 'k1: "omega[1] = w"'),
-    (TWO, "m1: , m2: , k2: , w: ", 'k1: "omega[2] = w"'),
 ]
 FIRST, MOST, LEAST = 1000, 200, 2
 

@@ -81,13 +81,17 @@ def _is_parameter(spec, name):
     return name in spec.choices or (measured is not None and measured != units.parse_unit(ASKED[name].unit).dimension)
 
 
+def as_quantity(spec, tree):
+    """The tree of a quantity that is written as a name alone, such as rayleigh or T; other trees as they are."""
+    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not _is_parameter(spec, tree[3]):
+        return ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
+    return tree
+
+
 def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
-    tree = asked.tree
-    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not _is_parameter(spec, tree[3]):
-        tree = ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
-        asked.tree = tree
+    tree = asked.tree = as_quantity(spec, asked.tree)
     whole = tree[0] == "quantity"
     for quantity in quantities_in(tree):
         if not can_be_asked(spec, reader, asked, quantity):

@@ -2,12 +2,13 @@
 
 from vibcli import units
 from vibcli.algebra.meaning import ALL_NUMBERS, names_in, quantities_in
-from vibcli.asking import asked_dimension, can_be_asked, check_cycles, dimension_of, unit_asked
+from vibcli.asking import as_quantity, asked_dimension, can_be_asked, check_cycles, dimension_of, unit_asked
 from vibcli.fit import check
 from vibcli.questions import ASKED, STATE_FUNCTIONS
 from vibcli.reading import Record
 
 MOST_CHOSEN = 4
+COUNTED = ("stable", "equilibria")
 
 
 def enter(spec, reader, names):
@@ -50,12 +51,18 @@ def check_choices(spec, reader):
 
 def _equation(spec, reader, name, condition):
     left, right = condition.sides
+    for side in condition.sides:
+        side.tree = as_quantity(spec, side.tree)
     quantities = [(side, tree) for side in condition.sides for tree in quantities_in(side.tree)]
     for side, tree in quantities:
         if tree[4] in spec.choices and tree[4] not in ASKED:
             reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition", f"write {tree[4]} alone")
             return
         if not can_be_asked(spec, reader, side, tree):
+            return
+        if tree[4] in COUNTED:
+            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it changes by leaps",
+                          "for the value at which it changes write stability limit")
             return
         if tree[4] in STATE_FUNCTIONS:
             reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it is not a number",
