@@ -119,8 +119,9 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         from vibcli.scene.closing import words_of_locked
 
         if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
-            raise PhysicsError(words_of_locked(self.scene), "take a constraint out, or let one more body move"
-                               + (", or ask for what moves in time: `find: [response]`" if self.scene.timed else ""))
+            hint = "take a constraint out, or let one more body move"
+            in_time = ", or ask for its motion in time: find: [{response: {until: 2 s}}]"
+            raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",
                                "give a body a motion, as in bodies: {block: {mass: 2 kg, slide: x}}")
