@@ -22,7 +22,8 @@ ELEMENT = Element(
                          "or friction"),
         "law": Field(Quantity(), "its force as a function of the rate v of its length, as in c*v*abs(v); v means this "
                      "only inside a law"),
-        "friction": Field(Quantity(), "the size of its dry friction, as in mu*N, which acts against the motion"),
+        "friction": Field(Quantity(), "the size of its dry friction, as in mu*N, which acts against the "
+                              "motion; at rest it is what holds, up to that size"),
         "breakaway": Field(Quantity(), "the largest friction at rest, where it is more than `friction`"),
         "between": Field(ENDS, "its two ends [A, B]"),
         "stretch": Field(Quantity(), "its deflection as an expression of the coordinates, instead of two ends"),
