@@ -4,14 +4,11 @@ from math import isfinite, pi
 
 from vibcli import kept_up, read_off
 from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.meaning import lower, quantities_in
-from vibcli.counting import counts_cycles
 from vibcli.errors import PhysicsError
+from vibcli.measured_frequency import ERROR, OF_FREQUENCY, TURN, frf, number_of, wrapped
 from vibcli.moving_signals import LinearSignal
 from vibcli.questions import PARTS
 
-TURN, ERROR = 2 * pi, 1e-12
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
 
@@ -20,7 +17,7 @@ def measure_response(problem, tree):
     head = tree[4]
     in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
     if not in_time:
-        return _OF_FREQUENCY[head](problem, tree)
+        return OF_FREQUENCY[head](problem, tree)
     try:
         value = _IN_TIME[head](problem, tree)
         return value, max(ERROR, _doubt(problem, tree, value))
@@ -61,22 +58,6 @@ def _is_found(problem, arg):
     except PhysicsError:
         return False
     return True
-
-
-def number_of(problem, tree):
-    """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
-    from vibcli.measured import measure
-
-    values = dict(problem.floats)
-    for quantity in quantities_in(tree):
-        values[quantity[3]] = measure(problem, quantity)[0]
-    table = problem.scene.table
-
-    def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if part[0] == "quantity" else problem.scene.parameters.nodes[name]
-
-    value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
-    return value * TURN if counts_cycles(problem.spec, tree) else value
 
 
 def _signal(problem, tree):
@@ -150,12 +131,6 @@ def _phase(problem, tree):
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
 
 
-def wrapped(angle):
-    """The angle in (−π, π]."""
-    angle = -((-angle + pi) % TURN - pi) + 0.0
-    return pi if angle == -pi else angle
-
-
 def _harmonic(problem, tree):
     signal = _linear(problem, tree)
     if not read_off.kept_up(signal):
@@ -215,65 +190,14 @@ def _period(problem, tree):
     return TURN / kept_up.fundamental(signal) if read_off.kept_up(signal) else read_off.free_period(signal)
 
 
-def _frf(problem, tree):
-    if not tree[7]:
-        raise PhysicsError(f"'{tree[3]}' is a function of frequency", f"write {tree[3]}(5 Hz)")
-    return problem.frequency_response(*tree[5]).at(number_of(problem, tree[7][0]))
-
-
-def _complex_part(part):
-    def value(problem, tree):
-        from vibcli.measured import measure
-
-        found, error = measure(problem, tree[7][0])
-        return part(found), error
-    return value
-
-
-def _transmissibility(problem, tree):
-    value, error = _frf(problem, tree)
-    return abs(value), error
-
-
-def _of_curve(find):
-    def value(problem, tree):
-        curve = problem.frequency_response(*tree[7][0][5])
-        return find(curve, int(tree[5][0]), tree[6]), ERROR
-    return value
-
-
-def _peak(curve, number, attribute):
-    Omega, value = _numbered(curve.peaks, number, "peak")
-    return Omega if attribute == "Omega" else value
-
-
-def _fixed_point(problem, tree):
-    number, damper = tree[5]
-    points = problem.frequency_response(*tree[7][0][5]).fixed_points(damper)
-    return getattr(_numbered(points, int(number), "fixed point"), tree[6]), ERROR
-
-
-def _numbered(items, number, noun):
-    if number > len(items):
-        raise PhysicsError(f"this frequency response has {len(items) or 'no'} {noun}{'s' * (len(items) != 1)}",
-                           "ask for one that it has")
-    return items[number - 1]
-
-
-def _angle(value):
-    import cmath
-
-    return cmath.phase(value)
-
-
 def size_of(problem, tree):
     """The largest value that a quantity of this kind has: what its rounding is measured by."""
     head = tree[4]
     if head in ("phase", "arg", "overshoot", "decrement", "cycles_to"):
         return 1.0
-    if head in _OF_FREQUENCY:
+    if head in OF_FREQUENCY:
         inner = tree if head in ("frf", "transmissibility") else tree[7][0]
-        return abs(_frf(problem, inner)[0]) if inner[7] else 0.0
+        return abs(frf(problem, inner)[0]) if inner[7] else 0.0
     if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
         return problem.motion.until
     signal, end = _signal(problem, tree), _end(problem, tree)
@@ -291,14 +215,6 @@ def _end(problem, tree):
         return max(number_of(problem, tree[7][1]), 1.0)
 
 
-_OF_FREQUENCY = {
-    "frf": _frf, "transmissibility": _transmissibility, "arg": _complex_part(_angle),
-    "re": _complex_part(lambda value: value.real), "im": _complex_part(lambda value: value.imag),
-    "phase": _complex_part(lambda value: wrapped(-_angle(value))), "peak": _of_curve(_peak),
-    "antiresonance": _of_curve(lambda curve, i, _: _numbered(curve.antiresonances, i, "antiresonance")),
-    "half_power": _of_curve(lambda curve, i, _: curve.half_power_of((i + 1) // 2)[(i + 1) % 2]),
-    "fixed_point": _fixed_point, "quality": _of_curve(lambda curve, i, _: curve.quality(i)),
-}
 _IN_TIME = {
     "value": _value, "M": _inertia,
     "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),

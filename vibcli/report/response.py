@@ -152,7 +152,7 @@ def phase_in(convention, X):
     """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
     import cmath
 
-    from vibcli.measured_signals import wrapped
+    from vibcli.measured_frequency import wrapped
 
     _, sign, turn = PHASES[convention]
     return wrapped(sign * (-cmath.phase(X) + turn * TURN))

@@ -104,7 +104,7 @@ def sampled_curves(problem, wanted):
 
 def _asked_end(problem, key):
     from vibcli.elements.find import FREQUENCY_RESPONSE
-    from vibcli.measured_signals import number_of
+    from vibcli.measured_frequency import number_of
 
     find = problem.spec.get("find")
     record = find.about(FREQUENCY_RESPONSE) if find is not None else None
