@@ -68,8 +68,9 @@ ELEMENT = Element(
     "`P: equilibrium`, which makes the drawn position one of equilibrium; `k: stability limit`, at which a natural "
     "frequency passes through zero, or a limit point (fold), at which the equilibrium that is followed as the "
     "parameter goes vanishes together with an unstable one. Several entries are solved together. Chosen parameters "
-    "need no line under `parameters`; they are positive unless that says `sign: any`. All solutions are given; the "
-    "scene is solved with the first, the smallest. `answers` may ask for them: `c: 2*sqrt(k*m)`, `c[2]: …`.",
+    "need no line under `parameters`; they are positive unless that says `sign: any`. All solutions are given, those "
+    "in letters with the conditions under which they count; the scene is solved with the first, the smallest. "
+    "`answers` may ask for them: `c: 2*sqrt(k*m)`, `c[2]: …`.",
     {
         "so": Field(_Condition(), "the condition that must hold", required=True),
         "from": Field(Quantity(), "the least value that is admissible; else all of the sign of the parameter are"),
