@@ -3,9 +3,9 @@ hints that a command prints name options that it has."""
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
 
-import pytest
 from test_bad import BAD, expected
 
 import vibcli
@@ -19,6 +19,7 @@ COMMAND = re.compile(r"\bvibcli ([a-z]+)\b([^`;,]*)")
 PROSE = {"derives", "alone", "itself"}        # vibcli derives …, which is no command line
 
 
+@cache
 def texts(path):
     """(line, text) of every string of a file, {…} standing for what is filled in."""
     found, parts = [], set()
@@ -42,9 +43,8 @@ OPTIONS = {command: options(command) | {"--help"} for command in COMMANDS}
 ANY = set().union(*OPTIONS.values(), options(None), {"--quick", "--only", "--sympy"})
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
-def test_what_is_named_exists(path):
-    for line, text in texts(path):
+def test_what_is_named_exists():
+    for path, line, text in [(file, *found) for file in FILES for found in texts(file)]:
         for option in OPTION.findall(text):
             assert option in ANY, f"{path.name}:{line}: {option}"
         for command, rest in COMMAND.findall(text):
@@ -62,11 +62,11 @@ def test_many_are_named():
     assert len(named) > 100 and len(called) > 60
 
 
-@pytest.mark.parametrize("path", BAD, ids=lambda path: path.stem)
-def test_hints_name_options_of_the_command_that_prints_them(path):
-    _, command, diagnostics = expected(path)
-    for _, message, hint in diagnostics:
-        assert set(OPTION.findall(f"{message} {hint}")) <= OPTIONS[command]
+def test_hints_name_options_of_the_command_that_prints_them():
+    for path in BAD:
+        _, command, diagnostics = expected(path)
+        for _, message, hint in diagnostics:
+            assert set(OPTION.findall(f"{message} {hint}")) <= OPTIONS[command], path.stem
 
 
 REPORTED = {"--digits", "--json", "--of"}       # in answers to these options, and in reports, which have them
