@@ -14,6 +14,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
 
 EPSILON = 2.0**-52
+JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FAR, FARTHEST, HUGE = 300, 12, 1e6, 1e60, 1e140
 
@@ -231,6 +232,10 @@ class _Search:
             return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
                                 f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, "
                                 "or draw the scene nearer to its equilibrium")
+        if self.scene.table.called.intersection(JUMPS) and np.all(np.abs(q) <= FAR * self.scale):
+            here = ", ".join(f"{other} = {value:.6g}" for other, value in self.named_plainly(q).items())
+            return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
+                                "that is smooth", "round the kink off, or follow the motion with motion: full")
         place = "place that `equilibrium:` names" if self.problem.spec.get("equilibrium") else "drawn position"
         return PhysicsError(f"no equilibrium is reached from the {place}: nothing holds '{name}', "
                             "the potential energy keeps falling along it",
