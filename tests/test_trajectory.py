@@ -303,5 +303,5 @@ def test_what_would_take_for_ever_is_refused_soon():
     found = simulate(scene, 100.0, initial={"x": 0.1, "y": 0.1000001})
     assert 0 < found.end < 1
     assert abs(found.at([found.end])[0][0, 0] - 0.1) < 0.01
-    with pytest.raises(PhysicsError, match="2000 of at most 100000 steps"):
+    with pytest.raises(PhysicsError, match="4000 of at most 100000 steps"):
         found.at([100.0])

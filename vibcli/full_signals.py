@@ -23,7 +23,26 @@ class FullSignal(Signal):
         return self._along(self.motion.reaching(times.max(initial=0.0)), times)
 
     def error(self, t):
-        return self.motion.reaching(t).shared.of_signal(self._along, t)
+        trajectory = self.motion.reaching(t)
+        found = trajectory.shared.of_signal(self._along, t)
+        return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
+
+    def _of_fast(self, trajectory, t):
+        """What an oscillation that was stepped over may make of the signal: Σ |∂s/∂q| of its amplitudes."""
+        import numpy as np
+
+        from vibcli.algebra.calculus import gradient
+
+        if self.forces:
+            raise PhysicsError(f"from t = {trajectory.fast.since:.3g} s on a fast oscillation of this motion is "
+                               "stepped over: forces of constraints, supports and drives are not known",
+                               "ask for earlier instants, or with more --patience")
+        fast, slopes = trajectory.fast, gradient(self.node)
+        rows = zip(("", "'", "''"), (fast.q, fast.v, fast.a), strict=True)
+        amplitudes = {name + primes: size for primes, sizes in rows
+                      for name, size in zip(trajectory.names, sizes, strict=True)}
+        return sum(amplitudes[symbol.name] * abs(float(FullSignal(self.motion, slope).values(np.array([t]))[0]))
+                   for symbol, slope in slopes.items() if symbol.name in amplitudes)
 
     def error_of_time(self, t):
         return t * self.motion.reaching(t).shared.of_state(t)

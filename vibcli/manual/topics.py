@@ -294,10 +294,10 @@ PATIENCE = [
     "beyond a limit, which counts steps and not seconds, so that every machine answers and refuses the same. What was "
     "found until then is kept. `--patience N` multiplies the limits by N:",
     [
-        ("a full motion", "100000 steps, each a few oscillations of its fastest part. It is stopped sooner, after 2000 "
-         "steps, where it would need ten times as many as it may take. Up to where it has come its values are known."),
-        ("a search for what is chosen", "30000 values or steps of the motions there. (In letters no search is needed "
-         "where there is a closed form.)"),
+        ("a full motion", "100000 steps, each a few oscillations of its fastest part. A fast oscillation of less than "
+         "a millionth of the motion is stepped over where it would take more, and is part of the errors of what is "
+         "printed. A motion that would need ten times as many steps as it may take is stopped after some thousand. Up "
+         "to where it has come its values are known."),
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
          "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
          "bounds, of three coordinates at 20000."),

@@ -20,9 +20,9 @@ def figure(value, error=0.0, digits=SHOWN):
 
 
 def supported(value, error, digits=SHOWN):
-    """A number with the digits that its absolute error allows; where that is all of it, zeros up to its place."""
-    if error >= 0.5 * abs(value) and error > 0:
-        return f"{0:.{max(0, min(digits, int(-math.log10(error))))}f}"
+    """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0."""
+    if error >= 0.5 * abs(value) and error > 0 and value:
+        return f"0 ± {figure(abs(value) + error, digits=1)}"
     return figure(value, error / abs(value) if value else 0.0, digits)
 
 

@@ -129,6 +129,10 @@ def _integration(trajectory):
     told += f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion"
     if trajectory.end < trajectory.until:
         told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
+    if trajectory.fast is not None:
+        told += (f"; from t = {figure(trajectory.fast.since, digits=3)} s on an oscillation of "
+                 f"{figure(trajectory.fast.speed)} rad/s, {figure(trajectory.fast.part, digits=2)} of the motion, is "
+                 "stepped over: velocities and forces that it moves are known the less")
     if trajectory.drift is not None:
         told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
     yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(told))

@@ -5,7 +5,9 @@ Its integrals are exact, so q̇ and q are polynomials too: with the values A of 
     q̇ = q̇₀ + H A V₁ᵀ        q = q₀ + H c q̇₀ + H² A V₂ᵀ
 
 (Hairer, Nørsett & Wanner 1993, II.7.) At Gauss's points the method is symplectic and symmetric, of order 2s at the ends
-of windows; at Radau's, of order 2s − 1, it damps what is stiff (Hairer & Wanner 1996, IV.5).
+of windows. At Radau's, of order 2s − 1, it damps what is stiff (Hairer & Wanner 1996, IV.5) if q̇ is taken for the
+polynomial through its values at the points before it is integrated: with the exact integral of that of q̈ fast
+oscillations would grow (van der Houwen, Sommeijer & Cong 1991).
 """
 
 from functools import lru_cache
@@ -28,10 +30,16 @@ class Rule:
         x, w = (_radau if radau else _gauss)(points)
         P = _legendre(x, points + 1)
         once = _integrated(points)
-        twice = once @ _integrated(points + 1)
         to_series = P[:points].T * w[:, None] * (np.arange(points) + LONG(0.5))
+        if radau:
+            to_series = np.linalg.inv(P[:points].astype(float)).astype(LONG)
+            to_series += to_series @ (np.eye(points) - P[:points] @ to_series)
+            twice = np.pad(once @ P[:-1] @ to_series @ once, ((0, 0), (0, 1)))
+        else:
+            twice = once @ _integrated(points + 1)
         self.points = points
-        self.c, self.w, self.b2 = (_rounded(part) for part in ((x + 1) / 2, w / 2, w * (1 - x) / 4))
+        self.c, self.w = _rounded((x + 1) / 2), _rounded(w / 2)
+        self.b2 = _rounded(to_series @ twice.sum(axis=1) if radau else w * (1 - x) / 4)
         self.to_series, self.once, self.twice = _rounded(to_series), _rounded(once), _rounded(twice)
         self.V1 = _rounded(to_series @ once @ P[:-1])
         self.V2 = _rounded(to_series @ twice @ P)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from vibcli.analyses.trajectory.collocation import rule
+from vibcli.analyses.trajectory.fast import fast_part
 from vibcli.analyses.trajectory.sizes import EPSILON, Sizes
 from vibcli.analyses.trajectory.window import Window, iterated, newton
 from vibcli.errors import PhysicsError
@@ -19,6 +20,7 @@ MOST_UNKNOWNS = 1200        # of Newton's method
 STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
 PATIENCE = 3                # such windows before the scene counts as stiff
+LEAP, SETTLING = 2000.0, 8  # radians of what is stepped over in a window; windows until it has died out
 CALM = 6                    # windows without a failure before they grow by much again
 
 
@@ -32,6 +34,7 @@ class March:
         self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
+        self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
 
     def begin(self, limit, zero=()):
         """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
@@ -41,6 +44,8 @@ class March:
         self.sizes.measure(self.system, self._accelerations, soon, self.q, self.v, self.g)
         self.H = min(self.H or np.inf, RADIANS * self.sizes.radian)
         self.guess = None
+        if self.fast is not None:
+            self._leap()
 
     def _soon(self, limit):
         """An instant shortly after the present one, at which what begins now has begun."""
@@ -75,7 +80,10 @@ class March:
             if max(SHORTEST * self.t, 1e-300) > H:
                 raise self.singular()
         window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
+        self.settling -= 1
         self._steer(H, done.iterations, used, wanted > H, bool(tails))
+        if self.slow and not self.stiff:
+            self._step_over(window, a[:, 0])
         return window
 
     def _count(self):
@@ -84,23 +92,45 @@ class March:
         self.tries += 1
         if self.tries % PACE == 0:
             before, self.paced = self.paced, self.t
-            if (self.t - before) * HOPELESS * self.task.limit < (self.until - self.t) * PACE:
+            needed = PACE * (self.until - self.t) / (self.t - before) if self.t > before else np.inf
+            self.slow = needed > self.task.limit - self.task.steps
+            if needed > HOPELESS * self.task.limit and (self.stiff or self.tries > PACE):
                 raise Spent(self.task)
 
     def _attempt(self, H, guess, a):
         """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
         is used)."""
         scale = self.sizes.scale(H, self.v, a)[:, None]
-        solve, part = (newton, 1e-4) if self.stiff else (iterated, 1e-2)
+        solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
-                         part * self.rtol * scale + 0.5 * EPSILON * np.abs(self.q)[:, None], self.unseen)
+                         (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
+                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)
+        self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0
         self.sizes.meet(done.A)
         sizes = (self._series(H, done.A) / self._allowed(H, scale)).max(axis=0)
         used = np.flatnonzero(sizes > 1)
         return done, float(sizes[-TAIL:].max()), (used[-1] + 1 if len(used) else 1) / self.rule.points
+
+    def _factored(self, H):
+        """The inverse that Newton's method used last, where it was for a window like this one."""
+        like, inverse = self.factored
+        return inverse if like == (H, self.g, self.slides) else None
+
+    def _step_over(self, window, a):
+        """Leave a fast oscillation alone that is too small to be worth the work."""
+        self.slow = False
+        self.fast = fast_part(window, self.sizes, self.sizes.scale(window.length, window.v, a))
+        if self.fast is not None:
+            self._stiffen()
+            self._leap()
+
+    def _leap(self):
+        """Go on in windows of so many radians of the fast oscillation that Radau's points damp it: in those of some ten
+        it would be followed badly."""
+        self.H, self.settling = max(self.H, LEAP / self.fast.speed), SETTLING
 
     def _series(self, H, A):
         """|Legendre coefficients| of q̈; of q in stiff scenes, where what is left of fast parts roughens q̈ alone."""
@@ -111,7 +141,8 @@ class March:
     def _allowed(self, H, scale):
         """Which of them need not be resolved."""
         if self.stiff:
-            return self.rtol * scale
+            found = self.rtol * scale
+            return found if self.fast is None else np.maximum(found, self.fast.allowed(self.settling))
         from_q = 0.1 * self.rtol * scale * (2 * self.rule.points / H) ** 2
         allowed = np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
         return np.maximum(allowed, TINY)
@@ -133,13 +164,18 @@ class March:
     def _steer(self, H, iterations, used, failed, unresolved):
         """The length of the next window, and whether the scene is stiff."""
         self.calm, self.unseen = 0 if failed else self.calm + 1, max(iterations - LOOKS, 0)
-        grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.03
+        grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.0 if self.stiff else 1.03
         if not self.stiff:
             grown = min(grown, STRAINED / iterations)
             strained = grown < 1.2 or (failed and not unresolved)
             self.held = self.held + 1 if strained and used < UNUSED else 0
         self.H = grown * H if failed else max(self.H, grown * H) if grown > 1 else min(self.H, grown * H)
-        if self.held >= PATIENCE and not self.stiff and len(self.q) * self.points[1] <= MOST_UNKNOWNS:
+        if self.held >= PATIENCE and not self.stiff:
+            self._stiffen()
+
+    def _stiffen(self):
+        """Go on with Radau's points and Newton's method, where that is not too much work."""
+        if len(self.q) * self.points[1] <= MOST_UNKNOWNS:
             self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(self.points[1], radau=True), None
 
     def finish(self, window, end=None):

@@ -43,13 +43,13 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion."""
+    those of the motion; fast: the oscillation that was stepped over, None where all is followed."""
 
     def __init__(self, system, switching, windows, until, events, balance, drift, sizes):
         self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
         self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
         self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
-        self.shared, self.sizes = None, sizes
+        self.shared, self.sizes, self.fast = None, sizes, None
         self.lengths = np.array([window.length for window in windows])
         self.starts = np.array([window.start for window in windows])
 

@@ -26,7 +26,10 @@ class Shared:
         times = np.concatenate([window.start + c * window.end for window in one.windows])
         self.times = times[times <= end]
         both = [trajectory.at(self.times)[:2] for trajectory in (one, other)]
-        worst = [_relative(a, b, one.sizes, self.times**power) for a, b, power in zip(*both, (2, 1), strict=True)]
+        skipped = [trajectory.fast for trajectory in (one, other) if trajectory.fast is not None]
+        fast = [sum((getattr(part, row) for part in skipped), np.zeros(len(one.names))) for row in ("q", "v")]
+        worst = [_relative(a, b, one.sizes, self.times**power, less)
+                 for a, b, power, less in zip(*both, (2, 1), fast, strict=True)]
         self.error = np.maximum.accumulate(np.maximum(*worst))
 
     @property
@@ -37,7 +40,8 @@ class Shared:
 
     def of_state(self, t):
         """The error of the states up to an instant, relative to the motion."""
-        return float(self.error[min(np.searchsorted(self.times, t), len(self.error) - 1)])
+        error = float(self.error[min(np.searchsorted(self.times, t), len(self.error) - 1)])
+        return error if self.one.fast is None else max(error, self.one.fast.part)
 
     def of_signal(self, values, t):
         """How far the two differ in a signal about an instant; values(trajectory, times)."""
@@ -46,9 +50,10 @@ class Shared:
         return float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 
-def _relative(a, b, sizes, ways):
+def _relative(a, b, sizes, ways, fast):
     """The largest |a − b| of each instant relative to how far a row goes; of what rests but for rounding, relative to
-    what the rounding of its acceleration may make of it."""
+    what the rounding of its acceleration may make of it. fast: what is stepped over, which is told apart."""
     size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None]
     size = size + sizes.noise[:, None] * ways / LOST
-    return np.divide(np.abs(a - b), size, out=np.zeros_like(a), where=size > 0).max(axis=0)
+    gap = np.maximum(np.abs(a - b) - fast[:, None], 0.0)
+    return np.divide(gap, size, out=np.zeros_like(a), where=size > 0).max(axis=0)

@@ -60,12 +60,15 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
             if spent.task is not task or not march.windows:
                 raise
     if second:
-        return Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
+        found = Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
+        found.fast = march.fast
+        return found
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
     if not (energies.error <= BALANCED or energies.gap <= _rounding(problem, march, energies)):
         raise _unbalanced(energies)
     found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows),
                        march.sizes)
+    found.fast = march.fast
     if any(tie.form == "rope" for tie in problem.scene.constraints):
         all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
         gone = slack(problem, all_of_it, found)

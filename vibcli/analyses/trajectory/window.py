@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 MOST_PICARD, MOST_NEWTON, PATIENCE = 60, 12, 15
-DIFFERENCE, LEAST = 1e-7, 1e-3      # of the way that a coordinate goes; of its value
+DIFFERENCE, LEAST = 1e-4, 1.0       # of the way that a coordinate goes, or of its value
 CLOSE, HOPELESS = 1e3, 1e18         # of the tolerance
 
 
@@ -45,10 +45,12 @@ class Window:
 
 
 class Attempt(NamedTuple):
-    """What an iteration came to: A of shape (n, points), None where it failed; the iterations it took."""
+    """What an iteration came to: A of shape (n, points), None where it failed; the iterations it took; the inverse that
+    Newton's method used, for the next window of this length."""
 
     A: np.ndarray
     iterations: int
+    inverse: np.ndarray | None = None
 
 
 def iterated(force, rule, H, q, v, guess, allowed, unseen=0):
@@ -73,11 +75,12 @@ def iterated(force, rule, H, q, v, guess, allowed, unseen=0):
     return Attempt(None, count)
 
 
-def newton(force, rule, H, q, v, guess, allowed, unseen=0):
-    """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once."""
+def newton(force, rule, H, q, v, guess, allowed, inverse=None):
+    """Newton's method on f(q(A), q̇(A)) − A = 0; force(Q, V, copies) takes so many copies of the points at once;
+    inverse: that of the window before, used as long as it does."""
     base, speed = q[:, None] + v[:, None] * (H * rule.c), v[:, None]
     V1, V2 = H * rule.V1, (H * H) * rule.V2
-    A, inverse, before = guess, None, np.inf
+    A, before = guess, np.inf
     for count in range(1, MOST_NEWTON + 1):
         Q, V = base + A @ V2, speed + A @ V1
         fresh = inverse is None
@@ -91,7 +94,7 @@ def newton(force, rule, H, q, v, guess, allowed, unseen=0):
         error = float((np.abs(step @ V2) / allowed).max())
         A = A + step
         if error <= 1 or (error <= CLOSE and error > 0.5 * before):
-            return Attempt(A, count)
+            return Attempt(A, count, inverse)
         if not error < HOPELESS or (count > 4 and error > 0.9 * before):
             break
         if error > 0.1 * before and not fresh:
@@ -105,13 +108,14 @@ def _linearised(force, Q, V, A, V1, V2, H):
     n, s = A.shape
     span = np.maximum(np.ptp(Q, axis=1), LEAST * np.abs(Q).max(axis=1))
     steps = DIFFERENCE * np.where(span > 0, span, span.max() or 1.0)
-    Qs, Vs = np.tile(Q, 2 * n + 1), np.tile(V, 2 * n + 1)
+    Qs, Vs = np.tile(Q, 4 * n + 1), np.tile(V, 4 * n + 1)
     for i in range(n):
-        Qs[i, (i + 1) * s:(i + 2) * s] += steps[i]
-        Vs[i, (n + i + 1) * s:(n + i + 2) * s] += steps[i] / H
-    F = force(Qs, Vs, 2 * n + 1).reshape(n, 2 * n + 1, s)
-    K = (F[:, 1:n + 1] - F[:, :1]) / steps[:, None]
-    C = (F[:, n + 1:] - F[:, :1]) / (steps[:, None] / H)
+        for copy, sign in ((4 * i + 1, 1), (4 * i + 2, -1)):
+            Qs[i, copy * s:(copy + 1) * s] += sign * steps[i]
+            Vs[i, (copy + 2) * s:(copy + 3) * s] += sign * steps[i] / H
+    F = force(Qs, Vs, 4 * n + 1).reshape(n, 4 * n + 1, s)
+    slopes = (F[:, 1:].reshape(n, n, 2, 2, s)[:, :, :, 0] - F[:, 1:].reshape(n, n, 2, 2, s)[:, :, :, 1]) / 2
+    K, C = slopes[:, :, 0] / steps[:, None], slopes[:, :, 1] / (steps[:, None] / H)
     big = np.eye(n * s).reshape(n, s, n, s)
     big = big - K.transpose(0, 2, 1)[:, :, :, None] * V2.T[None, :, None, :]
     big -= C.transpose(0, 2, 1)[:, :, :, None] * V1.T[None, :, None, :]
