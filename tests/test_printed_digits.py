@@ -18,7 +18,7 @@ from vibcli.report.results import TURN
 from vibcli.report.rows import damped_row, mode_row
 
 ROOT = Path(__file__).parent.parent
-FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])[::2]
+FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 
 
@@ -71,7 +71,7 @@ def rows_supported(found):
 
 def test_tables_of_all_problems():
     counts = []
-    for path in FILES:
+    for path in FILES[::2]:
         found = problem_of(path)
         if found.symbolic or found.spec.choices:
             continue
@@ -126,7 +126,7 @@ def test_equilibria_of_all_problems():
     count = 0
     for path in FILES:
         found = problem_of(path)
-        if found.symbolic or found.spec.choices or found.is_linear or found.equilibrium.drawn:
+        if found.symbolic or found.spec.choices or not found.scene.q or found.is_linear or found.equilibrium.drawn:
             continue
         with mpmath.workdps(45):
             arithmetic = multiprecision()
