@@ -1,6 +1,7 @@
 """Odd combinations: random scenes, answered by the program and by a mechanics that shares no code with it.
 
     draw_*     scenes as YAML text
+    scene_text a case over its scene, the texts of motions
     words      numbers with units and expressions, read from that text
     jets       a value with its first and second derivatives
     bodies     mass, moment of inertia and mass centre of each shape
@@ -10,6 +11,8 @@
     mechanics  what is left of the equations of motion, equilibrium, M, C, K
     motion     small motions by exponentials of matrices, full ones by an integrator of high order
     doors      the program, run: the same number by every way that it is told
+    other_doors reports read back, letters with values set, digits, cases
     compare    the two beside each other
+    shrink     the smallest scene that comes to the same
     sweep      many scenes, from the command line
 """

@@ -6,12 +6,12 @@ from collections import namedtuple
 
 import numpy as np
 
-from . import doors, mechanics, motion, words
+from . import doors, mechanics, motion, other_doors, words
 from .figure import Figure
 
 Difference = namedtuple("Difference", "what expected found")
 EXACT, IN_TIME, IN_FULL = 1e-9, 1e-8, 1e-6
-TIMES, FULL_EACH = (0.11, 0.37, 0.9), 4
+TIMES, FULL_EACH = (0.11, 0.37, 0.9), 8
 
 
 class Comparison:
@@ -19,6 +19,7 @@ class Comparison:
 
     def __init__(self, text, path):
         self.text, self.path, self.differences, self.refusals, self.compared = text, path, [], [], 0
+        self.instants = {}          # {full: {quantity: value}} of motions in time
         self.data = doors.data("solve", path)
         self.figure = figure_of(text, self.data["coordinates"])
         self.q = self._equilibrium()
@@ -43,26 +44,27 @@ class Comparison:
             self.meet(f"equilibrium[{name}]", value, theirs[name], EXACT * max(1, abs(value)))
         return ours
 
-    def matrices(self):
+    def matrices(self, data=None, door=""):
         n = len(self.q)
         zero = np.zeros((n, n))
-        found = {key: zero if self.data["matrices"][key] is None else np.array(self.data["matrices"][key])
-                 for key in "MCGK"}
+        given = (data or self.data)["matrices"]
+        found = {key: zero if given[key] is None else np.array(given[key]) for key in "MCGK"}
         for key, ours, theirs in (("M", self.small.M, found["M"]), ("C", self.small.C, found["C"] + found["G"]),
                                   ("K", self.small.K, found["K"])):
             scale = max(np.abs(ours).max(), np.abs(theirs).max(), 1e-6 * np.abs(self.small.K).max())
             for i in range(n):
                 for j in range(n):
-                    self.meet(f"{key}[{i + 1},{j + 1}]", ours[i, j], theirs[i, j], EXACT * scale)
+                    self.meet(f"{door}{key}[{i + 1},{j + 1}]", ours[i, j], theirs[i, j], EXACT * scale)
 
-    def eigenvalues(self):
+    def eigenvalues(self, data=None, door=""):
+        data = data or self.data
         gyroscopic = self.small.C - (self.small.C + self.small.C.T) / 2
-        natural = [value for mode in self.data["modes"] for value in _of_mode(mode)]
-        self._match("eigenvalue of the undamped system", spectrum(self.small, gyroscopic), natural)
-        if self.data.get("damped"):
-            damped = [complex(re, sign * im) for re, im in (mode["eigenvalue"] for mode in self.data["damped"])
+        natural = [value for mode in data["modes"] for value in _of_mode(mode)]
+        self._match(door + "eigenvalue of the undamped system", spectrum(self.small, gyroscopic), natural)
+        if data.get("damped"):
+            damped = [complex(re, sign * im) for re, im in (mode["eigenvalue"] for mode in data["damped"])
                       for sign in ((1, -1) if im else (1,))]
-            self._match("eigenvalue", spectrum(self.small, self.small.C), damped)
+            self._match(door + "eigenvalue", spectrum(self.small, self.small.C), damped)
 
     def _match(self, what, ours, theirs):
         """Each of ours has one of theirs nearby, those of the square root of rounding being let through near zero."""
@@ -135,6 +137,7 @@ class Comparison:
         if full:
             text = text.replace("motion: full\n", "") + (
                 f"motion: full\nfind: [{{response: {{until: {times[-1]} s}}}}]\n")
+        self.instants[full] = {quantity: ours[quantity] for quantity in asked}
         for quantity, value in doors.values(text, asked).items():
             if isinstance(value, doors.Refusal):
                 raise value
@@ -197,4 +200,5 @@ def compared(draft, path, seed):
         found.in_part(found.in_time, TIMES)
     if full or seed % FULL_EACH == 0:
         found.in_part(found.in_time, TIMES[:2], full=True)
+    found.in_part(other_doors.ALL[seed % len(other_doors.ALL)], found)
     return found

@@ -52,6 +52,12 @@ def arrow(draft, low, high):
     return size * math.cos(angle), size * math.sin(angle)
 
 
+def exact_arrow(draft):
+    """A direction whose components are decimals, so that what touches touches exactly."""
+    x, y = draft.dice.choice(((1, 0), (0.6, 0.8), (0.8, 0.6), (0.28, 0.96), (0.96, 0.28)))
+    return draft.dice.choice((1, -1)) * x, draft.dice.choice((1, -1)) * y
+
+
 def machine(draft):
     """One to three bodies, each carried by the ground or by one before; held by springs."""
     if draft.chance(0.7):
@@ -174,8 +180,8 @@ def roll(draft, at, carrier):
     kind = draft.dice.choice(("line", "inside", "outside"))
     at = tuple(round(c, 3) for c in at)
     if kind == "line":
-        angle = draft.dice.uniform(0, 2 * math.pi)
-        e, n = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+        e = exact_arrow(draft)
+        n = -e[1], e[0]
         side = draft.dice.choice((1, -1))
         foot = (at[0] - side * r * n[0], at[1] - side * r * n[1])
         words = {"line": [[f"{foot[0]:.12f} m", f"{foot[1]:.12f} m"],
@@ -183,8 +189,8 @@ def roll(draft, at, carrier):
     else:
         R = draft.some(0.4, 0.9)
         d = R + r if kind == "outside" else R - r
-        angle = draft.dice.uniform(0, 2 * math.pi)
-        n, e = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+        n = exact_arrow(draft)
+        e = -n[1], n[0]
         words = {"circle": [f"{at[0] - d * n[0]:.12f} m", f"{at[1] - d * n[1]:.12f} m"], "radius": f"{R} m",
                  "side": kind}
     if carrier:

@@ -4,6 +4,7 @@ Each of those is a number, or a function of numbers, beside a jet: a mass beside
 a spring beside its stretch, a force beside the displacement along it.
 """
 
+import ast
 from collections import namedtuple
 
 import mpmath
@@ -13,6 +14,7 @@ import yaml
 from . import jets, ties, words
 from .bodies import body_of
 from .places import Bodies, length
+from .scene_text import displacements, merged
 
 Body = namedtuple("Body", "mass centre J circle radius lumped")
 Drive = namedtuple("Drive", "terms steady")
@@ -94,7 +96,7 @@ class Figure:
         self.coordinates, self.drives, self.split = list(declared), [], {}
         for body in self.scene.get("bodies", {}).values():
             for kind in MOTIONS:
-                for text in _displacements(kind, body.get(kind)):
+                for text in displacements(kind, body.get(kind)):
                     self._divide(text)
         for point in self.scene.get("points", {}).values():
             for text in point.get("moves", ()) if isinstance(point, dict) else ():
@@ -139,9 +141,12 @@ class Figure:
         total = 0 if drive is None else known[drive]
         for sign, tree in others:
             if set(words.names(tree)) & set(self.coordinates):
-                now = words.value(tree, {**self.parameters, **known}, self.literal)
-                as_drawn = words.value(tree, {**self.parameters, **self.drawn_values}, self.literal)
-                total = total + sign * (now - as_drawn)
+                if isinstance(tree, ast.Name):
+                    now, as_drawn = known[tree.id], self.drawn_values[tree.id]
+                else:
+                    now = words.value(tree, {**self.parameters, **known}, self.literal)
+                    as_drawn = words.value(tree, {**self.parameters, **self.drawn_values}, self.literal)
+                total = total + sign * (now - as_drawn if as_drawn else now)
         return total
 
     def whole(self, text, known):
@@ -174,8 +179,6 @@ class Figure:
 
     def drawn_end(self, end):
         return self.drawn(end) if isinstance(end, str) else self.place(end)
-
-    # what stretches, damps and loads
 
     def _laws(self):
         scene, self.drawn_lengths = self.scene, {}
@@ -253,10 +256,9 @@ class Figure:
     def stretch(self, name, words_, bodies):
         """How far a spring or damper is longer, or twisted further, than as drawn."""
         if "stretch" in words_:
-            others = [(sign, tree) for sign, tree in words.terms(self.tree(words_["stretch"]))]
             return sum(sign * (words.value(tree, {**self.parameters, **bodies.known}, self.literal)
                                - words.value(tree, {**self.parameters, **self.drawn_values}, self.literal))
-                       for sign, tree in others)
+                       for sign, tree in words.terms(self.tree(words_["stretch"])))
         if "torsion" in words_ or self._lumped(words_):
             one, two = (self._travel(end, bodies) for end in words_["between"])
             return two - one
@@ -294,24 +296,3 @@ class Figure:
                 turned = bodies[load["carrier"]].angle if "carrier" in load else None
                 found.append((load["force"], turned, list(bodies.place(load["at"]))))
         return found
-
-
-def _displacements(kind, motion):
-    """The texts that say how far a body moves."""
-    if motion is None:
-        return []
-    if kind == "move":
-        return motion["by"] if isinstance(motion, dict) else motion
-    if kind == "roll":
-        return [motion[key] for key in ("travel", "turn", "swing") if key in motion]
-    return [motion["by"] if isinstance(motion, dict) else motion]
-
-
-def merged(scene, case):
-    """A case over its scene: mappings key by key, all else replaced."""
-    def over(below, above):
-        if not (isinstance(below, dict) and isinstance(above, dict)):
-            return above
-        return {**below, **{key: over(below.get(key), value) for key, value in above.items()}}
-
-    return over({k: v for k, v in scene.items() if k not in ("cases",)}, scene["cases"][case]) if case else scene

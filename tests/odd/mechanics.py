@@ -22,10 +22,10 @@ def rest(figure):
     return [zero] * len(found), found, [zero] * len(found)
 
 
-def residual(figure, state, t=None, damped=True, guess=None):
+def residual(figure, state, t=None, damped=True, parts=None):
     """What is left of the equations in a state; loads of the time act where `t` is given."""
     n = len(state.q)
-    parts = figure.parts([*state.q, *state.u], guess)
+    parts = parts or figure.parts([*state.q, *state.u])
     rates = np.array([*state.v, *state.u1])
     second = np.array([*state.a, *state.u2])
     left = 0 * rates[:n]
@@ -98,7 +98,7 @@ def slopes(function, values):
     return np.array(columns).T if columns else np.zeros((len(function(values)), 0))
 
 
-def equilibrium(figure, start):
+def equilibrium(figure, start, close=1e-14):
     """The zero of the forces that Newton's method reaches, its steps kept short; None where it reaches none."""
     q = list(start)
 
@@ -115,7 +115,7 @@ def equilibrium(figure, start):
         longest = max(abs(step) for step in change)
         shrink = min(1, 0.2 / longest) if longest else 1
         q = [value - shrink * step for value, step in zip(q, change, strict=True)]
-        if longest <= 1e-14:
+        if longest <= close:
             return q
     return None
 
@@ -141,7 +141,7 @@ def accelerations(figure, t, q, v, guess=None):
     state = State(list(q), list(v), zero, u, u1, u2)
     parts = figure.parts([*q, *u], guess)
     mass = sum(w * np.outer(jet.g[:n], jet.g[:n]) for w, jet in parts.inertias)
-    return np.linalg.solve(mass, -residual(figure, state, t, guess=guess))
+    return np.linalg.solve(mass, -residual(figure, state, t, parts=parts))
 
 
 def energies(figure, state, guess=None):

@@ -38,6 +38,9 @@ class Sweep:
             if refusal.code == 101:
                 self.disagreements.append((seed, [sentence(refusal)]))
             return
+        except (ArithmeticError, KeyError, ValueError) as error:
+            self.disagreements.append((seed, [f"not understood here: {error!r}"]))
+            return
         self.numbers += found.compared
         self.refusals.update(f"(in part) {sentence(refusal)}" for refusal in found.refusals)
         self.holding.update(draft.holds())

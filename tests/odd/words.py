@@ -13,7 +13,7 @@ UNIT = r"[A-Za-z%]+(?:\^\d+)?"
 NUMBER = re.compile(rf"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?)(?:\s+({UNIT}(?:[*/]{UNIT})*))?")
 FUNCTIONS = {"sin": jets.sin, "cos": jets.cos, "exp": jets.exp, "sqrt": jets.sqrt, "abs": jets.magnitude,
              "sign": jets.sign, "step": jets.step, "ramp": jets.ramp, "square": jets.square,
-             "sawtooth": jets.sawtooth, "tanh": jets.tanh, "atan": jets.atan}
+             "sawtooth": jets.sawtooth, "tanh": jets.tanh, "atan": jets.atan, "atan2": lambda y, x: jets.polar(x, y)}
 
 
 def _literal(match):
@@ -36,8 +36,11 @@ def read(text):
 
 
 def names(tree):
-    called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
-    return [node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and id(node) not in called]
+    """The names in a tree, functions left out; kept on the tree."""
+    if not hasattr(tree, "names"):
+        called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+        tree.names = [node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and id(node) not in called]
+    return tree.names
 
 
 def calls(tree, name):
