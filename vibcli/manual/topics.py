@@ -298,6 +298,7 @@ PATIENCE = [
          "a millionth of the motion is stepped over where it would take more, and is part of the errors of what is "
          "printed. A motion that would need ten times as many steps as it may take is stopped after some thousand. Up "
          "to where it has come its values are known."),
+        ("choose", "30000 steps, each a look at the conditions, or a step of what these need."),
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
          "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
          "bounds, of three coordinates at 20000."),
