@@ -75,7 +75,9 @@ def joined(row, times, write, minus="-"):
     parts = []
     for value, symbol in row:
         sign = (minus if value < 0 else "") if not parts else (f" {minus} " if value < 0 else " + ")
-        factor = "" if abs(value) == 1 else f"{abs(value):.6g}{times}"
+        size = f"{abs(value):.6g}"
+        size = write.numeral(size) if write is latex else size      # 1.2e+06 is no number in LaTeX
+        factor = "" if abs(value) == 1 else f"{size}{times}"
         parts.append(f"{sign}{factor}{write(symbol)}")
     return "".join(parts) or "0"
 
