@@ -114,6 +114,19 @@ def test_frequency_responses(ask):
     assert stretch["antiresonances"] == [] and x["signal"] == "x"
 
 
+@pytest.mark.parametrize("asked, key", [("{response: {until: 2 s}}", "response"),
+                                        ("{frequency_response: {to: f}}", "frequency_response")])
+@pytest.mark.parametrize("force", ["F*sin(W*t)", "F*sin(W*sqrt(k/m)*t)"])
+def test_responses_that_find_asks_of_a_scene_in_letters(ask, asked, key, force):
+    loaded = f"forces: {{f: {{at: a, force: {force}}}}}\nfind: [equations, {asked}]\n"
+    text = SYMBOLS.replace("c: }", "c: , F: , W: }") + loaded
+    data = ask(text)
+    well_formed(data, "solve")
+    assert data[key] is None
+    rate = "W: 1" if "sqrt" in force else "W: 3 rad/s"
+    assert ask(SCENE.replace("s/m}", f"s/m, F: 1 N, {rate}}}") + loaded)[key]
+
+
 @pytest.mark.parametrize("command", KEYS)
 @pytest.mark.parametrize("text", [SCENE, SYMBOLS, UPRIGHT], ids=["numbers", "symbols", "unstable"])
 def test_keys(ask, command, text):

@@ -148,7 +148,8 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
         from vibcli.report.wanted import Wanted
 
         for word in asked:
-            found[word] = getattr(response_data, word + "_data")(problem, wanted or Wanted())
+            beside = word not in parts and problem.symbolic     # of letters `find` asks formulas, which texts have
+            found[word] = None if beside else getattr(response_data, word + "_data")(problem, wanted or Wanted())
     if words := [word for word in sections if word in INSIGHT]:
         from vibcli.report.insight_data import insight_data
 

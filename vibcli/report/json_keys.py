@@ -89,7 +89,7 @@ KEYS = {
     "damped[].growth_rate": "growth rate re where it grows; else null",
     "damped[].shape": "{coordinate: amplitude}, a number or [re, im]",
     "damped[].error": "bound of the relative error of the eigenvalue",
-    "response": "of `vibcli response`, and where `find` asks: the motion in time",
+    "response": "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no value",
     "response.until": "its end, in s",
     "response.initial": "{coordinate, or velocity x': value at t = 0}",
     "response.signals": "a list, one entry to each signal",
@@ -106,7 +106,8 @@ KEYS = {
     "response.signals[].steady[].phase": "its θ in X sin(Omega t − θ), or as --phase says",
     "response.balance": "what the energies of an integrated motion fail to balance by, relative to the largest; null "
                         "of small oscillations",
-    "frequency_response": "of `vibcli frf`, and where `find` asks: a list, one entry to each signal",
+    "frequency_response": "of `vibcli frf`, and where `find` asks: a list, one entry to each signal; null where "
+                          "symbols have no value",
     "frequency_response[].signal": "the signal as written",
     "frequency_response[].input": "the name of the input",
     "frequency_response[].unit": "unit of the signal over that of the input",
