@@ -57,6 +57,8 @@ def find_equilibrium(problem, start):
         steps += 1
         if search.far(q):
             raise search.unbounded(q)
+        if steps > STEPS and search.relative(numbers) <= 1e-9:
+            break       # there but for rounding
         if steps > STEPS:
             raise search.unbounded(q) if problem.conservative else search.unfinished(q)
         q, numbers, size, moved = step(q, numbers, size)
