@@ -1,58 +1,64 @@
-"""Work within a time: late work is given up, no timer stays, interrupts get through."""
+"""Work within a number of calls: what takes more is given up, the same on every machine; nothing is left behind."""
 
 import signal
+import sys
 import threading
-from itertools import count
 
 import pytest
+from counting import calls
 
-from vibcli.algebra.bounded import SMALL, within
+from vibcli.algebra.bounded import within
 
-SOON, NEVER = 0.02, 3600
+FEW, MANY = 100, 10**9
+
+
+def step():
+    return 1
 
 
 def forever():
-    for _ in count():
-        pass
-
-
-def running():
-    return signal.getitimer(signal.ITIMER_REAL)[0]
+    while True:
+        step()
 
 
 @pytest.fixture(autouse=True)
-def no_timer_is_left():
-    before = signal.getsignal(signal.SIGALRM), running()
+def no_tracing_is_left():
+    before = sys.gettrace()
     yield
-    assert (signal.getsignal(signal.SIGALRM), running()) == before
+    assert sys.gettrace() is before
 
 
-def test_work_in_time():
-    assert within(NEVER, lambda: 3, None) == 3
+def test_work_that_is_done():
+    assert within(MANY, lambda: 3, None) == 3
 
 
-def test_late_work_is_given_up():
-    assert within(SOON, forever, "late") == "late"
+@pytest.mark.parametrize("allowed", [10, 100])
+def test_work_is_given_up_after_so_many_calls(allowed):
+    done = []
+    assert within(allowed, lambda: [done.append(step()) for _ in range(1000)], "given up") == "given up"
+    assert allowed - 3 <= len(done) <= allowed
+    assert within(1003, lambda: sum(step() for _ in range(500)), "given up") == 500
 
 
 def test_the_nearer_end_counts():
-    assert within(SOON, lambda: within(NEVER, forever, "inner"), "outer") == "outer"
-    assert within(NEVER, lambda: within(SOON, forever, "inner"), "outer") == "inner"
+    assert within(FEW, lambda: within(MANY, forever, "inner"), "outer") == "outer"
+    assert within(MANY, lambda: within(FEW, forever, "inner"), "outer") == "inner"
 
 
 def test_the_outer_end_still_comes_after_an_inner_one():
     def work():
-        within(SOON, forever, None)
+        within(FEW, forever, None)
         forever()
-    assert within(10 * SOON, work, "outer") == "outer"
-    assert within(NEVER, lambda: [within(SOON, forever, i) for i in range(3)], None) == [0, 1, 2]
+    assert within(10 * FEW, work, "outer") == "outer"
+    assert within(MANY, lambda: [within(FEW, forever, i) for i in range(3)], None) == [0, 1, 2]
+    assert within(2 * FEW, lambda: [within(FEW, forever, i) for i in range(3)], "outer") == "outer"
 
 
 def test_errors_get_through():
     with pytest.raises(ZeroDivisionError):
-        within(NEVER, lambda: 1 / 0, None)
+        within(MANY, lambda: 1 / 0, None)
     with pytest.raises(KeyboardInterrupt):
-        within(NEVER, lambda: signal.raise_signal(signal.SIGINT), None)
+        within(MANY, lambda: signal.raise_signal(signal.SIGINT), None)
 
 
 def test_what_catches_every_exception_does_not_catch_the_end():
@@ -61,33 +67,18 @@ def test_what_catches_every_exception_does_not_catch_the_end():
             forever()
         except Exception:
             return "caught"
-    assert within(SOON, work, "late") == "late"
+    assert within(FEW, work, "given up") == "given up"
 
 
-def test_a_timer_that_runs_already_keeps_its_handler():
-    rung = []
-    before = signal.signal(signal.SIGALRM, lambda *_: rung.append(True))
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 5 * SOON)
-        assert within(SOON, forever, "late") == "late"
-        assert 0 < running() <= 5 * SOON
-        while not rung:
-            pass
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+def test_whoever_traces_goes_on_tracing():
+    found, count = calls(within, MANY, lambda: [step() for _ in range(50)], None)
+    assert found == [1] * 50 and 50 <= count < 60
+    assert calls(within, FEW, forever, "given up")[0] == "given up"
 
 
-@pytest.mark.parametrize("size, expected", [(SMALL, "done"), (SMALL + 1, "late")])
-def test_other_threads_do_small_work_only(size, expected):
+def test_other_threads_are_bounded_too():
     found = []
-    thread = threading.Thread(target=lambda: found.append(within(NEVER, lambda: "done", "late", size)))
+    thread = threading.Thread(target=lambda: found.append(within(FEW, forever, "given up")))
     thread.start()
     thread.join()
-    assert found == [expected]
-
-
-def test_without_timers_only_small_work_is_done(monkeypatch):
-    monkeypatch.delattr(signal, "setitimer")
-    assert within(NEVER, lambda: "done", "late", SMALL) == "done"
-    assert within(NEVER, lambda: "done", "late", SMALL + 1) == "late"
+    assert found == ["given up"]

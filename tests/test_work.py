@@ -3,10 +3,13 @@
 import re
 from contextlib import suppress
 
+import click
 import pytest
+from scenes import problem
 
 from vibcli.analyses.trajectory import simulate
 from vibcli.cli import COMMANDS, progress, run
+from vibcli.cli.common import require_quick
 from vibcli.errors import PhysicsError
 from vibcli.mechanics import equilibria
 from vibcli.work import Spent, Work
@@ -127,3 +130,19 @@ def test_what_is_told_on_a_terminal(capsys, monkeypatch):
 
 def test_nothing_is_told_where_there_is_no_terminal():
     assert progress.teller() is None
+
+
+def test_the_patience_that_many_digits_ask_for_is_enough(tmp_path):
+    """The estimate depends on the scene alone; the refusal names the least --patience that passes."""
+    n = 60
+    text = "bodies:\n" + "".join(f"  b{i}: {{mass: 1 kg, slide: x{i}}}\n" for i in range(n)) + "springs:\n" + "".join(
+        f"  s{i}: {{k: 1 N/m, between: [{f'b{i - 1}' if i else 'ground'}, b{i}]}}\n" for i in range(n))
+    scene = problem(text)
+    with pytest.raises(click.UsageError) as refused:
+        require_quick(scene, 5000)
+    patience = int(re.search(r"--patience (\d+)", refused.value.message)[1])
+    scene.work.patience = patience
+    require_quick(scene, 5000)
+    scene.work.patience = patience - 1
+    with pytest.raises(click.UsageError):
+        require_quick(scene, 5000)

@@ -1,48 +1,38 @@
-"""Work within a time: some steps of computer algebra have no bound of their own."""
+"""Work of computer algebra, some steps of which have no bound of their own, within a number of calls.
 
-import signal
-import threading
-from time import monotonic
+Calls of functions written in Python are counted, not seconds, so that every machine gives up the same work.
+"""
 
-SMALL = 60      # where no timer can be set, only work of at most this size is done
-SHORTEST = 1e-3
+import sys
 
 
-class Late(BaseException):
-    """The time is over. No Exception, so that nothing on the way catches it by mistake."""
+class Spent(BaseException):
+    """The calls are used up. No Exception, so that nothing on the way catches it by mistake."""
 
 
-def within(seconds, work, otherwise, size=0):
-    """What `work()` gives, or `otherwise` where it takes longer.
+def within(calls, work, otherwise):
+    """What `work()` gives, or `otherwise` where it takes more calls.
 
-    Timers belong to the main thread. Elsewhere, and where the platform has none, the work is done without a bound if
-    its `size` (terms, say) is small. Within another call the nearer of the two ends counts. What the work imports is
-    imported before: an import that is broken off leaves modules half made.
+    Within another call the nearer of the two ends counts. What the work imports is imported before: an import that is
+    broken off leaves modules half made.
     """
     import sympy  # noqa: F401
 
-    if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
-        return work() if size <= SMALL else otherwise
-    left = signal.getitimer(signal.ITIMER_REAL)[0]
-    if 0 < left <= seconds:
-        return work()
-    late = Late()
+    outer, left, spent = sys.gettrace(), calls, Spent()
 
-    def ring(signum, frame):
-        raise late
+    def count(frame, event, arg):
+        nonlocal left
+        left -= 1
+        if left < 0:
+            raise spent
+        return outer and outer(frame, event, arg)
 
-    handler, started = signal.signal(signal.SIGALRM, ring), monotonic()
+    sys.settrace(count)
     try:
-        try:
-            signal.setitimer(signal.ITIMER_REAL, seconds)
-            return work()
-        finally:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-    except Late as error:
-        if error is not late:
+        return work()
+    except Spent as error:
+        if error is not spent:
             raise
         return otherwise
     finally:
-        signal.signal(signal.SIGALRM, handler)
-        if left:
-            signal.setitimer(signal.ITIMER_REAL, max(left - (monotonic() - started), SHORTEST))
+        sys.settrace(outer)

@@ -11,7 +11,7 @@ from vibcli.algebra.grouping import grouped, letters
 from vibcli.algebra.normal import textbook
 from vibcli.algebra.rationals import HALF, ONE
 
-SECONDS = 2.0       # for one factorisation
+CALLS = 4_000_000       # for one factorisation
 LONG = 100          # terms of a polynomial that is not written in factors
 
 
@@ -84,7 +84,7 @@ class Quotients:
     def factors(self, polynomial):
         """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring."""
         whole = polynomial.ring.domain(1), [(polynomial, 1)]
-        return within(SECONDS, polynomial.factor_list, whole, len(polynomial))
+        return within(CALLS, polynomial.factor_list, whole)
 
     def generator(self, atom, exponent=ONE):
         """The element that stands for an atom."""
@@ -137,7 +137,7 @@ def _atoms(nodes):
 
 def factored(node):
     """A quotient of polynomials cancelled and factored; the node itself where that takes too long."""
-    return within(2 * SECONDS, lambda: _factored(textbook(node)), node, letters(node))
+    return within(2 * CALLS, lambda: _factored(textbook(node)), node)
 
 
 def _factored(node):

@@ -16,7 +16,7 @@ from vibcli.algebra.rationals import HALF
 from vibcli.algebra.roots import root
 from vibcli.algebra.surds import Pair
 
-SECONDS = 4.0
+CALLS = 8_000_000
 
 
 class Solution:
@@ -32,7 +32,7 @@ def solutions(node, unknown, samples):
     """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
     node, = opened([node], unknown)
     node = textbook(node)
-    return within(SECONDS, lambda: _Condition(node, unknown, samples).solutions(), [], len(reachable([node])))
+    return within(CALLS, lambda: _Condition(node, unknown, samples).solutions(), [])
 
 
 class _Condition:

@@ -3,20 +3,22 @@
 A spring 10¹² times as stiff as another stretches by 10⁻¹² of the amplitudes; 18 of 30 digits are left of it.
 """
 
+import math
+
 from vibcli.analyses.digits import estimate_seconds
 from vibcli.analyses.spectrum import damped_modes, natural_modes
 from vibcli.errors import PhysicsError
 
 DIGITS, WORKING = 30, 60
 LARGEST = 80        # coordinates
-PATIENCE = 20       # seconds
+LONGEST = 20        # seconds, by an estimate that is the same on every machine
 SAME = 1e-24        # relative difference of repeated frequencies
 
 
 def sharp_modes(problem):
     """The modes of the system without its dampers, in numbers of mpmath with 30 correct digits."""
     elements = problem.elements
-    _require_quick(elements.n, any(elements.G.values()))
+    _require_quick(problem, any(elements.G.values()))
     return natural_modes(elements, problem.precise_elements, problem.exact_elements, digits=DIGITS)
 
 
@@ -26,20 +28,21 @@ def sharp_damped(problem):
     if elements.drag or elements.circulatory:
         raise PhysicsError("shares and sensitivities of damped modes are found where C and K are symmetric",
                            "see `vibcli frequencies` for the modes themselves")
-    _require_quick(elements.n, True)
+    _require_quick(problem, True)
     return damped_modes(elements, lambda: problem.sharp_modes, problem.precise_elements, problem.exact_elements,
                         digits=DIGITS)
 
 
-def _require_quick(n, damped):
-    hint = "see `vibcli frequencies` for the modes themselves"
+def _require_quick(problem, damped):
+    n, hint = problem.elements.n, "see `vibcli frequencies` for the modes themselves"
     if n > LARGEST:
         raise PhysicsError(f"shares, sensitivities and estimates are found for up to {LARGEST} coordinates; this scene "
                            f"has {n}", hint)
-    seconds = estimate_seconds(n, DIGITS, damped)
-    if seconds > PATIENCE:
+    seconds, limit = estimate_seconds(n, DIGITS, damped), LONGEST * problem.work.patience
+    if seconds > limit:
         raise PhysicsError(f"the damped modes of {n} coordinates take about {seconds:.0f} s to the digits that shares "
-                           f"and sensitivities need; the limit is {PATIENCE} s", hint)
+                           f"and sensitivities need; the limit is {limit} s",
+                           f"--patience {math.ceil(seconds / LONGEST)} allows it")
 
 
 def coinciding(modes):

@@ -2,7 +2,7 @@
 
 Denominators that hold x are cleared, a root of a sum that holds x is isolated and squared: A + B √S = 0 gives
 A² − B² S = 0. Powers of one power of x are roots of degree one and two; factors of more and equations of other kinds
-are left to SymPy, within SECONDS. Clearing and squaring add roots that are none: every candidate has to be tried.
+are left to SymPy, within so many CALLS. Clearing and squaring add roots that are none: every candidate has to be tried.
 """
 
 from fractions import Fraction
@@ -20,7 +20,7 @@ from vibcli.algebra.rationals import HALF, ONE, ZERO
 from vibcli.algebra.roots import root as square_root
 from vibcli.analyses.angles import angles
 
-SECONDS = 4.0
+CALLS = 8_000_000
 VANISHING, MOST_ROOTS, MOST_RADICALS = 1e-12, 12, 3
 
 
@@ -45,7 +45,7 @@ def solve_equation(node, x, scene, thorough=False):
     terms = polynomial(node, x)
     if terms is None:
         found = _angles(node, x, scene)
-        return within(SECONDS, lambda: _by_sympy(node, x, scene), None) if not found and thorough else found
+        return within(CALLS, lambda: _by_sympy(node, x, scene), None) if not found and thorough else found
     terms = {e: c for e, c in terms.items() if not vanishes(c, scene.sample)}
     if not terms:
         return Candidates([], True, True)
@@ -93,7 +93,7 @@ def _power_roots(coefficients, scene, thorough):
         return [single(-coefficients[1] / coefficients[0])], True
     if len(coefficients) == 3:
         return list(dict.fromkeys(quadratic_roots(coefficients, scene.sample))), True
-    found = within(SECONDS, lambda: _factored(coefficients, scene), None) if thorough else None
+    found = within(CALLS, lambda: _factored(coefficients, scene), None) if thorough else None
     return found or ([], False)
 
 

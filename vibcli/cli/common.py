@@ -3,6 +3,7 @@
 import os
 import sys
 from functools import reduce
+from math import ceil
 from time import perf_counter
 
 import click
@@ -193,16 +194,17 @@ def show_timings(problems):
 
 
 def require_quick(problem, digits):
-    """Refuse --digits where it would take long, with the estimated time."""
+    """Refuse --digits where it would take long, by an estimate that is the same on every machine."""
     if digits is None:
         return
     from vibcli.analyses.digits import estimate_seconds
 
     spec = problem.spec
     damped = any(section in spec.sections for section in ("dampers", "energies", "matrices"))
-    seconds = estimate_seconds(len(spec.coordinates), digits, damped)
-    if seconds > 60:
+    seconds, limit = estimate_seconds(len(spec.coordinates), digits, damped), 60 * problem.work.patience
+    if seconds > limit:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
-                               f"{seconds:.0f} s; the limit is 60 s: ask for fewer digits")
+                               f"{seconds:.0f} s; the limit is {limit} s: ask for fewer digits, or allow more with "
+                               f"--patience {ceil(seconds / 60)}")
 
 

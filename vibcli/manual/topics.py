@@ -302,7 +302,11 @@ PATIENCE = [
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
          "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
          "bounds, of three coordinates at 20000."),
+        ("--digits, shares", "60 s, as estimated from the number of coordinates and digits alone; 20 s for shares, "
+         "sensitivities and estimates."),
     ],
+    "Closed forms are given up after some millions of calls of functions within computer algebra, whatever N: numbers "
+    "are given instead.",
 ]
 
 TOPICS = {

@@ -1,16 +1,15 @@
 """The characteristic polynomial det(K − λM + iωG), λ = ω², of a block: factored, its roots and null vectors.
 
-SymPy's steps are bounded in time: a polynomial that is not factored is taken whole.
+SymPy's steps are bounded in calls: a polynomial that is not factored is taken whole.
 """
 
 from vibcli.algebra.bounded import within
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import reachable
 from vibcli.algebra.polynomials import Quotients
 from vibcli.analyses.letters.extension import Extension
 from vibcli.analyses.letters.solutions import solutions
 
-SECONDS, LARGEST = 3.0, 6
+CALLS, LARGEST = 6_000_000, 6
 
 
 class Characteristic:
@@ -18,10 +17,10 @@ class Characteristic:
 
     def __init__(self, table, n, matrices, sample):
         nodes = [node for matrix in matrices for node in matrix.values()]
-        self.sample, self.quotients, self.size = sample, Quotients(table, nodes), len(reachable(nodes))
+        self.sample, self.quotients = sample, Quotients(table, nodes)
         self.M, self.C, self.G, self.K = ([[self._element(matrix, i, j) for j in range(n)] for i in range(n)]
                                           for matrix in matrices)
-        polynomial = within(SECONDS, self._determinant, None, self.size)
+        polynomial = within(CALLS, self._determinant, None)
         self.factors = self._split(polynomial) if polynomial else []
 
     def _element(self, matrix, i, j):
@@ -52,10 +51,10 @@ class Characteristic:
     def roots(self, modulus):
         """The solutions of a factor, None where there are none that are short."""
         turns = any(map(any, self.G))
-        return within(SECONDS, lambda: solutions(self.quotients, modulus, self.sample, turns), None, self.size)
+        return within(CALLS, lambda: solutions(self.quotients, modulus, self.sample, turns), None)
 
     def null_vectors(self, modulus):
-        """A basis of (K − λM) x = 0 as elements of F[λ]/(modulus); none where it takes too long, or where G turns."""
+        """A basis of (K − λM) x = 0 as elements of F[λ]/(modulus); none where that takes too long, or where G turns."""
         if any(map(any, self.G)):
             return []
         field = Extension(self.quotients.field, modulus)
@@ -67,7 +66,7 @@ class Characteristic:
                 return field.null_vectors(rows)
             except (IndexError, ZeroDivisionError):     # the polynomial was not factored
                 return []
-        return within(SECONDS, work, [], self.size)
+        return within(CALLS, work, [])
 
     def polynomial(self, modulus):
         """The coefficients of an unsolved factor from the highest, as nodes."""

@@ -10,7 +10,7 @@ from vibcli.analyses.letters.forms import ClosedForms
 from vibcli.analyses.letters.patterns import two_coordinates
 from vibcli.analyses.letters.samples import confirmed, damping_confirmed, roots_in_numbers, samples, shape_confirmed
 
-MOST, SECONDS = 12, 8.0     # coordinates; for all blocks together
+MOST, CALLS = 12, 16_000_000      # coordinates; for all blocks together
 
 
 def several(problem, M, C, G, K):
@@ -26,7 +26,7 @@ def several(problem, M, C, G, K):
     def solved():
         return [block_modes(table, n, part, congruent(table, damping, part.columns), values) for part in parts]
 
-    found = within(SECONDS, solved, [], n)
+    found = within(CALLS, solved, [])
     modes, left = [mode for part, _ in found for mode in part], [rest for _, part in found for rest in part]
     if not found or not confirmed(modes, left, candidates):
         return None
