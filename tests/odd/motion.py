@@ -4,7 +4,6 @@ from itertools import pairwise
 
 import numpy as np
 from scipy.integrate import solve_ivp
-from scipy.linalg import expm
 
 from . import jets, words
 from .mechanics import accelerations, at_rest
@@ -61,7 +60,7 @@ def small_motion(figure, small, start, times):
         h = (end - t) / pieces
         if h > 1e-13:
             spans = (1 - NODES) * h / 2
-            whole, within = expm(A * h), expm(A * spans[:, None, None])
+            whole, within = exponential(A * h), exponential(A * spans[:, None, None])
             for i in range(pieces):
                 at_nodes = np.array([load(t + i * h + (1 + x) * h / 2) for x in NODES])
                 state = whole @ state + np.einsum("k,kij,kj->i", WEIGHTS * h / 2, within, at_nodes)
@@ -71,6 +70,19 @@ def small_motion(figure, small, start, times):
         if end in times:
             found.append(state.copy())
     return [(np.array(small.q) + x[:n], x[n:]) for x in found]
+
+
+def exponential(A):
+    """exp(A) of a small matrix, or of each of several, by Taylor's series of A/2ⁿ and n squarings."""
+    halvings = max(0, int(np.ceil(np.log2(max(np.abs(A).sum(axis=-1).max(), 1e-9)))) + 1)
+    A = A / 2.0**halvings
+    term = total = np.eye(A.shape[-1]) + 0 * A
+    for k in range(1, 17):              # ‖A‖ ≤ 1/2: what is left is 1e-20
+        term = term @ A / k
+        total = total + term
+    for _ in range(halvings):
+        total = total @ total
+    return total
 
 
 def _fastest(figure):
@@ -142,7 +154,7 @@ def _struck(figure, state, t):
     return _blow(figure, np.linalg.inv(mass), _along(figure, parts), t)
 
 
-def full_motion(figure, start, times, rtol=1e-11):
+def full_motion(figure, start, times, rtol=1e-9):
     """(q, q') at ascending times by the full equations."""
     n = len(figure.independent)
     state, found = np.array(start, dtype=float), []
@@ -157,7 +169,7 @@ def full_motion(figure, start, times, rtol=1e-11):
     stops = sorted({*breaks(figure, times[-1]), *times})
     for begin, end in pairwise(stops):
         inner = 1e-15 * max(1.0, end)       # a step has its value to the right of it
-        solved = solve_ivp(rates, (begin, end - inner), state, "DOP853", rtol=rtol, atol=1e-13)
+        solved = solve_ivp(rates, (begin, end - inner), state, "DOP853", rtol=rtol, atol=1e-12)
         state = solved.y[:, -1]
         state = state + _struck(figure, state, end)
         if end in times:

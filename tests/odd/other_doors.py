@@ -98,7 +98,7 @@ def cases(comparison):
     scene["parameters"][name] = f"{1.07 * float(size):.6g} {unit}"
     path = comparison.path.with_name("cases.yaml")
     path.write_text(yaml.safe_dump(scene, sort_keys=False, default_flow_style=None, width=1000), encoding="utf-8")
-    same(comparison, doors.data("solve", path)["cases"]["as drawn"], "case: ")
+    same(comparison, doors.data("frequencies", path)["cases"]["as drawn"], "case: ")
 
 
 def digits(comparison):
