@@ -1,5 +1,6 @@
 """The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
 
+from contextlib import suppress
 from functools import cached_property
 
 from vibcli.algebra.evaluate import evaluate
@@ -99,17 +100,42 @@ class FullMotion(StatesInTime):
             raise PhysicsError("it is not known how long this motion is to be looked at",
                                "say until when: find: [{response: {until: 10 s}}]") from None
 
-    def period(self, tree):
-        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
-        from vibcli.analyses.trajectory.period import exact_period
-        from vibcli.analyses.trajectory.repetition import searched_period
+    def by_quadrature(self, tree):
+        """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
+        if tree[0] == "name" and tree[3] in self.problem.scene.coordinates and not tree[4]:
+            return self._exact_period
+        return None
+
+    @cached_property
+    def _exact_period(self):
+        import mpmath
+
+        from vibcli.algebra.evaluate import multiprecision
+        from vibcli.analyses.trajectory.period import DIGITS, exact_period
 
         problem = self.problem
-        if tree[0] == "name" and tree[3] in problem.scene.coordinates and not tree[4]:
-            name = tree[3]
-            found = exact_period(problem.scene, problem.floats, problem.start[0][name], problem.start[1][name])
-            if found is not None:
-                return found
+        if len(problem.scene.coordinates) != 1:
+            return None
+        with mpmath.workdps(DIGITS):
+            values = problem.values(multiprecision())
+            (q,), (v,) = self._precise_start(values)
+        return exact_period(problem.scene, values, q, v)
+
+    def _precise_start(self, values):
+        """The places and velocities at t = 0, to more digits than floats have where they are given."""
+        from vibcli.precise_motion import start
+
+        q, v = self.problem.start
+        with suppress(PhysicsError):
+            q, v = start(self.problem, values, q)
+        return q.values(), v.values()
+
+    def period(self, tree):
+        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
+        from vibcli.analyses.trajectory.repetition import searched_period
+
+        if self.by_quadrature(tree) is not None:
+            return self._exact_period[0]
         try:
             first = self.until
         except PhysicsError:

@@ -29,8 +29,12 @@ def measure_response(problem, tree):
 
 def _doubt(problem, tree, value):
     """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
-    others that of the motion up to the instant that is found, or up to its end."""
-    if problem.motion.KIND != "full" or not problem.motion.integrated:
+    others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
+    if problem.motion.KIND != "full":
+        return 0.0
+    if tree[4] == "period" and problem.motion.by_quadrature(tree[7][0]) is not None:
+        return problem.motion.by_quadrature(tree[7][0])[1]
+    if not problem.motion.integrated:
         return 0.0
     if tree[4] == "value":
         instant = number_of(problem, tree[7][1])

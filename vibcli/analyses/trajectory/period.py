@@ -1,6 +1,7 @@
 """The period of the actual motion of one conservative degree of freedom, by quadrature.
 
-½ m(q) q̇² + V(q) = E between the places q₁ < q₂ at which it comes to rest, so T = 2 ∫ √(m/(2(E − V))) dq. With
+½ m(q) q̇² + V(q) = E between the places q₁ < q₂ at which it comes to rest, so T = 2 ∫ √(m/(2(E − V))) dq. Where V
+is known in letters this is found to more digits than floats have (precise_period.py), else from V′ alone: with
 q = (q₁ + q₂)/2 + (q₂ − q₁)/2 sin θ the integrand is smooth and periodic in θ, and the midpoint rule converges with
 every power; E − V is found as an integral of −V′ from the nearer end, where the difference would lose its digits.
 """
@@ -11,30 +12,77 @@ import numpy as np
 from numpy.polynomial.legendre import leggauss
 
 from vibcli.algebra.calculus import gradient
+from vibcli.analyses.trajectory.precise_period import DIGITS, Energies, period_between
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.compiled import SWITCHED, Compiled
 from vibcli.mechanics.dynamics import dynamics
 from vibcli.mechanics.energies import effective_potential
 
 FIRST, MOST = 16, 1 << 15
-ACCURACY, ENOUGH = 1e-14, 1e-9
+ACCURACY, ENOUGH, ROUNDING, EPS = 1e-14, 1e-9, 1e-14, 2.0**-52
 INNER, MOST_PARTS = 40, 64
 STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring would go
 FARTHER = 0.05                # of the way gone and of q, if more: near an unstable place a spring says little
 
 
-def exact_period(scene, floats, q, v):
-    """The period [s] of the motion from (q, v); None where the scene has several coordinates, or is not conservative.
+def exact_period(scene, values, q, v):
+    """(period [s], relative error) of the motion from (q, v); None where the scene has several coordinates, or is not
+    conservative. Numbers may be floats or mpmath's.
 
     PhysicsError where the motion does not come back."""
+    import mpmath
+
     if len(scene.q) != 1 or not _conservative(scene):
         return None
-    slope, inertia = _functions(scene, floats)
+    slope, inertia = _functions(scene, {name: float(value) for name, value in values.items()})
+    with mpmath.workdps(DIGITS):
+        energies, place = Energies(scene, values), mpmath.mpf(q)
+        if energies.known_at(place):
+            level, m = energies(place)
+            speed = m * mpmath.mpf(v) ** 2 / 2
+            left, right = (_turn(slope, energies.gain, place, speed, side) for side in (-1, 1))
+            _require_way(left, right)
+            return period_between(energies, level + speed, left, _bottom(slope, left, right), right), ROUNDING
+    return _of_forces(slope, inertia, float(q), float(v))
+
+
+def _of_forces(slope, inertia, q, v):
+    """(period, relative error) from V′ and m alone, in floats."""
+    def gain(start, end):
+        return float(_integrals(slope, np.array([start]), np.array([end - start]))[0])
+
     speed = 0.5 * inertia(np.array([q]))[0] * v * v
-    ends = [_turn(slope, q, speed, side) for side in (-1, 1)]
-    middle, reach = 0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0])
-    if not reach:
+    left, right = (_turn(slope, gain, q, speed, side) for side in (-1, 1))
+    _require_way(left, right)
+    found, change = _by_midpoints(slope, inertia, left, right)
+    wider = left - _known_to(slope, left, right), right + _known_to(slope, right, left)
+    moved, _ = _by_midpoints(slope, inertia, *wider)
+    return found, ROUNDING + change + 2 * abs(moved / found - 1)
+
+
+def _bottom(slope, left, right):
+    """A place at which V stops falling, between two at which the motion turns round."""
+    for _ in range(200):
+        middle = (left + right) / 2
+        left, right = (left, middle) if float(slope(np.array([float(middle)]))[0]) >= 0 else (middle, right)
+    return middle
+
+
+def _require_way(left, right):
+    if left == right:
         raise PhysicsError("the scene is at rest: its motion has no period", "give it an `initial` state")
+
+
+def _known_to(slope, end, other):
+    """How well the place of an end is known, from the rounding of what V gains on the way to it."""
+    places = np.linspace(other, end, 64)
+    force = np.abs(slope(places))
+    return EPS * (abs(end) + abs(end - other) * float(force.mean()) / max(float(force[-1]), 1e-300))
+
+
+def _by_midpoints(slope, inertia, left, right):
+    """(period, relative change at the last doubling of the points)."""
+    middle, reach = 0.5 * (left + right), 0.5 * (right - left)
     points, before, found, change = FIRST, np.inf, 0.0, np.inf
     while points <= MOST:
         theta = (np.arange(points) + 0.5) * (math.pi / points) - 0.5 * math.pi
@@ -44,10 +92,10 @@ def exact_period(scene, floats, q, v):
             found = 2 * math.pi / points * np.sum(reach * np.cos(theta) * np.sqrt(inertia(q_theta) / (2 * drops)))
         last, change = change, abs(found - before)
         if change <= ACCURACY * found or (change <= ENOUGH * found and change > 0.25 * last):
-            return float(found)
+            return float(found), float(change / found)
         points, before = 2 * points, found
     if change <= ENOUGH * found:
-        return float(found)
+        return float(found), float(change / found)
     raise PhysicsError("the period of this motion is not found: it comes to rest only in the limit",
                        "start it a little off the unstable equilibrium")
 
@@ -72,21 +120,16 @@ def _functions(scene, floats):
     return part(0), part(1)
 
 
-def _gain(slope, start, end):
-    """V(end) − V(start)."""
-    return float(_integrals(slope, np.array([start]), np.array([end - start]))[0])
-
-
-def _turn(slope, q, speed, side):
+def _turn(slope, gain, q, speed, side):
     """Where the motion comes to rest on one side: V(q*) = V(q) + speed."""
-    force = float(slope(np.array([q]))[0])
+    force = float(slope(np.array([float(q)]))[0])
     if not speed and side * force >= 0 and force:
         return q
-    scale = _scale(slope, q, speed)
+    scale = _scale(slope, float(q), float(speed))
     low, high, gained, step = q, None, 0.0, scale
     for _ in range(STEPS):
         trial = _not_beyond_a_top(slope, low, low + side * step, side)
-        more = _gain(slope, low, trial)
+        more = gain(low, trial)
         if gained + more >= speed and (speed or gained + more > 0):
             high = trial
             break
@@ -97,10 +140,10 @@ def _turn(slope, q, speed, side):
     if high is None:
         raise PhysicsError("this motion does not come back: nothing turns it round", "ask for x at a time")
     for _ in range(200):
-        middle = 0.5 * (low + high)
+        middle = (low + high) / 2
         if middle in (low, high):
             break
-        more = _gain(slope, low, middle)
+        more = gain(low, middle)
         if gained + more >= speed:
             high = middle
         else:
@@ -111,12 +154,12 @@ def _turn(slope, q, speed, side):
 def _not_beyond_a_top(slope, low, trial, side):
     """The trial, or the greatest V on the way to it where that lies between."""
     def climbs(q):
-        return side * float(slope(np.array([q]))[0]) > 0
+        return side * float(slope(np.array([float(q)]))[0]) > 0
 
     if climbs(trial) or not climbs(low):
         return trial
     for _ in range(200):
-        middle = 0.5 * (low + trial)
+        middle = (low + trial) / 2
         if middle in (low, trial):
             break
         low, trial = (middle, trial) if climbs(middle) else (low, middle)
