@@ -8,11 +8,13 @@ import argparse
 import ast
 import os
 import random
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from itertools import product
 from pathlib import Path
 from queue import Queue
 from typing import NamedTuple
@@ -20,30 +22,48 @@ from typing import NamedTuple
 PROJECT = Path(__file__).resolve().parent.parent
 TOOLS = ("vibcli/bench", "vibcli/manual")       # measured by being run, and texts
 PICTURES = ("vibcli/report/drawing", "vibcli/report/plots")
-SCENES = ("scene", "constraints", "trials", "places", "bad", "derivations")
+SCENES = ("wrong_nodes", "places", "springs", "scene", "driven", "constraints", "named_places", "trials", "bad")
+EVERYTHING = ("derivations", "kane", "linearisation", "odd")    # all problem files, or many random scenes
 ROOMS = {       # the files of a room: its tests, the quick ones first; the longest prefix counts
-    "vibcli/algebra": ("expressions", "algebra", "jumps", "bounded", "lagrange", "closed_forms", "trials", "bad"),
-    "vibcli/analyses/forcing": ("pulses", "forcing", "records", "curves", "response", "response_answers", "trials"),
-    "vibcli/analyses/response": ("response", "response_answers", "states", "curves", "precise_motion", "trials"),
-    "vibcli/analyses/frequency": ("frequency", "response_answers", "curves", "plots", "responses_in_letters", "trials"),
-    "vibcli/analyses/letters": ("closed_forms", "responses_in_letters", "derivations"),
-    "vibcli/analyses/trajectory": ("trajectory", "motion_routes", "laws", "response_answers", "trials", "work"),
-    "vibcli/analyses": ("bounds", "zeros", "damped", "modal", "circulatory", "flutter", "gyroscopic", "insight",
-                        "closed_forms", "inverse", "curves", "trials"),
-    "vibcli/elements": SCENES,
-    "vibcli/scene": (*SCENES, "laws", "springs", "kane"),
-    "vibcli/mechanics": ("lagrange", "springs", "laws", "equilibrium", "equilibria", "special_equilibria", "outputs",
-                         "constraints", "insight", "trials", "derivations", "kane"),
-    "vibcli/inverse": ("inverse", "trials", "bad", "inverse_planted"),
-    "vibcli/report/drawing": ("drawing",),
+    "vibcli/algebra": ("expressions", "algebra", "jumps", "bounded", "lagrange", "proof", "pulses", "formulas", "units",
+                       "cycles", "zeros", "closed_forms", "trials", "bad"),
+    "vibcli/analyses/forcing": ("jumps", "pulses", "forcing", "records", "massless", "signal_table", "response_answers",
+                                "trials", "curves", "response"),
+    "vibcli/analyses/response": ("states", "precise_motion", "massless", "decay", "signal_table", "response_answers",
+                                 "curves", "trials", "response", "motion_routes", "printed_digits"),
+    "vibcli/analyses/frequency": ("frequency", "outputs", "signal_table", "responses_in_letters", "response_answers",
+                                  "curves", "plots", "trials"),
+    "vibcli/analyses/letters": ("closed_forms", "responses_in_letters", "inverse_in_letters", "decay", "json",
+                                "derivations"),
+    "vibcli/analyses/trajectory": ("period", "stiff", "states", "work", "chaos", "sticking", "trajectory", "laws",
+                                   "driven", "trials", "motion_routes", "signal_table"),
+    "vibcli/analyses": ("bounds", "zeros", "modal", "circulatory", "flutter", "gyroscopic", "degenerate", "decay",
+                        "without_inertia", "massless", "damped", "insight", "closed_forms", "printed_digits",
+                        "inverse_margin", "inverse", "curves", "trials"),
+    "vibcli/elements": (*SCENES, "laws", "records", "manual", "cycles", "inverse", *EVERYTHING),
+    "vibcli/scene": (*SCENES, "laws", "cycles", "without_units", "degenerate", *EVERYTHING),
+    "vibcli/mechanics": ("lagrange", "springs", "laws", "forces_along", "equilibrium", "nearest", "degenerate", "jumps",
+                         "at_rest_with_friction", "sticking", "without_inertia", "special_equilibria", "states",
+                         "proof", "stages", "equilibria", "outputs", "massless", "constraints", "driven", "insight",
+                         "trials", "inverse_folds", "printed_digits", *EVERYTHING),
+    "vibcli/inverse": ("inverse_regimes", "inverse_folds", "inverse_in_letters", "inverse_margin", "inverse", "trials",
+                       "bad", "responses_in_letters", "inverse_planted"),
+    "vibcli/report/drawing": ("mode_pictures", "drawing"),
     "vibcli/report/plots": ("plots",),
-    "vibcli/report": ("reports", "closed_forms", "json", "responses_in_letters", "insight", "readme", "trials"),
-    "vibcli/cli": ("check", "reports", "plots", "drawing", "hostile", "work", "bad", "readme"),
-    "vibcli": ("document", "expressions", "check", "records", "outputs", "signal_table", "response_answers",
-               "motion_routes", "trials", "bad", "manual", "json", "derivations"),
+    "vibcli/report": ("formulas", "reports", "printed_digits", "at_rest_with_friction", "closed_forms", "degenerate",
+                      "responses_in_letters", "massless", "insight", "readme", "curves", "trials", "json",
+                      "responses_everywhere"),
+    "vibcli/cli": ("hints", "written_files", "interrupt", "check", "reports", "curves", "plots", "drawing", "work",
+                   "bad", "readme", "streams", "json", "hostile"),
+    "vibcli": ("document", "wrong_nodes", "expressions", "units", "cycles", "check", "records", "without_units",
+               "outputs", "states", "signal_table", "named_places", "jumps", "stages", "response_answers", "bad",
+               "trials", "json", "document_fuzz", "insight", "inverse", "curves", "motion_routes", "manual",
+               "derivations"),
 }
+NO_ROOM = ("fuzz", "fuzz_responses", "imports", "mujoco")       # nothing gets lost in them that others do not notice
 COMPARED = {ast.Lt: ">=", ast.LtE: ">", ast.Gt: "<=", ast.GtE: "<", ast.Eq: "!=", ast.NotEq: "==",
             ast.In: "not in", ast.NotIn: "in", ast.Is: "is not", ast.IsNot: "is"}
+QUICK = {"OPENBLAS_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": ""}     # one thread; modules are compiled once
 REPLACED = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*", ast.Pow: "*"}
 
 
@@ -98,7 +118,7 @@ def _of(node, file, data, place, between):
     elif isinstance(node, ast.BoolOp):
         yield between(*node.values[:2], "or" if isinstance(node.op, ast.And) else "and")
     elif isinstance(node, ast.Constant) and type(node.value) in (int, float) and not file.startswith(PICTURES):
-        yield whole(node, repr(node.value + 1) if isinstance(node.value, int) else repr(node.value / 1024))
+        yield whole(node, repr(node.value + 1) if isinstance(node.value, int) else repr(node.value / 1024 or 1.0))
     elif isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in ("min", "max"):
         yield whole(node.func, "max" if node.func.id == "min" else "min")
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub) and not isinstance(node.operand, ast.Constant):
@@ -123,17 +143,39 @@ def chosen(count, seed, room=None):
     return [dice.choice(files[rooms[k % len(rooms)]]) for k in range(count)]
 
 
-def noticed(change, copy, seconds):
+def _changed_together():
+    """{file: {test: weight}} of the commits that changed both, a large commit weighing little."""
+    log = subprocess.run(["git", "log", "--name-only", "--format=format:#"], cwd=PROJECT, capture_output=True).stdout
+    found = {}
+    for files in map(str.split, log.decode().split("#")):
+        for file, test in product(files, [file for file in files if file.startswith("tests/test_")]):
+            weights = found.setdefault(file, {})
+            weights[test] = weights.get(test, 0.0) + 1 / len(files)
+    return found
+
+
+def tests_of(file, together):
+    """The tests of a file's room; those first that import it by its name, then those that changed together with it."""
+    package, _, module = file.removesuffix(".py").replace("/", ".").rpartition(".")
+    imported = re.compile(rf"{re.escape(package)}(\.{module}\b| import .*\b{module}\b)")
+
+    def rank(test):
+        names = imported.search((PROJECT / test).read_text(encoding="utf-8"))
+        return not names, -together.get(file, {}).get(test, 0.0)
+
+    return sorted((f"tests/test_{name}.py" for name in ROOMS[room_of(file)]), key=rank)
+
+
+def noticed(change, copy, tests, seconds):
     """The first test of the room that fails, "no end" where one does not end in time; None where none does."""
     path = copy / change.file
     original = path.read_bytes()
     start, old = change.start, change.old.encode()
     assert original[start:start + len(old)] == old
     path.write_bytes(original[:start] + change.new.encode() + original[start + len(old):])
-    tests = [f"tests/test_{name}.py" for name in ROOMS[room_of(change.file)]]
     try:
         done = subprocess.run([sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *tests], cwd=copy,
-                              env=dict(os.environ, PYTHONPATH=str(copy), OPENBLAS_NUM_THREADS="1"), timeout=seconds,
+                              env=dict(os.environ, PYTHONPATH=str(copy), **QUICK), timeout=seconds,
                               capture_output=True, text=True)
     except subprocess.TimeoutExpired:
         return "no end"
@@ -151,6 +193,8 @@ def main():
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--seconds", type=float, default=900, help="after which the tests of a change count as hung")
     asked = options.parse_args()
+    rooms = {f"test_{name}.py" for tests in (*ROOMS.values(), NO_ROOM) for name in tests}
+    assert rooms == {path.name for path in (PROJECT / "tests").glob("test_*.py")}, "each test file has a room, or none"
     with tempfile.TemporaryDirectory() as folder:
         copies = Queue()
         for k in range(asked.jobs):
@@ -161,11 +205,11 @@ def main():
         def tried(change):
             copy = copies.get()
             try:
-                return change, noticed(change, copy, asked.seconds)
+                return change, noticed(change, copy, tests_of(change.file, together), asked.seconds)
             finally:
                 copies.put(copy)
 
-        survivors = []
+        survivors, together = [], _changed_together()
         with ThreadPoolExecutor(asked.jobs) as pool:
             for change, by in pool.map(tried, chosen(asked.count, asked.seed, asked.room)):
                 print(change, "—", by or "SURVIVED", flush=True)

@@ -2,12 +2,14 @@
 
 import math
 import random
+from types import SimpleNamespace
 
 import pytest
 from scenes import problem
 
 from vibcli.errors import PhysicsError
 from vibcli.inverse import settled
+from vibcli.mechanics.branch import Branch
 from vibcli.report.figures import figure
 
 TRUSS = """
@@ -66,3 +68,11 @@ choose: {{P: stability limit}}
     assert "for all of them" not in caught.value.message
     if end is not None:
         assert f"up to {figure(end)} N, where it runs off without bound along 'x'" in caught.value.message
+
+
+@pytest.mark.parametrize("size", [1e-6, 0.3, 1.0, 40.0, 1e6])
+def test_a_position_is_like_itself_and_no_other_at_any_size(size):
+    branch = SimpleNamespace(names=["u", "w"], scale=[2.0, 0.05])
+    one = {"u": -2.0 * size, "w": 0.05 * size}
+    assert Branch.alike(branch, one, dict(one))
+    assert not Branch.alike(branch, one, {**one, "w": one["w"] + 0.05 * 0.01 * (1 + size)})

@@ -315,6 +315,9 @@ def test_nothing_is_cut_off_and_no_numbers_overlap(name):
     for axis in (axis for axes in page.axes for axis in (axes.xaxis, axes.yaxis)):
         boxes = [label.get_window_extent() for label in axis.get_ticklabels() if label.get_text()]
         assert not any(a.overlaps(b) for a, b in pairwise(boxes))
+    for axes in page.axes:      # of panels that share their x, the lowest alone has numbers and a label
+        numbers = any(label.get_visible() and label.get_text() for label in axes.get_xticklabels())
+        assert numbers or not axes.xaxis.label.get_text()
 
 
 @pytest.mark.filterwarnings("ignore:Glyph")

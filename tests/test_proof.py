@@ -47,6 +47,20 @@ def expression(draw, table, symbols, depth):
     return one + other if kind == "sum" else one * other
 
 
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_intervals_of_points_are_narrow(name):
+    """Of a point of the domain nothing but rounding is added, however small or large it is."""
+    draw, table = random.Random(name), Table()
+    x, bounded = table.variable("x"), name in ("asin", "acos")
+    at = [draw.choice([1, -1]) * 10 ** draw.uniform(-12, 0 if bounded else 1.5) for _ in range(200)]
+    at = np.abs(at) if name == "log" else np.array(at)
+    with np.errstate(all="ignore"):
+        found, = evaluate([table.call(name, x)], Intervals, {"x": Interval(at, at)})
+    with mpmath.workdps(30):
+        size = [abs(float(getattr(mpmath, {"abs": "fabs"}.get(name, name))(u))) for u in at]
+    assert np.all(found.high - found.low <= 1e-12 * (1 + np.array(size)) ** 2)
+
+
 def test_intervals_hold_all_values():
     draw, compared = random.Random("intervals"), 0
     for _ in range(300):

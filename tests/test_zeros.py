@@ -60,6 +60,14 @@ def test_simple_zeros_are_sharp():
         assert found == pytest.approx([7.7], rel=4e-16) and len(scan.points) < 160
 
 
+@pytest.mark.parametrize("place", [-1.7321, 0.0137, 2.2])
+@pytest.mark.parametrize("bend", [0.02, 0.1])
+def test_what_touches_zero_but_for_its_rounding_is_a_zero(place, bend):
+    for gap, count in ((0.0, 1), (1e-13, 1), (3e-10, 1), (1e-8, 0), (1e-5, 0)):
+        found, _ = zeros(lambda x, gap=gap: gap + bend * (x - place) ** 2, EVEN)
+        assert len(found) == count and all(abs(x - place) < 1e-6 for x in found), gap
+
+
 def test_an_end_counts_where_the_range_holds_it():
     grid = [1 + i / 10 for i in range(11)]
     function = bounded_ratio(lambda x: x, lambda x: 2)
@@ -186,3 +194,17 @@ def test_two_unknowns(letters):
     assert sorted(pairs) == [(0.7, 1.3), (1.3, 0.7)] and found.complete
     linear = solve_equations([a * x + b * y - 1, x - y], [x, y], letters.scene)
     assert [[language(node) for node in pair] for pair in linear.tuples] == [["1/(a + b)", "1/(a + b)"]]
+
+
+@pytest.mark.parametrize("one", range(6))
+@pytest.mark.parametrize("other", range(6))
+def test_two_equations_keep_the_solution_they_were_made_of(letters, one, other):
+    """f(x, y) = f(a, b) of both: (a, b) is among what is found."""
+    a, b, x, y = letters.a, letters.b, letters.x, letters.y
+    forms = (lambda u, v: u + v, lambda u, v: u * v, lambda u, v: u * u + v, lambda u, v: u * u + u + v * v + 3 * v,
+             lambda u, v: u * u + u * v, lambda u, v: v * v - 2 * v + u * u)
+    nodes = [forms[k](x, y) - forms[k](a, b) for k in (one, other)]
+    found = solve_equations(nodes, [x, y], letters.scene)
+    if one != other and found is not None:
+        values = [evaluate(pair, Floats, letters.scene.sample) for pair in found.tuples]
+        assert any(pair == pytest.approx([1.3, 0.7]) for pair in values)

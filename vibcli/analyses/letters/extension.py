@@ -20,11 +20,7 @@ class Extension:
         return _trimmed(element)
 
     def times(self, a, b):
-        found = [self.zero] * (len(a) + len(b) - 1 if a and b else 0)
-        for i, x in enumerate(a):
-            for j, y in enumerate(b):
-                found[i + j] += x * y
-        return self.reduced(found)
+        return self.reduced(self._product(a, b))
 
     def minus(self, a, b):
         n = max(len(a), len(b))
@@ -41,7 +37,7 @@ class Extension:
         return self.reduced([c / r[1][0] for c in s[1]])
 
     def _product(self, a, b):
-        found = [self.zero] * (len(a) + len(b) - 1 if a and b else 0)
+        found = [self.zero] * (len(a) + len(b) - 1)
         for i, x in enumerate(a):
             for j, y in enumerate(b):
                 found[i + j] += x * y
