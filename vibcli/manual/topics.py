@@ -295,9 +295,9 @@ PATIENCE = [
     "found until then is kept. `--patience N` multiplies the limits by N:",
     [
         ("a full motion", "100000 steps, each a few oscillations of its fastest part. A fast oscillation of less than "
-         "a millionth of the motion is stepped over where it would take more, and is part of the errors of what is "
-         "printed. A motion that would need ten times as many steps as it may take is stopped after some thousand. Up "
-         "to where it has come its values are known."),
+         "a millionth of the motion is stepped over where it would take 5000 more, and is part of the errors of what "
+         "is printed. A motion that would need ten times as many steps as it may take is stopped after some thousand. "
+         "Up to where it has come its values are known."),
         ("choose", "30000 steps, each a look at the conditions, or a step of what these need."),
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
          "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "

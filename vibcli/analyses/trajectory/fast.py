@@ -1,4 +1,4 @@
-"""A fast oscillation that hardly moves anything, and is stepped over where to follow it would go beyond the limit.
+"""A fast oscillation that hardly moves anything, and is stepped over where to follow it would be long work.
 
 Two masses on springs of 1 N/m and 1e9 N/m swing together within seconds, and against one another 7000 times a second,
 by 1e-10 of that. Its size is measured while it is followed; afterwards it is part of the error of what is said: of

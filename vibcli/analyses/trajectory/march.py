@@ -14,6 +14,7 @@ TAIL = 3                    # coefficients which must be small
 LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
 RADIANS = 5.0               # of the fastest oscillation in the first window
 PACE, HOPELESS = 2_000, 10   # steps after which the pace is looked at; how far beyond the limit is hopeless
+LONG = 0.05                 # of the limit: so much work a fast oscillation is not worth that moves next to nothing
 SHORTEST = 1e-13            # of the time gone
 SOON, TINY = 1e-10, 1e-300
 MOST_UNKNOWNS = 1200        # of Newton's method
@@ -93,7 +94,7 @@ class March:
         if self.tries % PACE == 0:
             before, self.paced = self.paced, self.t
             needed = PACE * (self.until - self.t) / (self.t - before) if self.t > before else np.inf
-            self.slow = needed > self.task.limit - self.task.steps
+            self.slow = needed > LONG * self.task.limit
             if needed > HOPELESS * self.task.limit and (self.stiff or self.tries > PACE):
                 raise Spent(self.task)
 
