@@ -75,7 +75,6 @@ FILES = {
     "carriers": "bodies:\n" + "".join(f"  b{i}: {{mass: 1 kg, at: [0, 0], weld: b{(i + 1) % 9000}}}\n"
                                       for i in range(9000)),
     "matrices": matrices(2000),
-    "matrices_that_fit": matrices(150),
     "one_matrix": "matrices:\n  M: [[" + "1, " * 1999 + "1]]\n",
     "cases": "bodies: {a: {mass: 1 kg, slide: x}}\ncases:\n" + "".join(f"  c{i}: {{title: t}}\n" for i in range(30000)),
     "escapes": 'title: "\\e[2J\\e]0;x\\a"\nbodies: {"\\e[31m": {mass: 1 kg, slide: x}}\n',
@@ -85,6 +84,9 @@ FILES = {
     "bell": "title: a\x07b\n",
     "right_to_left": "title: a\u202eb\n",
     "mebibyte": "# " + "x" * 2**20,
+}
+SOUND = {       # odd, but answered: there is a stiffness, or a motion of first order
+    "stiffness_alone": matrices(150),
     "dampers_alone": "bodies: {a: {slide: x}}\ndampers: {d: {c: 1 N*s/m, between: [ground, a]}}\n",
 }
 
@@ -120,6 +122,15 @@ def test_expressions(name, tmp_path, capsys, monkeypatch):
 def test_files(name, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     spent, _ = refused(write(tmp_path, FILES[name]), capsys, "solve")
+    assert spent < MANY
+
+
+@pytest.mark.parametrize("name", SOUND)
+def test_odd_files_that_are_sound_are_answered(name, tmp_path, capsys):
+    code, spent = calls(run, ["solve", write(tmp_path, SOUND[name])])
+    out, err = capsys.readouterr()
+    assert (code, err) == (0, "")
+    assert "neutral: it can move freely" in out
     assert spent < MANY
 
 
