@@ -40,6 +40,16 @@ def test_a_multiple_zero_away_from_the_drawn_position(V, place, ask):
     assert ask(text, "frequencies")[0] == 0
 
 
+@pytest.mark.parametrize("start", ["", "equilibrium: {x: 0.8}\n"])
+@pytest.mark.parametrize("V, place", [("(x - 1)^4", 1.0), ("(x - 1)^6", 1.0), ("(x - 1)^8", 1.0), ("(x - 1)^10", 1.0),
+                                      ("(x - 1/3)^6*(x - 3)^2", 1 / 3), ("cosh(x - 1) - (x - 1)^2/2", 1.0)])
+def test_its_place_is_right_whoever_asks_first(V, place, start, ask):
+    """The forces of (x - 1)^10 are rounding from 0.99 on."""
+    text = start + SCENE.replace("POTENTIAL", V)
+    assert problem(text).at_rest["x"] == pytest.approx(place, abs=1e-9)
+    assert ask(text + f"answers: {{'equilibrium[x]': {place!r}}}\n", "check")[0] == 0
+
+
 def test_a_line_of_equilibria_that_bends_is_neutral():
     assert stability(problem(RING)).kind == NEUTRAL
 

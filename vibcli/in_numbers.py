@@ -61,6 +61,10 @@ class InNumbers:
             found = equilibrium.Equilibrium(self.drawn_floats, True, equilibrium.relative_residual(self.drawn_numbers))
         else:
             found = equilibrium.find_equilibrium(self, self._start())
+        if not (found.drawn or self.is_linear):
+            from vibcli.mechanics.degenerate import sharpened
+
+            found = sharpened(self, found)
         if self.scene.timed:
             from vibcli.mechanics.steady import require_autonomous
 

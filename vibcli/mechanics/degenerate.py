@@ -8,15 +8,17 @@ the scene, and what is below that as zero.
 from contextlib import suppress
 from math import sqrt
 
-from vibcli.algebra.evaluate import Floats
+from vibcli.algebra.evaluate import Floats, multiprecision
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
-from vibcli.mechanics.equilibrium import Equilibrium, relative_residual
+from vibcli.mechanics.equilibrium import Equilibrium, Search, relative_residual
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.neutral import FREE
+from vibcli.mechanics.precise import GUARD, ROUNDED, Degenerate, equilibrium_to
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
 SAMPLES = 12
+UNSETTLED, NEAR = 1e-9, 0.1        # of the figure: a step that is no rounding; how far a place may move
 LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
 UNIT = 2.0**53
 
@@ -40,6 +42,32 @@ def settled_alone(problem, position):
     forces = _learnt(problem)
     _blur(problem, forces, ALONG if freedom(problem, forces) else BLUR)
     return problem.elements
+
+
+def sharpened(problem, found):
+    """The Equilibrium `found`, its place refined where Newton's method would still move it: near a multiple zero the
+    forces are rounding long before the place is known."""
+    search = Search(problem, found.values)
+    vector = search.vector(found.values)
+    with suppress(PhysicsError):
+        if max(abs(search.newton(search.at(vector))), default=0.0) <= UNSETTLED:
+            return found
+        position, found.degenerate = _to_more_digits(problem.at_equilibrium(found))
+        if position is not None and max(abs((search.vector(position) - vector) / search.scale)) <= NEAR:
+            found.values = {name: float(value) for name, value in position.items()}
+    return found
+
+
+def _to_more_digits(problem):
+    """({coordinate: number} of the equilibrium or None where nothing better is known, is it degenerate?)."""
+    import mpmath
+
+    with mpmath.workdps(ROUNDED + GUARD):
+        arithmetic = multiprecision()
+        try:
+            return equilibrium_to(problem, problem.values(arithmetic), arithmetic), False
+        except Degenerate as degenerate:
+            return degenerate.position, True
 
 
 def freedom(problem, forces=None):

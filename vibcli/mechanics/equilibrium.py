@@ -22,12 +22,13 @@ STEPS, POLISH, FAR, FARTHEST, HUGE = 300, 12, 1e6, 1e60, 1e140
 class Equilibrium:
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
     relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
-    `equilibrium:` names, whose nearest one it is, or None."""
+    `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?"""
 
-    __slots__ = ("drawn", "residual", "start", "steps", "values")
+    __slots__ = ("degenerate", "drawn", "residual", "start", "steps", "values")
 
     def __init__(self, values, drawn, residual, steps=0, start=None):
         self.values, self.drawn, self.residual, self.steps, self.start = values, drawn, residual, steps, start
+        self.degenerate = False
 
     @property
     def from_start(self):
@@ -47,7 +48,7 @@ def is_balanced(numbers, terms=8):
 
 def find_equilibrium(problem, start):
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
-    search = _Search(problem, start)
+    search = Search(problem, start)
     q = search.vector(start)
     numbers = search.at(q)
     step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
@@ -70,7 +71,7 @@ def find_equilibrium(problem, start):
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
 
-class _Search:
+class Search:
     """The potential energy of a scene as a function to be descended."""
 
     first_drift = 0.1

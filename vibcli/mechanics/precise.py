@@ -46,6 +46,8 @@ def equilibrium_to(problem, values, arithmetic):
     """
     import mpmath
 
+    if problem.equilibrium.degenerate:
+        raise Degenerate
     names, loops = problem.scene.coordinates, problem.scene.resting.loops
     position = {name: mpmath.mpf(value) for name, value in problem.equilibrium.values.items()}
     left, step = [], None
