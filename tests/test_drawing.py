@@ -17,7 +17,7 @@ from scenes import problem, problem_of
 
 from vibcli.cli import run
 from vibcli.errors import PhysicsError
-from vibcli.report.drawing import animation, compose, lettering, mode_shape, plane, rope, vibration
+from vibcli.report.drawing import animation, compose, lettering, mode_shape, plane, rope, sliding, vibration
 from vibcli.report.drawing.damper import dashpot
 from vibcli.report.drawing.drawing import draw
 from vibcli.report.drawing.matplotlib_canvas import MARGIN, figure, picture
@@ -428,3 +428,19 @@ def test_circles_and_arcs_look_round():
         points = Circle((0.0, 0.0), radius).points
         gaps = [radius - plane.distance((0, 0), plane.middle(a, b)) for a, b in pairwise(points)]
         assert max(gaps) < 0.1
+
+
+@pytest.mark.parametrize("angle", range(-170, 180, 40))
+@pytest.mark.parametrize("reach", [(-10, 90), (-150, 5), (-20, 20), (60, 200)])
+def test_a_wedge_lies_under_all_that_slides_on_it(angle, reach):
+    """Its slope is parallel to the way, below it by half a block, and as long as the way of what is carried."""
+    along, place = (math.cos(math.radians(angle)), math.sin(math.radians(angle))), (30.0, -20.0)
+    way = [plane.plus(place, along, s) for s in reach]
+    (foot, _, head), = (part.points for part in sliding._ramp(place, along, way).pieces)
+    up = along if along[1] > 0 else plane.times(along, -1)
+    ends = [plane.dot(plane.minus(point, foot), up) for point in way]
+    long = plane.dot(plane.minus(head, foot), up)
+    assert foot[1] < head[1] and all(-1e-9 <= end <= long + 1e-9 for end in ends)
+    normal = plane.left(up) if up[0] > 0 else plane.times(plane.left(up), -1)
+    assert [plane.dot(plane.minus(point, corner), normal) for point in way for corner in (foot, head)] == \
+        pytest.approx([sliding.BLOCK[1] / 2] * 4)

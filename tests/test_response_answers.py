@@ -110,6 +110,20 @@ def test_steady_state_of_harmonic_loads():
     assert close(steady.mean(output), grid.mean()) and close(steady.rms(output), math.sqrt((grid**2).mean()))
 
 
+@pytest.mark.parametrize("speed", [0.7, 9.0, 60.0])
+def test_rms_where_waves_turn_often_within_a_piece(speed):
+    pieces = [Segment(0.0, (Wave(0, 1.0, 0, 1j * speed),)), Segment(7.0, (Wave(0, 0.5, 0, 0j),))]
+    one_degree = (np.array([[entry]]) for entry in (1.0, 0.4, 1.2 * speed * speed))
+    steady = linear_motion(*one_degree, Forcing(1, pieces, 10.0, 0.0), np.zeros(1), np.zeros(1)).steady
+    x, w = np.polynomial.legendre.leggauss(20)
+    edges = np.concatenate([np.linspace(0, 7, 201), np.linspace(7, 10, 101)[1:]])
+    wide = np.diff(edges)[:, None]
+    at, weight = edges[:-1, None] + wide * (x + 1) / 2, wide * w / 20
+    for output in (q(0), v(0), Output(0.3, q={0: 2.0}, v={0: 0.1})):
+        exact = math.sqrt(weight.ravel() @ steady.values(output, at.ravel()) ** 2)
+        assert close(steady.rms(output), exact, 1e-12 * (1 + exact))
+
+
 @pytest.mark.parametrize("damped", [True, False])
 @pytest.mark.parametrize("since", [0.0, 0.5])
 def test_steady_state_of_periodic_loads(damped, since):

@@ -64,6 +64,8 @@ def test_units_are_as_defined(name):
         digits = len(factor.partition("e")[0].replace(".", ""))
         assert f"{found:.{digits - 1}e}" == f"{float(factor):.{digits - 1}e}"
     assert unit.in_si(3) == pytest.approx(3 * float(factor), rel=1e-6)
+    angle, cycle = name in ("rad", "mrad", "deg", "°", "rev", "rpm"), name.endswith("Hz")
+    assert (unit.radians, unit.cycles) == (int(angle), int(cycle))
 
 
 def test_relations_that_are_exact_by_definition():
