@@ -320,6 +320,13 @@ def test_nothing_is_cut_off_and_no_numbers_overlap(name):
         assert numbers or not axes.xaxis.label.get_text()
 
 
+@pytest.mark.parametrize("name", ["argand", "round", "nyquist"])
+def test_names_of_points_are_written(name):
+    written = [artist.get_text() for artist, _ in texts(name)[1]]
+    wanted = [text for panel in FIGURES[name].panels for curve in panel.curves for text in curve.names if text]
+    assert wanted and all(written.count(text) >= wanted.count(text) for text in wanted)
+
+
 @pytest.mark.filterwarnings("ignore:Glyph")
 def test_hostile_text_is_shown_as_it_is():
     _, found = texts("hostile")

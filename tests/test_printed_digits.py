@@ -1,5 +1,6 @@
 """No printed number has more digits than its bound supports: an error moves its last digit by one at most."""
 
+import cmath
 import math
 import random
 import re
@@ -15,7 +16,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.precise import equilibrium_to
 from vibcli.report.figures import figure
 from vibcli.report.results import TURN
-from vibcli.report.rows import damped_row, mode_row
+from vibcli.report.rows import damped_row, mode_row, polar, shapes
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
@@ -80,6 +81,24 @@ def test_tables_of_all_problems():
         except PhysicsError:
             continue
     assert len(counts) > 50 and sum(counts) > 400
+
+
+def test_amplitudes_of_shapes_are_read_back():
+    draw = random.Random("shapes")
+    names = ["x1", "x2", "x3", "x4", "x5", "x6"]
+    for _ in range(100):
+        found = [[draw.choice([0.0, 1e-15, 1.0, -1.0, draw.uniform(-1, 1) * 10 ** draw.uniform(-9, 3)]) for _ in names]
+                 for _ in range(3)]
+        table, = shapes(names, found)
+        for i, (_, *row) in enumerate(table.rows):
+            assert [float(text) for text in row] == pytest.approx([shape[i] for shape in found], rel=5.1e-6, abs=1e-12)
+        turned = [[cmath.rect(size, draw.choice([0.0, math.pi, draw.uniform(-3, 3)])) for size in shape]
+                  for shape in found]
+        table, = shapes(names, turned, polar)
+        for i, (_, *row) in enumerate(table.rows):
+            parts = [[float(part.strip(" °")) for part in f"{text}∠0".split("∠")[:2]] for text in row]
+            assert [cmath.rect(size, math.radians(angle)) for size, angle in parts] == pytest.approx(
+                [shape[i] for shape in turned], rel=1.5e-3)
 
 
 LIGHT = """
