@@ -50,7 +50,7 @@ def exact(node, t):
 def instants(found, generator):
     """Random times, and some just after breaks; a break itself lies within rounding of either side."""
     until = 4.0 if found.period is None else found.since + found.period
-    starts = [piece.start for piece in found.pieces][:20]
+    starts = [piece.start for piece in found.segments(until)][:20]
     return [generator.uniform(0, until) for _ in range(30)] + [x + d for x in starts for d in (1e-9, 1e-6, 1e-3)]
 
 
@@ -82,6 +82,21 @@ CASES = [
 def test_pieces_are_the_expression(text):
     error, size = worst(text)
     assert error <= 1e-14 * max(size, 1.0)
+
+
+IRREGULAR = {"square(t) + square(sqrt(2)*t)": "common multiple", "F*square(W*t + a) + exp(-t)": "grows or decays",
+             "square(W*t)*t": "grows or decays", "abs(F*sin(W*t)) + t^2*step(t - p)": "grows or decays",
+             "(square(W*t) + F)*(sawtooth(b*t) + cos(sqrt(3)*t))*step(t - q)": "common multiple"}
+
+
+@pytest.mark.parametrize("text", IRREGULAR)
+def test_what_never_repeats_itself_is_known_up_to_any_instant(text):
+    error, size = worst(text)
+    assert error <= 1e-14 * max(size, 1.0)
+    with pytest.raises(PhysicsError, match=IRREGULAR[text]):
+        forcing(text).segments(math.inf)
+    with pytest.raises(PhysicsError, match="too often"):
+        forcing(text).segments(1e6)
 
 
 def piecewise(generator, depth):
@@ -221,8 +236,7 @@ def test_second_rate_of_a_rectified_sine():
 REFUSED = {
     "sin(t^2)": "linear in the time", "exp(-t^2)": "linear in the time", "1/(1 + t)": "denominator",
     "sqrt(t)": "root", "tan(W*t)": "tan", "log(1 + t)": "log", "t^a": "whole number", "step(t^2 - 1)": "closed form",
-    "sin(W*square(t))": "again and again", "square(t) + square(sqrt(2)*t)": "common multiple",
-    "square(W*t) + exp(-t)": "grows or decays", "square(W*t)*t": "grows or decays", "impulse(t - p)*step(t - p)":
+    "sin(W*square(t))": "again and again", "impulse(t - p)*step(t - p)":
     "not defined", "exp(1000*t)*step(t - 1)": "beyond", "abs(sin(t) + sin(2*t))": "closed form",
     "(1 + t)^500": "high", "square(1e12*t)*(step(t) - step(t - 1))": "beyond",
 }

@@ -91,7 +91,7 @@ def test_responses(ask):
     assert {key: data["response"][key] for key in ("until", "initial", "balance")} == {
         "until": 0.5, "initial": {"x": 0.0, "y": 0.02, "x'": 0.0, "y'": 0.1}, "balance": None}
     stretch, = data["response"]["signals"]
-    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady"]
+    assert list(stretch) == ["signal", "unit", "max", "argmax", "min", "argmin", "steady", "at"]
     assert (stretch["signal"], stretch["unit"]) == ("y - x", "m")
     assert stretch["min"] < 0 < stretch["max"] and 0 <= stretch["argmin"] <= 0.5
     wave, = stretch["steady"]
@@ -99,6 +99,20 @@ def test_responses(ask):
     assert wave["Omega"] == pytest.approx(5.0)
     assert wave["amplitude"] == pytest.approx(abs(H), rel=1e-12)
     assert wave["phase"] == pytest.approx(-cmath.phase(H), rel=1e-12)
+
+
+def test_values_at_instants(ask):
+    data, = ask(SCENE + "initial: {y': 0.1 m/s}\n", "response", "--of", "x + y", "--at", "0.5", "--at", "80 ms",
+                "--until", "0.1")["response"]["signals"]
+    assert [one["t"] for one in data["at"]] == [0.5, 0.08]
+    assert [one["value"] for one in data["at"]] == pytest.approx([0.05, 0.008], rel=1e-12)      # nothing holds them
+    digits, = ask(SCENE + "initial: {x': 1 m/s, y': 1 m/s}\n", "response", "--of", "y", "--at", "0.1", "--digits",
+                  "20")["response"]["signals"]
+    assert digits["at"] == [{"t": 0.1, "value": "0.10000000000000000000"}]
+    driven = "bodies: {a: {mass: 2 kg, slide: 1 m*cos(2 rad/s*t)}}\n"
+    prescribed = ask(driven, "response", "--of", "T", "--at", "0.7", "--json")["response"]
+    assert prescribed["until"] is None
+    assert prescribed["signals"][0]["at"][0]["value"] == pytest.approx(4 * math.sin(1.4) ** 2, rel=1e-12)
 
 
 def test_frequency_responses(ask):

@@ -220,6 +220,9 @@ def test_json_keys_are_those_that_are_printed(capsys):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))
+    code, out, _ = call(capsys, "response", scenes.path("forced_vibration"), "--json", "--at", "0.5")
+    assert code == 0
+    printed |= _paths(json.loads(out))
     assert printed - set(KEYS) == set()
     assert set(KEYS) - printed <= {"characteristic_polynomial", "remark"}
 

@@ -165,10 +165,11 @@ class SmallMotion(Motion):
         from vibcli.analyses.duration import duration
 
         problem, forcing = self.problem, self.alone.forcing
-        last = max((piece.start for piece in forcing.pieces), default=0.0) if forcing.period is None else 0.0
-        speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
-        if forcing.period is not None:
-            speeds = [6.283185307179586 / forcing.period]
+        if forcing.listed:
+            last = max((piece.start for piece in forcing.pieces), default=0.0)
+            speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
+        else:
+            last, speeds = 0.0, [6.283185307179586 / forcing.turn]
         modes = () if problem.damped or not self.alone.blocks else problem.modes
         return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
 

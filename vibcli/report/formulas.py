@@ -15,7 +15,7 @@ def formulas(asked):
     found = []
     for one in asked[:MOST_SIGNALS]:
         signal = one.signal
-        if not hasattr(signal, "output") or signal.motion.forcing.period is not None:
+        if not hasattr(signal, "output") or not signal.motion.forcing.listed:
             continue
         starts = [piece.start for piece in signal.motion.forcing.segments(math.inf)]
         if len(starts) <= MOST_PIECES:

@@ -3,7 +3,7 @@
 from math import isfinite
 
 from vibcli.errors import PhysicsError
-from vibcli.report.response import harmonics_of, phase_in
+from vibcli.report.response import harmonics_of, phase_in, value_at
 from vibcli.report.responses import curves_asked, extremes, signals_asked
 
 
@@ -11,12 +11,30 @@ def response_data(problem, wanted):
     """{"until", "initial", "signals", "balance"} of a motion in time."""
     motion, asked = problem.motion, signals_asked(problem, wanted.signals)
     places, speeds = motion.start
+    instants = {one.text: _values(problem, one, wanted) for one in asked}
+    if motion.KIND == "prescribed" and wanted.at and not motion.ends:
+        return {"until": None, "initial": {}, "signals": [
+            {"signal": one.text, "unit": one.unit, "max": None, "argmax": None, "min": None, "argmin": None,
+             "steady": None, "at": instants[one.text]} for one in asked], "balance": None}
     found = {"until": motion.until, "initial": {**places, **{name + "'": v for name, v in speeds.items()}},
              "signals": []}
     for one, (late, most), (early, least) in extremes(asked, motion.until):
         found["signals"].append({"signal": one.text, "unit": one.unit, "max": most, "argmax": late, "min": least,
-                                 "argmin": early, "steady": _steady(motion, one.signal, wanted.phase)})
+                                 "argmin": early, "steady": _steady(motion, one.signal, wanted.phase),
+                                 "at": instants[one.text]})
     return found | {"balance": float(motion.trajectory().balance.error) if motion.KIND == "full" else None}
+
+
+def _values(problem, one, wanted):
+    """[{"t", "value"}] at the instants asked for; with --digits as texts."""
+    def value(t):
+        import numpy as np
+
+        if wanted.digits is not None:
+            return value_at(problem, one, t, wanted.digits)
+        return float(one.signal.values(np.array([float(t)]))[0])
+
+    return [{"t": float(t), "value": value(t)} for _, t in wanted.at]
 
 
 def _steady(motion, signal, convention):

@@ -6,7 +6,7 @@ from fractions import Fraction
 from vibcli.analyses.forcing.blows import blows_of, nearest
 from vibcli.analyses.forcing.gates import Place
 from vibcli.analyses.forcing.periods import common_period, shortest
-from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
+from vibcli.analyses.forcing.segments import MOST, Forcing, Irregular, Segment, Wave
 from vibcli.analyses.forcing.sums import added, convolved, shifted
 from vibcli.errors import PhysicsError
 
@@ -60,23 +60,49 @@ def assembled(sums, channels, numbers):
 
 
 def _forcing(groups, channels, numbers):
-    cuts, since, period = _cuts(groups, numbers)
+    cuts, lasting = _cuts(groups)
+    if not any(group.gates for group, _ in lasting):
+        return Forcing(channels, _pieces(groups, cuts, None, 0, numbers))
+    try:
+        period = common_period([group for group, _ in lasting], numbers)
+    except PhysicsError as refusal:
+        longest = max(gate.period for group, _ in lasting for gate in group.gates)
+        return Irregular(channels, lambda until: _up_to(groups, cuts, lasting, until, longest, numbers),
+                         numbers.number(longest), refusal)
+    settled = max(cuts)
+    breaks = _repeated(lasting, settled + 2 * period)
+    since = min(instant for instant in breaks if instant >= settled)
+    cuts.update(instant for instant in breaks if instant < since + period)
+    pieces = _pieces(groups, cuts, since + period, since, numbers)
+    start = min((piece.start for piece in pieces), key=lambda start: abs(start - numbers.number(since)))
+    return Forcing(channels, *shortest(pieces, numbers.number(period), start, numbers.same), start)
+
+
+def _up_to(groups, cuts, lasting, until, longest, numbers):
+    """The segments up to a time, and further by the longest period of what repeats."""
+    last = numbers.exact(until) + longest
+    if sum(last / gate.period for group, _ in lasting for gate in group.gates) > MOST:
+        raise PhysicsError("these loads repeat themselves too often to be followed for so long",
+                           "ask for an earlier instant")
+    cuts = {cut for cut in cuts if cut < last} | _repeated(lasting, last)
+    return _pieces(groups, cuts, last, 0, numbers)
+
+
+def _pieces(groups, cuts, last, since, numbers):
+    """The Segments between the instants at which anything changes, up to `last` (None: for ever); one starts at
+    `since`."""
     cuts = _apart(cuts, numbers.same)
-    if period is not None:
-        end = since + period
-        cuts = [cut for cut in cuts if end - cut > numbers.same * end]
-    last = cuts[-1] + 1 if period is None else since + period
+    if last is not None:
+        cuts = [cut for cut in cuts if last - cut > numbers.same * last]
+    last = cuts[-1] + 1 if last is None else last
     places = [_place(low, high, numbers) for low, high in zip(cuts, [*cuts[1:], last], strict=True)]
-    blows, first = blows_of(groups, cuts, last, numbers), 0 if since is None else nearest(cuts, since)
+    blows, first = blows_of(groups, cuts, last, numbers), nearest(cuts, since)
     pieces = []
     for i, at in enumerate(places):
         waves = _waves(groups, at, numbers)
         if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not all(map(_is_level, waves)):
             pieces.append(Segment(at.start, waves, tuple(blows.get(i, {}).items())))
-    if period is None:
-        return Forcing(channels, pieces)
-    since = places[first].start
-    return Forcing(channels, *shortest(pieces, numbers.number(period), since, numbers.same), since)
+    return pieces
 
 
 def _place(low, high, numbers):
@@ -88,8 +114,8 @@ def _is_level(wave):
     return not (wave.power or wave.exponent)
 
 
-def _cuts(groups, numbers):
-    """(instants at which anything changes, since, period); the last two None where nothing repeats for ever."""
+def _cuts(groups):
+    """(instants at which anything changes, apart from what repeats for ever; [(group, its start)] of what lasts)."""
     cuts, lasting = {Fraction(0)}, []
     for group in groups:
         for low, high in group.spans():
@@ -100,14 +126,12 @@ def _cuts(groups, numbers):
             cuts.add(high)
             for gate in group.gates:
                 cuts.update(gate.breaks(low, high))
-    if not any(group.gates for group, _ in lasting):
-        return cuts, None, None
-    period, settled = common_period([group for group, _ in lasting], numbers), max(cuts)
-    breaks = {instant for group, low in lasting for gate in group.gates
-              for instant in gate.breaks(low, settled + 2 * period)}
-    since = min(instant for instant in breaks if instant >= settled)
-    cuts.update(instant for instant in breaks if instant < since + period)
-    return cuts, since, period
+    return cuts, lasting
+
+
+def _repeated(lasting, until):
+    """The breaks of what lasts, up to an instant."""
+    return {instant for group, low in lasting for gate in group.gates for instant in gate.breaks(low, until)}
 
 
 def _apart(cuts, same):

@@ -7,6 +7,7 @@ from vibcli.errors import PhysicsError
 
 TURNS, ALIKE = 1000, Fraction(1, 10**9)
 PARTS = (2, 3, 5, 7)
+INSTANTS = "ask for its values at instants, or for max(x) and min(x)"
 
 
 def common_period(groups, numbers):
@@ -15,8 +16,8 @@ def common_period(groups, numbers):
     for group in groups:
         r, w, *_ = group.wave
         if r or len(group.ps[-1]) > 1:
-            raise PhysicsError("a wave that repeats for ever beside a load that grows or decays has no closed form",
-                               "let one of them end by step(t - t1), or write `motion: full`")
+            raise PhysicsError("a wave repeats for ever beside a load that grows or decays: the motion never "
+                               "repeats itself", INSTANTS)
         periods += [gate.period for gate in group.gates] + ([2 * numbers.pi / w] if w else [])
     above, below = 1, 0
     for period in periods:
@@ -28,8 +29,8 @@ def common_period(groups, numbers):
             break
     else:
         return periods[0] * Fraction(above, below)
-    raise PhysicsError("the periods of what drives this scene have no common multiple", "`motion: full` integrates the "
-                       "equations as they are")
+    raise PhysicsError("the periods of what drives this scene have no common multiple: the motion never repeats itself",
+                       INSTANTS)
 
 
 def shortest(pieces, period, since, same):

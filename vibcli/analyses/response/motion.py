@@ -107,7 +107,7 @@ class LinearMotion:
     def pieces(self, until):
         """The Pieces of the motion up to a time."""
         if self._pieces is None or until > self._pieces.until:
-            if self.forcing.period is None:
+            if self.forcing.listed:
                 until = math.inf
             elif self._pieces is not None:
                 until = max(until, 2 * self._pieces.until)
