@@ -11,7 +11,7 @@ import pytest
 from vibcli.cli import run
 
 PROBLEMS = sorted((Path(__file__).parents[1] / "problems").rglob("*.yaml"))
-EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex"]
+EQUATIONS = ["coordinate", "text", "latex", "linear_text", "linear_latex", "left_out"]
 EQUILIBRIUM = ["coordinates", "dependent", "from_start", "stable", "residual", "condition", "warning"]
 MATRICES = ["M", "C", "G", "K"]
 MODE = ["index", "omega", "frequency", "period", "growth_rate", "shape", "error"]

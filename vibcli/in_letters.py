@@ -84,13 +84,7 @@ class InLetters:
 
         if not self.scene.timed:
             return {}
-        scene, settled = self.scene.vibrating, self.equilibrium_letters
-        if settled is not None:
-            place = settled.position(self.timed_form)
-        elif self.linear_in_letters or self.symbolic:
-            place = scene.drawn_position
-        else:
-            place = {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        scene, place = self.scene.vibrating, self.excitation_place
         found = excitation(scene, self.timed_form, place)
         if scene is not self.scene:
             from vibcli.mechanics.through_constraints import excitation_through
@@ -98,6 +92,17 @@ class InLetters:
             for i, node in excitation_through(self).items():
                 found[i] = found.get(i, scene.table.zero) + node
         return found
+
+    @property
+    def excitation_place(self):
+        """{symbol: node} of the position about which loads in time act."""
+        self.form  # noqa: B018
+        scene, settled = self.scene.vibrating, self.equilibrium_letters
+        if settled is not None:
+            return settled.position(self.timed_form)
+        if self.linear_in_letters or self.symbolic:
+            return scene.drawn_position
+        return {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
 
     @Stage
     def energies(self):

@@ -17,11 +17,11 @@ class Equations:
     """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
     name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
     {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
-    linear: left sides of their equations, drive: {i: Q(t)} of their right sides; refusal: the PhysicsError of a scene
-    that has no equilibrium, or None."""
+    linear: left sides of their equations, drive: {i: Q(t)} of their right sides, left_out: {i: what of loads in time
+    their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
 
-    __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "linear", "multipliers", "names",
-                 "refusal")
+    __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "left_out", "linear", "multipliers",
+                 "names", "refusal")
 
 
 def equation_of(scene, i, T=None, V=None, Phi=None):
@@ -72,6 +72,7 @@ def equations(problem):
     found = Equations()
     scene, loose = problem.scene, problem.loose
     found.names, found.multipliers, found.conditions, found.drive = list(loose.coordinates), {}, [], {}
+    found.left_out = {}
     found.full = full_equations(loose) if len(loose.q) <= LETTERS else []
     if loose is not scene and found.full:
         _with_multipliers(loose, found)
@@ -80,7 +81,10 @@ def equations(problem):
     try:
         _require_slope(problem)
         if scene.timed:
+            from vibcli.mechanics.left_out import left_out
+
             found.drive = problem.excitation
+            found.left_out = left_out(problem)
         found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
         if found.in_letters:
             found.M, found.C, found.G, found.K = problem.matrices_in_letters

@@ -155,7 +155,7 @@ def excitation(scene, form, position):
     for i, terms in _begun(scene).items():
         constants.setdefault(i, []).extend(terms)
     for i, terms in enumerate(rows):
-        node = _with_time(scene, _negative(scene, terms))
+        node = with_time(scene, _negative(scene, terms))
         if i in constants:
             node = _whole(scene, node + _negative(scene, substitute(constants[i], place)))
         if not node.is_zero:
@@ -173,7 +173,7 @@ def _whole(scene, node):
     return collected(scene.table, _terms(scene, node)) if node.mask & scene.time.mask else node
 
 
-def _with_time(scene, node):
+def with_time(scene, node):
     """The terms of an expression that depend on the time."""
     time = scene.time.mask
     if not node.mask & time:

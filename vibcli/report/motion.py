@@ -3,7 +3,7 @@
 from vibcli.errors import Kinked
 from vibcli.report import blocks
 from vibcli.report.abbreviate import abbreviated
-from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section
+from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section, separated
 from vibcli.report.brevity import brief
 from vibcli.report.rest import held
 from vibcli.report.results import numeric_drive, numeric_row
@@ -47,7 +47,16 @@ def equations(problem, report):
     yield from section(
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
-        blocks.equations(_in_numbers(problem, found)) if numbers else None)
+        blocks.equations(_in_numbers(problem, found)) if numbers else None, _left_out(problem, found))
+
+
+def _left_out(problem, found):
+    """What of loads in time the equations above do not hold."""
+    if not found.left_out:
+        return None
+    told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in found.left_out.items())
+    return paragraph("left out of the left side, as products of the loads in time and the coordinates: ", *told,
+                     "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
 
 
 def _unbent(problem, report):

@@ -16,7 +16,7 @@ def energies_data(problem):
 
 
 def equations_data(problem):
-    """[{coordinate, text, latex, linear_text, linear_latex}]."""
+    """[{coordinate, text, latex, linear_text, linear_latex, left_out}]."""
     equations, loose = problem.equations, problem.loose
     found = []
     for i, name in enumerate(equations.names):
@@ -24,10 +24,12 @@ def equations_data(problem):
         if equations.full:
             entry["text"] = equation(loose, equations.full[i], language)
             entry["latex"] = equation(loose, equations.full[i], latex)
-        text, tex = (None, None)
+        text, tex, missing = None, None, None
         if name in problem.scene.coordinates and not equations.refusal:
-            text, tex = linear_row(problem, equations, problem.scene.coordinates.index(name))
-        found.append(entry | {"linear_text": text, "linear_latex": tex})
+            row = problem.scene.coordinates.index(name)
+            text, tex = linear_row(problem, equations, row)
+            missing = language(equations.left_out[row]) if row in equations.left_out else None
+        found.append(entry | {"linear_text": text, "linear_latex": tex, "left_out": missing})
     return found
 
 
