@@ -87,7 +87,8 @@ def _join(record, scene):
               "draw them at the same place")
     parts = [(node, part) for node, part in ((bx - ax, ".x"), (by - ay, ".y")) if node.mask and not is_zero(node)]
     if not parts:
-        scene.report(record.where, f"'{record.name}' joins what never moves relative to one another", "take it out")
+        scene.report(record.where, f"the points that '{record.name}' joins never move relative to one another",
+                     "take it out")
     for node, part in parts:
         scene.add_constraint(record, node, "join", part)
 
@@ -105,7 +106,8 @@ def _link(record, scene):
     if len(scene.diagnostics) > before:
         return
     if not (dx.mask or dy.mask):
-        scene.report(record.where, f"'{record.name}' links what never moves relative to one another", "take it out")
+        scene.report(record.where, f"the points that '{record.name}' links never move relative to one another",
+                     "take it out")
         return
     length = scene.distance(*scene.at_drawn(dx, dy))
     if not scene.number(length):
@@ -130,7 +132,8 @@ def _point(record, scene):
     else:
         node = off = y - scene.height_of(surface, x)
     if not node.mask:
-        scene.report(record.where, f"the point of '{record.name}' never moves on its surface", "take it out")
+        scene.report(record.where, f"the distance of the point of '{record.name}' from its surface never changes",
+                     "take it out")
         return
     _together(record, scene, abs(scene.number(off)), "the point of '{}' is {:.6g} m off its surface as drawn",
               "draw it on the surface")

@@ -96,10 +96,21 @@ def _at_point(record, scene, fx, fy):
     """A force of two components, each (steady part, part in time)."""
     x, y = scene.place(record["at"])[1]
     if not (x.mask or y.mask):
-        scene.report(record.place("at"), f"'{record['at'].text}' never moves: this force does no work",
-                     "a point of a body is P: {body: name, at: [x, y]} under `points`")
+        _does_no_work(record, scene)
     scene.add_force(*fx, x)
     scene.add_force(*fy, y)
+
+
+def _does_no_work(record, scene):
+    """Say which point does not move: of a body it is the mass centre, about which the body may turn."""
+    name = record["at"].text
+    body, point, hint = scene.bodies.get(name), f"'{name}'", "let it move, or take the force out"
+    if body is None and "body" not in scene.spec.get("points")[name]:
+        hint = "a point of a body is P: {body: name, at: [x, y]} under `points`"
+    elif body is not None and scene.turns(body):
+        point = f"the mass centre of {point}"
+        hint = f"a point off it is P: {{body: {name}, at: [x, y]}} under `points`; a moment needs `body` and `moment`"
+    scene.report(record.place("at"), f"{point} never moves: this force does no work", hint)
 
 
 def _unbalance(record, scene):

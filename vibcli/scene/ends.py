@@ -36,7 +36,7 @@ class Ends:
             hint = "check its ends, or take it out"
             if any(isinstance(end, list) for end in record.get("between", ())):
                 hint = "a place [x, y] is fixed; a point of a body is P: {body: name, at: [x, y]} under `points`"
-            self.report(record.where, f"'{record.name}' joins what never moves relative to one another", hint)
+            self.report(record.where, f"the stretch of '{record.name}' never changes", hint)
             return None
         return stretch
 
