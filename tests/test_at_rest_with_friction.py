@@ -56,6 +56,22 @@ def test_equations_and_places_of_rest_are_told(command, load, ask):
     assert found["equations"][0]["linear_text"] is None and found["equations"][0]["text"]
 
 
+@pytest.mark.parametrize("find", ["equations", "equations, {response: {until: 1 s}}", "{response: {until: 1 s}}",
+                                  "equations, {frequency_response: {to: p}}", "{frequency_response: {to: p}}"])
+@pytest.mark.parametrize("command", ["solve", "response", "frf"])
+def test_responses_that_need_a_slope_are_refused_in_text_as_in_json(command, find, ask):
+    text = BLOCK.replace("force: F", "force: F*sin(3 rad/s*t)") + f"find: [{find}]\n"
+    code = 0 if (command, find) == ("solve", "equations") else 4
+    assert [ask(text, command, *more)[0] for more in ([], ["--json"])] == [code, code]
+
+
+def test_full_motions_stand_beside_equations_without_a_slope(ask):
+    text = BLOCK + "motion: full\ninitial: {x: 0.2 m}\nfind: [equations, {response: {until: 1 s}}]\n"
+    for command in ("solve", "response"):
+        code, out, err = ask(text, command)
+        assert code == 0 and not err and "Extremes" in out
+
+
 def test_what_needs_a_slope_is_refused(ask):
     for text, line in ((BLOCK, ["frequencies"]), (BLOCK, ["frequencies", "--json"]),
                        (BLOCK + "find: [equations, frequencies]\n", ["solve"]),

@@ -173,17 +173,17 @@ def _listed_alone(problem, sections):
 
 
 def _report(problem, sections, normalise, digits, pictures, wanted=None):
-    report = Report(problem, normalise, pictures, wanted)
+    report, beside = Report(problem, normalise, pictures, wanted), None
     for name in sections:
         report.add(name)
+        if name not in RESPONSES and report.refusal and _without_slope(problem, report.refusal, sections):
+            beside, report.refusal = beside or report.refusal, None     # it is said beside the equations
     if isinstance(report.refusal, NotInLetters) and "equations" in sections:
         remark = paragraph(f"{report.refusal.message}: {report.refusal.hint}", hang=0)
         report.sections += section("Not found in letters", remark)
         report.refusal = None
-    if isinstance(report.refusal, Inertless) and _without_slope(problem, report.refusal, sections):
+    if isinstance(beside, Inertless):
         report.sections += section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0))
-    if report.refusal and _without_slope(problem, report.refusal, sections):      # said beside the equations
-        report.refusal = None
     if digits is not None:
         _digits(report, problem, digits)
     return report
