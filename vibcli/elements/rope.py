@@ -7,7 +7,8 @@ the rope between the marks on two circles that turn by θ₁, θ₂ changes by
     δℓ + ρ δβ − σ₁r₁θ₁ + σ₂r₂θ₂ = 0.
 
 On a body that turns the rope does not slip, so the conditions of the pieces on either side hold each for itself; over a
-place or a body without rotation it slides freely, and their sum holds.
+place or a body without rotation it slides freely, and their sum holds; so it does through a point, which holds it on
+all sides as an eyelet does.
 """
 
 from itertools import pairwise
@@ -18,7 +19,7 @@ from vibcli.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}
 ABOUT = ("a rope of constant length: [A, {under: drum}, {over: top, radius: r}, B]. Its ends are points or bodies, or "
          "a drum it is wound on; `over`, `under`, `left_of`, `right_of` say on which side it passes a body (without "
-         "slip, if the body turns) or a place")
+         "slip, if the body turns) or a place; through a point named without a side it slides as through an eyelet")
 
 PULLEY = Element(
     "pulley of a rope",
@@ -61,7 +62,7 @@ def build(record, scene):
     for i, stop in enumerate(stops):
         if stop.side is not None:
             stop.sense = _sense(record, scene, stops, i)
-    if not _touches(record, scene, stops):
+    if not (_sides_are_named(record, scene) and _touches(record, scene, stops)):
         return
     groups, total = [], scene.table.zero
     for one, two in pairwise(stops):
@@ -71,6 +72,17 @@ def build(record, scene):
             total = scene.table.zero
     for number, node in enumerate(groups, 1):
         scene.add_constraint(record, node, "rope", f".{number}" if len(groups) > 1 else "")
+
+
+def _sides_are_named(record, scene):
+    """Is a side named of each round body that the rope passes?"""
+    for item in record["rope"][1:-1]:
+        body = scene.bodies.get(getattr(item, "text", None))
+        if body is not None and body.rolling_radius is not None:
+            scene.report(item.where, f"on which side the rope '{record.name}' passes '{body.name}' is not said",
+                         f"write {{over: {body.name}}}, or under, left_of, right_of")
+            return False
+    return True
 
 
 def _touches(record, scene, stops):
@@ -84,9 +96,11 @@ def _touches(record, scene, stops):
         length = sqrt(max(hypot(x, y) ** 2 - offset**2, 0.0))
         directions.append(atan2(y, x) + atan2(offset, length))
     for (arriving, leaving), stop, item in zip(pairwise(directions), stops[1:-1], record["rope"][1:-1], strict=True):
+        if stop.side is None:
+            continue
         sense = stop.sense or _sense(record, scene, stops, stops.index(stop), peg=True)
         wrap = (leaving - arriving) * sense % (2 * pi)
-        if stop.side is not None and 1.25 * pi < wrap < 2 * pi - 1e-9:
+        if 1.25 * pi < wrap < 2 * pi - 1e-9:
             scene.report(item.where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
                          "name the other side, or draw the pulley where the rope bends round it")
             return False
