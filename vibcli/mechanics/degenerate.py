@@ -14,11 +14,12 @@ from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.equilibrium import Equilibrium, Search, relative_residual
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.neutral import FREE
-from vibcli.mechanics.precise import GUARD, ROUNDED, Degenerate, equilibrium_to
+from vibcli.mechanics.precise import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
 SAMPLES = 12
 UNSETTLED, NEAR = 1e-9, 0.1        # of the figure: a step that is no rounding; how far a place may move
+TINY = 1e-5                        # of the figure: a displacement of which floats may know less than is printed
 LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
 UNIT = 2.0**53
 
@@ -46,16 +47,26 @@ def settled_alone(problem, position):
 
 def sharpened(problem, found):
     """The Equilibrium `found`, its place refined where Newton's method would still move it: near a multiple zero the
-    forces are rounding long before the place is known."""
+    forces are rounding long before the place is known. So is a displacement that is tiny beside the figure, the
+    difference of lengths of which floats know few digits."""
     search = Search(problem, found.values)
     vector = search.vector(found.values)
+    tiny = any(0 < x < TINY for x in abs(vector / search.scale))
     with suppress(PhysicsError):
-        if max(abs(search.newton(search.at(vector))), default=0.0) <= UNSETTLED:
+        settled = max(abs(search.newton(search.at(vector))), default=0.0) <= UNSETTLED
+        if settled and not tiny:
             return found
-        position, found.degenerate = _to_more_digits(problem.at_equilibrium(found))
+        position, degenerate = _to_more_digits(problem.at_equilibrium(found))
+        found.degenerate = degenerate and not settled
         if position is not None and max(abs((search.vector(position) - vector) / search.scale)) <= NEAR:
-            found.values = {name: float(value) for name, value in position.items()}
+            found.values = {name: _but_for_nothing(problem, name, value) for name, value in position.items()}
     return found
+
+
+def _but_for_nothing(problem, name, value):
+    """A coordinate as a float, 0 where it is nothing beside the figure."""
+    unit = (problem.figure_size or 1.0) if problem.dimension(name) else 1.0
+    return float(value) if abs(value) > NOTHING * unit else 0.0
 
 
 def _to_more_digits(problem):

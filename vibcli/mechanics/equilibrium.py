@@ -58,7 +58,7 @@ def find_equilibrium(problem, start):
         steps += 1
         if search.far(q):
             raise search.unbounded(q)
-        if steps > STEPS and search.relative(numbers) <= 1e-9:
+        if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
             raise search.unbounded(q) if problem.conservative else search.unfinished(q)
@@ -66,7 +66,7 @@ def find_equilibrium(problem, start):
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
-    if search.relative(numbers) > 1e-9 or search.faded(numbers):
+    if not search.balanced(numbers) or search.faded(numbers):
         raise search.unbounded(q)
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
@@ -123,6 +123,25 @@ class Search:
     def relative(self, numbers):
         """The residual relative to the largest terms met: at q = 0 the terms of a condition may all vanish."""
         return max((abs(r) / size for r, size in zip(numbers.residual, self.met, strict=True) if size), default=0.0)
+
+    def balanced(self, numbers):
+        """Is nothing left of the forces but what rounding leaves?"""
+        return self.relative(numbers) <= 1e-9 or self.rounded()
+
+    def rounded(self):
+        """May every force be zero, within the rounding of what it is computed from? The force of a stiff spring,
+        k (ℓ − ℓ₀), is not known to the last digit of a small load."""
+        from vibcli.algebra.intervals import Intervals, exact
+        from vibcli.mechanics.linearisation import residual_terms
+
+        values = {name: exact(x) for name, x in (*self.problem.floats.items(), *self.here.items())}
+        rows = residual_terms(self.problem.form)
+        try:
+            found = iter(evaluate([term for row in rows for term in row], Intervals, values))
+        except KeyError:            # of a function without bounds
+            return False
+        forces = [sum((next(found) for _ in row), exact(0.0)) for row in rows]
+        return all(force.holds_zero() and math.isfinite(force.size) for force in forces)
 
     def faded(self, numbers):
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
