@@ -305,3 +305,13 @@ def test_what_would_take_for_ever_is_refused_soon():
     assert abs(found.at([found.end])[0][0, 0] - 0.1) < 0.01
     with pytest.raises(PhysicsError, match="4000 of at most 100000 steps"):
         found.at([100.0])
+
+
+@pytest.mark.parametrize("force, windows", [("F*sin((2 rad/s)*t)", 8), ("F*(t/(1 s))^6", 8),
+                                            ("F*sin((2 rad/s)*t) + (3 N*s)*impulse(t - 0.5 s)", 12),
+                                            ("F*exp(-((t - 1 s)/(0.1 s))^2)", 60), ("F*ramp(t - 1 s)^3/(1 s^3)", 12)])
+def test_a_motion_at_rest_under_a_force_that_begins_at_zero(force, windows):
+    """Its error is relative to what the force does of it, not to the nothing that it does at the start."""
+    text = ("parameters: {F: 4 N}\nbodies: {b: {mass: 2 kg, slide: x}}\nsprings: {s: {k: 50 N/m, between: [ground, b]}}"
+            f"\nforces: {{push: {{at: b, force: {force}}}}}\nmotion: full\n")
+    assert len(simulate(problem(text), 1.5).windows) <= windows

@@ -64,11 +64,12 @@ class March:
             raise self.undefined()
         left = limit - self.t
         H = wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
-        guess = np.repeat(a, self.rule.points, 1) if self.guess is None else self.guess
+        begins = self.guess is None
+        guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
         tails = []
         while True:
             self._count()
-            done, tail, used = self._attempt(H, guess, a[:, 0])
+            done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
             if done is not None:
                 if tail <= 1:
                     break
@@ -86,6 +87,16 @@ class March:
         if self.slow and not self.stiff:
             self._step_over(window, a[:, 0])
         return window
+
+    def _ahead(self, H, a):
+        """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
+        the motion with it."""
+        steps = H * self.rule.c
+        with np.errstate(all="ignore"):
+            A = self.force(self.t + steps)(self.q[:, None] + self.v[:, None] * steps, np.repeat(
+                self.v[:, None], len(steps), 1))
+        largest = np.abs(A).max(axis=1)
+        return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
 
     def _count(self):
         """Stop a motion which takes too many windows, or would at the pace of the last ones."""
