@@ -152,3 +152,30 @@ def test_a_motion_whose_energies_do_not_balance_is_refused(scene, capsys, monkey
     monkeypatch.setattr(simulating, "balance", spoilt)
     assert run(["response", file]) == 4
     assert "balance to 2e-08 of the largest" in capsys.readouterr().err
+
+
+RESTING = """
+motion: full
+parameters: {m: 1 kg, k: 500 N/m, P: 20 N}
+gravity: 9.81 m/s^2
+points: {Q: {body: b, at: [0.3 m, 0.1 m]}}
+surfaces: {track: {line: [[0.3 m, 0.1 m], [0.9 m, 0.2 m]]}}
+bodies: {b: {shape: rectangle, mass: m, width: 0.6 m, height: 0.2 m, at: [0, 0], move: [x, y, phi]}}
+springs:
+  s: {k: k, between: [[0.7 m, 0], b]}
+  u: {k: 300 N/m, between: [[0, 0.8 m], b]}
+  t: {torsion: 90 N*m/rad, between: [ground, b]}
+forces: {p: {at: Q, force: [P, -P], carrier: b}}
+constraints: {held: {point: Q, surface: track}}
+"""
+
+
+@pytest.mark.parametrize("change", [("", ""), ("P: 20", "P: 1e-3"), ("500 N/m", "5e5 N/m"), ("0.2 m]]", "0.3 m]]"),
+                                    ("m: 1 kg", "m: 10 kg")])
+def test_what_rests_in_equilibrium_rests(change):
+    """Nothing in time disturbs it, so that the two solutions differ by rounding alone, and so do its energies."""
+    scene = problem(RESTING.replace(*change))
+    found = known_motion(scene, 1.0)
+    assert found.end == 1.0 and found.balance.error < 1e-8
+    q = found.at(np.linspace(0, 1.0, 50))[0]
+    assert np.abs(q - q[:, :1]).max() < 1e-11

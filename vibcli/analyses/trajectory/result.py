@@ -23,8 +23,9 @@ class Event(NamedTuple):
 class Balance(NamedTuple):
     """E(t) − E(0) = work of the loads − dissipated + work of what drives the motion, at the ends of all windows.
 
-    error: the largest difference of both sides, relative to the largest of all these energies; `driven`: does the
-    motion depend on the time by what drives it? The energy then is Σ q̇ ∂T/∂q̇ − T + V."""
+    error: the largest difference of both sides, relative to the largest of all these energies; of what rests, where all
+    but T + V are nothing but rounding, to T + V, or to the terms that cancel in it; `driven`: does the motion depend on
+    the time by what drives it? The energy then is Σ q̇ ∂T/∂q̇ − T + V."""
 
     times: np.ndarray
     energy: np.ndarray

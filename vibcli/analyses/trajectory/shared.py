@@ -9,7 +9,9 @@ import numpy as np
 
 from vibcli.analyses.trajectory.collocation import rule
 from vibcli.analyses.trajectory.result import POINTS
+from vibcli.analyses.trajectory.sizes import EPSILON
 
+ROUNDED = 16         # last digits of the figure: of places that differ by less nothing but rounding is known
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
 NEAR = POINTS       # places before and after an instant, at which two signals are compared
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
@@ -17,9 +19,9 @@ STILL = 1e-3        # of the size of a coordinate: its error is not compared wit
 
 class Shared:
     """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
-    relative to how far each coordinate goes and how fast."""
+    relative to how far each coordinate goes and how fast. units: the size of the figure along each coordinate."""
 
-    def __init__(self, one, other):
+    def __init__(self, one, other, units):
         self.one, self.other = one, other
         end = min(one.end, other.end)
         c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
@@ -28,8 +30,11 @@ class Shared:
         both = [trajectory.at(self.times)[:2] for trajectory in (one, other)]
         skipped = [trajectory.fast for trajectory in (one, other) if trajectory.fast is not None]
         fast = [sum((getattr(part, row) for part in skipped), np.zeros(len(one.names))) for row in ("q", "v")]
-        worst = [_relative(a, b, one.sizes, self.times**power, less)
-                 for a, b, power, less in zip(*both, (2, 1), fast, strict=True)]
+        places = ROUNDED * EPSILON * np.asarray(units)
+        least = [one.sizes.noise[:, None] * self.times**power + rounding[:, None]
+                 for power, rounding in ((2, places), (1, places / one.sizes.radian))]
+        worst = [_relative(a, b, one.sizes, rounding, less)
+                 for a, b, rounding, less in zip(*both, least, fast, strict=True)]
         self.error = np.maximum.accumulate(np.maximum(*worst))
 
     @property
@@ -50,10 +55,10 @@ class Shared:
         return float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 
-def _relative(a, b, sizes, ways, fast):
+def _relative(a, b, sizes, rounding, fast):
     """The largest |a − b| of each instant relative to how far a row goes; of what rests but for rounding, relative to
-    what the rounding of its acceleration may make of it. fast: what is stepped over, which is told apart."""
-    size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None]
-    size = size + sizes.noise[:, None] * ways / LOST
+    what rounding may make of it: that of its acceleration, and that of the places, to which what is fastest vibrates.
+    fast: what is stepped over, which is told apart."""
+    size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None] + rounding / LOST
     gap = np.maximum(np.abs(a - b) - fast[:, None], 0.0)
     return np.divide(gap, size, out=np.zeros_like(a), where=size > 0).max(axis=0)

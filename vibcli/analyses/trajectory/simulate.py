@@ -27,7 +27,8 @@ MOST_AT_ONCE = 20       # events at one instant
 def known_motion(problem, until, initial=None):
     """The Trajectory that `simulate` gives, as far as a second solution shares it."""
     found = simulate(problem, until, initial=initial)
-    found.shared = Shared(found, simulate(problem, found.end, initial=initial, second=True))
+    units = [(problem.figure_size or 1.0) if problem.dimension(name) else 1.0 for name in found.names]
+    found.shared = Shared(found, simulate(problem, found.end, initial=initial, second=True), units)
     horizon = found.shared.horizon
     if horizon is not None:
         found.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
@@ -64,8 +65,12 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
         found.fast = march.fast
         return found
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
-    if not (energies.error <= BALANCED or energies.gap <= _rounding(problem, march, energies)):
-        raise _unbalanced(energies)
+    if not energies.error <= BALANCED:
+        rounding, gap = _rounding(problem, march, energies), energies.gap
+        if not gap <= rounding:
+            raise _unbalanced(energies)
+        largest = abs(energies.energy).max()
+        energies = energies._replace(error=gap / largest if gap <= BALANCED * largest else EPSILON * gap / rounding)
     found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows),
                        march.sizes)
     found.fast = march.fast
