@@ -129,6 +129,21 @@ def test_methods_agree_with_their_slopes(kind):
         assert np.abs((ends[0] - ends[1]) / (2j * step) - slopes) == pytest.approx(0 * size, abs=1e-4 * size.max())
 
 
+@pytest.mark.parametrize("width", [1, 3, 8])
+def test_slopes_of_systems_with_a_narrow_band(width):
+    """As full matrices give them, near resonances too, where damping turns the phase."""
+    rng, n = np.random.default_rng(width), 30
+    band = np.abs(np.subtract.outer(np.arange(n), np.arange(n))) <= width
+    K, M, C = (np.where(band, rng.uniform(-1, 1, (n, n)), 0.0) for _ in range(3))
+    K, M = 50 * (K + K.T) + 200 * width * np.eye(n), 0.1 * (M + M.T) + width * np.eye(n)
+    system = Transfer(M, C + width * np.eye(n), K, unit(n, 3) * 3.0, unit(n, n - 2), (0.1, 0.02, 0.0))
+    assert many._ordered(system)[1] <= many.NARROW
+    s = 1j * np.array([0.5, 5.0, 12.0, 14.0, 17.0, 40.0])
+    (values, slopes, _), (wanted, steep, _) = (method(system, s, True) for method in (many.chosen(system), direct))
+    assert values == pytest.approx(wanted, rel=1e-10)
+    assert slopes == pytest.approx(steep, rel=1e-9)
+
+
 def test_the_bound_rejects_a_wrong_answer():
     system = random_system(np.random.default_rng(1), 5, "damped")
     assert abs(frf(system, 3.0) * (1 + 1e-6) - exact(system, 3.0)) > bound(system, 3.0)

@@ -388,6 +388,14 @@ def test_a_response_has_one_panel_a_unit():
     assert max(upper.curves[0].y) == pytest.approx(3) and max(lower.curves[0].y) == pytest.approx(90)
 
 
+@pytest.mark.parametrize("sizes", [(3e-3, 4e-6), (2e-9, 5e3), (7.0, 8e-4), (6e5, 2.0)])
+@pytest.mark.parametrize("turned", [1, -1])
+def test_signals_of_a_unit_are_read_in_that_of_the_largest(sizes, turned):
+    found = of_response(TIMES, [(f"x{i}", "m", wave(size, 2)) for i, size in enumerate(sizes[::turned])])
+    greatest = max(abs(y) for panel in found.panels for curve in panel.curves for y in curve.y)
+    assert 0.1 <= greatest < 1e4
+
+
 def test_signals_that_turn_often_stand_apart_in_one_scale():
     first, second = FIGURES["beats"].panels
     assert first.y_range == second.y_range == pytest.approx((-2, 2), rel=1e-3)
