@@ -17,7 +17,17 @@ from scenes import problem, problem_of
 
 from vibcli.cli import run
 from vibcli.errors import PhysicsError
-from vibcli.report.drawing import animation, compose, lettering, mode_shape, plane, rope, sliding, vibration
+from vibcli.report.drawing import (
+    animation,
+    compose,
+    lettering,
+    mode_shape,
+    pillow_canvas,
+    plane,
+    rope,
+    sliding,
+    vibration,
+)
 from vibcli.report.drawing.damper import dashpot
 from vibcli.report.drawing.drawing import draw
 from vibcli.report.drawing.matplotlib_canvas import MARGIN, figure, picture
@@ -268,6 +278,20 @@ def test_gif_and_page_of_a_mode():
     shown = Image.open(BytesIO(first))
     assert shown.is_animated and shown.n_frames > 10 and max(shown.size) <= 600
     assert len(animation.data(frames, caption, names, "title", "html")) < 2_000_000
+
+
+@pytest.mark.parametrize("low", [-400.0, 0.0, 900.0])
+@pytest.mark.parametrize("high", [30.0, 500.0])
+def test_the_caption_of_a_gif_stands_whole_below_the_drawing(low, high):
+    import numpy as np
+    from PIL import Image
+
+    frames = [[Polygon(((0, low), (200, low), (200, low + high), (0, low + high)))]] * 2
+    page = np.asarray(Image.open(BytesIO(pillow_canvas.gif(frames, "ω = 4.17612 rad/s"))).convert("L"), int)
+    margin, below = pillow_canvas.MARGIN, pillow_canvas.MARGIN + pillow_canvas.FOOT
+    foot = page[-int(len(page) * below / (high + margin + below)) + 3:]
+    rows, columns = np.nonzero(foot < 128)
+    assert len(rows) > 30 and rows.min() > 0 and rows.max() < len(foot) - 2 and columns.max() < page.shape[1] - 2
 
 
 class Tags(HTMLParser):
