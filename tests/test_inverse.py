@@ -502,6 +502,19 @@ def test_infeasible(choose, words):
     assert words in refused(scene(BLOCK, GIVEN, choose))
 
 
+def test_what_samples_tell_is_not_called_a_law():
+    """ω₁ of the first mass stays 20 rad/s wherever it was tried; letters of two modes do not prove it."""
+    text = """
+    parameters: {m: 2 kg, k: 800 N/m}
+    bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}
+    springs: {s: {k: k, between: [ground, a]}, r: {k: 2*k, between: [ground, b]}}
+    dampers: {d: {c: c, between: [ground, b]}}
+    choose: {c: "omega[1] = 20 rad/s"}
+    """
+    told = refused(text)
+    assert "this holds at all" in told and "values of c tried from" in told and "whatever" not in told
+
+
 def test_a_value_and_a_condition_contradict_one_another():
     with pytest.raises(SpecError) as caught:
         problem(scene(BLOCK, GIVEN + ", c: 3 N*s/m", "c: zeta[1] = 1"))

@@ -246,3 +246,31 @@ def test_cases(ask):
 def test_nothing_is_printed_where_there_is_no_answer(ask, command):
     assert ask("bodies: {b: {mass: 1 kg, at: [0, 0]}}", command, code=4) is None
     assert ask("bodies: {b: {mass: 1 kg, wrong: 3}}", command, code=3) is None
+
+
+CHAOS = """
+parameters: {m: 1 kg, L: 1 m, g: 9.81 m/s^2}
+gravity: g
+points: {P: {body: upper, at: [0, -L]}}
+bodies:
+  upper: {mass: m, at: [0, -L], pin: {at: [0, 0], by: p}}
+  lower: {mass: m, at: [0, -2*L], pin: {at: P, by: r}}
+motion: full
+initial: {p: 3 rad, r: 2 rad}
+"""
+
+
+def test_a_motion_that_is_known_in_part_is_given_as_far_as_it_is_known(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text(CHAOS)
+    assert run(["response", str(path), "--json", "--until", "60", "--at", "10", "--at", "40"]) == 4
+    out, err = capsys.readouterr()
+    found = json.loads(out)["response"]
+    assert 10 < found["until"] < 40 and found["unknown"] in err
+    assert "its motion is not known at t = 60 s" in found["unknown"]
+    for signal in found["signals"]:
+        early, late = signal["at"]
+        assert early["value"] is not None and late["value"] is None
+        assert signal["argmax"] <= found["until"] and signal["argmin"] <= found["until"]
+    assert run(["response", str(path), "--json", "--until", "2"]) == 0
+    assert json.loads(capsys.readouterr().out)["response"]["unknown"] is None

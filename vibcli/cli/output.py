@@ -33,6 +33,7 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
             solved.append((case, problem))
             if output.kind == "json":
                 found[case] = _data(problem, data, normalise, digits, sections(problem), wanted)
+                refused |= _told_unknown(problem, case, found[case], wanted)
             else:
                 report = _report(problem, _illustrated(sections(problem), output), normalise, digits, output.pictures,
                                  wanted)
@@ -58,6 +59,17 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
     if timings:
         show_timings(solved)
     return 4 if refused else 0
+
+
+def _told_unknown(problem, case, data, wanted):
+    """Is a part of the motion not known? Then it is said on stderr too."""
+    if not (data.get("response") or {}).get("unknown"):
+        return False
+    from vibcli.report.response_data import unknown
+    from vibcli.report.wanted import Wanted
+
+    show_refusal(unknown(problem, wanted or Wanted()), problem.spec.file + (f", case {case}" if case else ""))
+    return True
 
 
 def _at_once(output):

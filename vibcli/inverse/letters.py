@@ -39,6 +39,21 @@ def candidates(problem, thorough):
     return solve_equations(nodes, unknowns, scene, thorough) if len(nodes) >= len(unknowns) else None
 
 
+def independent(problem):
+    """Do letters prove that the conditions do not depend on what is chosen? Only of one degree of freedom: of several,
+    what is a property of one mode may become that of another."""
+    scene = problem.scene
+    if len(scene.q) != 1:
+        return False
+    unknowns = [scene.parameters.nodes[name] for name in problem.spec.choices]
+    meant = definitions(scene, unknowns)
+    try:
+        nodes = [node for record in problem.spec.choices.values() for node in _vanishing(problem, record["so"])]
+    except (NotInLetters, PhysicsError, ZeroDivisionError):
+        return False
+    return not any(depends(node, unknowns) for node in substitute(nodes, meant))
+
+
 def determined_alone(problem):
     """(chosen name, its Candidates, name of the entry) of a condition in letters that holds one unknown, to which all
     solutions are known; None of none."""

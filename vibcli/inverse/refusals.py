@@ -10,14 +10,18 @@ from vibcli.report.figures import figure
 from vibcli.report.notation import plain
 
 
-def undetermined(problem, span=None):
-    """The conditions hold whatever is chosen, or over a whole span of it."""
+def undetermined(problem, tried=None):
+    """The conditions hold whatever is chosen, as letters prove; or at all the values that were `tried` in a range."""
     names, where = listed(problem.spec.choices), _where(problem)
     if [record["so"].word for record in problem.spec.choices.values()] == [BALANCE]:
         return PhysicsError(f"the drawn position is in equilibrium whatever {names} is: that does not determine it",
                             "ask for another condition", where)
-    reach = "whatever {} is" if span is None else f"for every {{}} from {_figure(span[0])} to {_figure(span[1])}"
-    return PhysicsError(f"{texts(problem)}: this holds {reach.format(names)}, so it does not determine it",
+    reach = f"whatever {names} is"
+    if tried is not None:
+        unit = units.text(problem.spec.dimensions.of(next(iter(problem.spec.choices))))
+        ends = f"{_figure(tried[0])} to {_figure(tried[-1])} {unit}".rstrip()
+        reach = f"at all {len(tried)} values of {names} tried from {ends}"
+    return PhysicsError(f"{texts(problem)}: this holds {reach}, so it does not determine it",
                         "ask for another condition", where)
 
 

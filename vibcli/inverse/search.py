@@ -9,7 +9,7 @@ from vibcli.analyses.zeros import holds_everywhere, longest_plateau, zeros
 from vibcli.errors import PhysicsError
 from vibcli.inverse import refusals
 from vibcli.inverse.folds import followed
-from vibcli.inverse.letters import candidates, determined_alone
+from vibcli.inverse.letters import candidates, determined_alone, independent
 from vibcli.inverse.ranges import grid
 from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.system import System
@@ -25,6 +25,7 @@ def solve(problem, thorough=False, limits=None):
     system = System(problem, limits)
     system.settle_scales([[span.scale * factor for span in system.ranges] for factor in PLACES])
     letters = candidates(problem, thorough)
+    always = system.shares and _in_place(problem) and (letters.always if letters is not None else independent(problem))
     if letters is not None and letters.always:
         letters = None
     accepted = []
@@ -36,7 +37,7 @@ def solve(problem, thorough=False, limits=None):
     if not proven:
         found = _one_by_one(problem, system, thorough) if len(system.names) > 1 and system.shares else None
         if found is None:
-            found = [(values, _form_of(problem, letters, values)) for values in _looked_for(system)]
+            found = [(values, _form_of(problem, letters, values)) for values in _looked_for(system, always)]
         accepted += [pair for pair in found if _new(pair[0], accepted)]
     if not accepted:
         raise refusals.none_found(system, _scanned(system)[1] if len(system.names) == 1 else None, proven)
@@ -94,15 +95,16 @@ def _one_by_one(problem, system, thorough):
     return [pair for pair in accepted if system.holds(pair[0])[0]]
 
 
-def _looked_for(system):
-    """Solutions by looking, as lists of Fractions."""
+def _looked_for(system, always):
+    """Solutions by looking, as lists of Fractions; always: do letters prove that the conditions hold everywhere?"""
     if len(system.names) == 1:
         found, scan = _scanned(system)
         if holds_everywhere(scan):
-            raise refusals.undetermined(system.problem)
+            raise refusals.undetermined(system.problem, None if always else [x for x, _ in scan.defined()])
         plateau = longest_plateau(scan)
         if plateau and (not found or any(plateau[0] <= x <= plateau[1] for x in found)):
-            raise refusals.undetermined(system.problem, plateau)
+            tried = [x for x, _ in scan.defined() if plateau[0] <= x <= plateau[1]]
+            raise refusals.undetermined(system.problem, tried)
         places = [*_followed_to(system, scan), *([x] for x in found)]
     else:
         places = _newton(system)

@@ -92,7 +92,9 @@ KEYS = {
     "damped[].shape": "{coordinate: amplitude}, a number or [re, im]",
     "damped[].error": "bound of the relative error of the eigenvalue",
     "response": "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no value",
-    "response.until": "its end, in s; null where a motion that is all prescribed is asked for at instants alone",
+    "response.unknown": "null, or why the motion is known up to `until` alone, though more was asked for",
+    "response.until": "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for "
+                      "at instants alone",
     "response.initial": "{coordinate, or velocity x': value at t = 0}",
     "response.signals": "a list, one entry to each signal",
     "response.signals[].signal": "the signal as written",
@@ -108,7 +110,7 @@ KEYS = {
     "response.signals[].steady[].phase": "its θ in X sin(Omega t − θ), or as --phase says",
     "response.signals[].at": "a list, one entry to each --at; empty without",
     "response.signals[].at[].t": "the instant, in s",
-    "response.signals[].at[].value": "the value then; with --digits a decimal",
+    "response.signals[].at[].value": "the value then, null where it is not known; with --digits a decimal",
     "response.balance": "what the energies of an integrated motion fail to balance by, relative to the largest; null "
                         "of small oscillations",
     "frequency_response": "of `vibcli frf`, and where `find` asks: a list, one entry to each signal; null where "

@@ -52,17 +52,22 @@ def response(problem, report):
     if motion.KIND == "prescribed" and report.wanted.at and not motion.ends:
         yield from _at_instants(problem, asked, report.wanted, inf)
         return
-    known = _known(motion, report.wanted) if motion.KIND == "full" else motion.until
+    known = known_until(motion, report.wanted) if motion.KIND == "full" else motion.until
     yield from _at_instants(problem, asked, report.wanted, known)
     yield from _extremes(asked, min(known, motion.until))
-    latest = max([motion.until, *(float(t) for _, t in report.wanted.at)])
+    latest = latest_asked(motion, report.wanted)
     if known < latest:
         raise motion.trajectory().unknown(latest)
 
 
-def _known(motion, wanted):
+def latest_asked(motion, wanted):
+    """The last instant that is asked for [s]."""
+    return max([motion.until, *(float(t) for _, t in wanted.at)])
+
+
+def known_until(motion, wanted):
     """Up to when a full motion is known, of what is asked for [s]."""
-    latest = max([motion.until, *(float(t) for _, t in wanted.at)])
+    latest = latest_asked(motion, wanted)
     return min(latest, motion.trajectory(latest).end)
 
 

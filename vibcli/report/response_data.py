@@ -1,35 +1,49 @@
 """Motions in time and frequency responses as data for --json, in SI units."""
 
-from math import isfinite
+from math import inf, isfinite
 
 from vibcli.errors import PhysicsError
-from vibcli.report.response import harmonics_of, phase_in, value_at
+from vibcli.report.response import harmonics_of, known_until, latest_asked, phase_in, value_at
 from vibcli.report.responses import curves_asked, extremes, signals_asked
 
 
 def response_data(problem, wanted):
-    """{"until", "initial", "signals", "balance"} of a motion in time."""
+    """{"until", "initial", "signals", "balance", "unknown"} of a motion in time, as far as it is known."""
     motion, asked = problem.motion, signals_asked(problem, wanted.signals)
     places, speeds = motion.start
-    instants = {one.text: _values(problem, one, wanted) for one in asked}
+    known = known_until(motion, wanted) if motion.KIND == "full" else inf
+    instants = {one.text: _values(problem, one, wanted, known) for one in asked}
     if motion.KIND == "prescribed" and wanted.at and not motion.ends:
         return {"until": None, "initial": {}, "signals": [
             {"signal": one.text, "unit": one.unit, "max": None, "argmax": None, "min": None, "argmin": None,
-             "steady": None, "at": instants[one.text]} for one in asked], "balance": None}
-    found = {"until": motion.until, "initial": {**places, **{name + "'": v for name, v in speeds.items()}},
+             "steady": None, "at": instants[one.text]} for one in asked], "balance": None, "unknown": None}
+    end = min(known, motion.until)
+    found = {"until": end, "initial": {**places, **{name + "'": v for name, v in speeds.items()}},
              "signals": []}
-    for one, (late, most), (early, least) in extremes(asked, motion.until):
+    for one, (late, most), (early, least) in extremes(asked, end):
         found["signals"].append({"signal": one.text, "unit": one.unit, "max": most, "argmax": late, "min": least,
                                  "argmin": early, "steady": _steady(motion, one.signal, wanted.phase),
                                  "at": instants[one.text]})
-    return found | {"balance": float(motion.trajectory().balance.error) if motion.KIND == "full" else None}
+    missing = unknown(problem, wanted)
+    return found | {"balance": float(motion.trajectory().balance.error) if motion.KIND == "full" else None,
+                    "unknown": missing and missing.message}
 
 
-def _values(problem, one, wanted):
-    """[{"t", "value"}] at the instants asked for; with --digits as texts."""
+def unknown(problem, wanted):
+    """The refusal of the part of a motion that is asked for and not known, else None."""
+    motion = problem.motion
+    latest = latest_asked(motion, wanted) if motion.KIND == "full" else 0.0
+    return motion.trajectory().unknown(latest) if motion.KIND == "full" and known_until(motion, wanted) < latest \
+        else None
+
+
+def _values(problem, one, wanted, known):
+    """[{"t", "value"}] at the instants asked for; with --digits as texts; None beyond what is known."""
     def value(t):
         import numpy as np
 
+        if t > known:
+            return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
         return float(one.signal.values(np.array([float(t)]))[0])
