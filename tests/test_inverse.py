@@ -502,6 +502,24 @@ def test_infeasible(choose, words):
     assert words in refused(scene(BLOCK, GIVEN, choose))
 
 
+@pytest.mark.parametrize("first", [2, 3, 5])
+@pytest.mark.parametrize("second", [2, 3, 5])
+@pytest.mark.parametrize("power", [1, 2, 3])
+def test_one_for_two_conditions_is_refused_where_they_disagree(first, second, power):
+    """(P − a) = 0 along x and Pⁿ = bⁿ along y."""
+    text = f"""
+    parameters: {{m: 2 kg}}
+    bodies: {{b: {{mass: m, at: [0, 0], move: [x, y, 0]}}}}
+    energies: {{V: (P - {first} N)*x + (P^{power}/(1 N^{power}) - {second ** power})*(1 N)*y}}
+    choose: {{P: equilibrium}}
+    """
+    if first == second:
+        assert values(settled(problem(text)), "P") == pytest.approx([first], rel=1e-9)
+    else:
+        told = refused(text)
+        assert "no value of P" in told and ("makes the drawn position an equilibrium" in told or power > 1)
+
+
 def test_what_samples_tell_is_not_called_a_law():
     """ω₁ of the first mass stays 20 rad/s wherever it was tried; letters of two modes do not prove it."""
     text = """

@@ -153,16 +153,22 @@ def not_admissible(problem, name, node, value, span):
 
 
 def unbalanced(problem, numeric, pairs):
-    """Conditions of equilibrium that are left over."""
+    """Conditions of equilibrium that are left over, at the values that the other conditions ask for."""
     names = [name for name, record in problem.spec.choices.items() if record["so"].word == BALANCE]
     errors = [abs(misfit(pair, 0.0)) for pair in pairs]
     i = errors.index(max(errors))
     left = pairs[i][0] - pairs[i][1]
     coordinate = numeric.scene.coordinates[i]
-    return PhysicsError(f"no value of {listed(names)} makes the drawn position an equilibrium: the condition for "
-                        f"'{coordinate}' is left with {figure(left)}",
+    others = [_valued(problem, name, numeric.floats[name]) for name in problem.spec.choices if name not in names]
+    given = f"with {listed(others)}, as is chosen, " if others else ""
+    return PhysicsError(f"{given}no value of {listed(names)} makes the drawn position an equilibrium: the condition "
+                        f"for '{coordinate}' is left with {figure(left)}",
                         "choose as many parameters as there are conditions, or draw the position of equilibrium",
                         problem.spec.choices[names[0]].where)
+
+
+def _valued(problem, name, value):
+    return f"{name} = {figure(value)} {units.text(problem.spec.dimensions.of(name))}".rstrip()
 
 
 def no_closed_form(problem):
