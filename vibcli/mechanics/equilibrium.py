@@ -12,6 +12,7 @@ import math
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
+from vibcli.mechanics.rounded import may_vanish
 
 EPSILON = 2.0**-52
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
@@ -126,22 +127,7 @@ class Search:
 
     def balanced(self, numbers):
         """Is nothing left of the forces but what rounding leaves?"""
-        return self.relative(numbers) <= 1e-9 or self.rounded()
-
-    def rounded(self):
-        """May every force be zero, within the rounding of what it is computed from? The force of a stiff spring,
-        k (ℓ − ℓ₀), is not known to the last digit of a small load."""
-        from vibcli.algebra.intervals import Intervals, exact
-        from vibcli.mechanics.linearisation import residual_terms
-
-        values = {name: exact(x) for name, x in (*self.problem.floats.items(), *self.here.items())}
-        rows = residual_terms(self.problem.form)
-        try:
-            found = iter(evaluate([term for row in rows for term in row], Intervals, values))
-        except KeyError:            # of a function without bounds
-            return False
-        forces = [sum((next(found) for _ in row), exact(0.0)) for row in rows]
-        return all(force.holds_zero() and math.isfinite(force.size) for force in forces)
+        return self.relative(numbers) <= 1e-9 or may_vanish(self.problem, self.here)
 
     def faded(self, numbers):
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
