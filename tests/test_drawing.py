@@ -10,6 +10,7 @@ from html.parser import HTMLParser
 from io import BytesIO
 from itertools import combinations, pairwise
 from pathlib import Path
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -468,3 +469,19 @@ def test_a_wedge_lies_under_all_that_slides_on_it(angle, reach):
     normal = plane.left(up) if up[0] > 0 else plane.times(plane.left(up), -1)
     assert [plane.dot(plane.minus(point, corner), normal) for point in way for corner in (foot, head)] == \
         pytest.approx([sliding.BLOCK[1] / 2] * 4)
+
+
+@pytest.mark.parametrize("place", [-60.0, -5.0, 10.0, 50.0, 95.0, 170.0])
+@pytest.mark.parametrize("angle", [0, 50, 200])
+def test_a_plank_lies_under_its_whole_surface_and_its_centre(place, angle, monkeypatch):
+    e = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    a = (20.0, -30.0)
+    b, centre = plane.plus(a, e, 100.0), plane.plus(plane.plus(a, e, place), plane.left(e), -12.0)
+    monkeypatch.setattr(sliding, "contacts", lambda *_: ())
+    monkeypatch.setattr(sliding, "free_side", lambda *_: 1)
+    sketch = SimpleNamespace(pair=lambda end: end, centre=lambda name: centre)
+    surface = type("Surface", (dict,), {"name": "s"})(line=(a, b))
+    plank = sliding.platform(SimpleNamespace(name="p"), sketch, surface).core
+    along, across = ([plane.dot(plane.minus(corner, a), d) for corner in plank] for d in (e, plane.left(e)))
+    assert (min(along), max(along)) == pytest.approx((min(0, place - sliding.DECK), max(100, place + sliding.DECK)))
+    assert max(across) == pytest.approx(0, abs=1e-9) and min(across) < -12

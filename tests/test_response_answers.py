@@ -74,6 +74,20 @@ def test_extremes_and_zeros_against_a_fine_grid():
     assert swept == 24
 
 
+@pytest.mark.parametrize("pace", [0.02, 0.3, 5.0])
+def test_zeros_where_jumps_pass_zero(pace):
+    """The acceleration under a load of steps, short and long beside the period."""
+    rng = np.random.default_rng(11)
+    instants = np.append(0.0, np.cumsum(rng.uniform(0.5, 1.5, 25))) * pace
+    loads = [(Wave(0, rng.uniform(-3, 3), 0, 0j),) for _ in instants]
+    motion = one(1.0, 0.2, 4.0, [Segment(*pair) for pair in zip(instants, loads, strict=True)], 0.1)
+    t = np.append(np.linspace(0, instants[-1], 20001), np.concatenate([instants - 1e-9, instants + 1e-9])[1:])
+    t = np.sort(t[(t >= 0) & (t <= instants[-1])])
+    y, found = motion.values(Output(a={0: 1.0}), t), motion.zeros(Output(a={0: 1.0}), 0.0, instants[-1])
+    changes = np.flatnonzero(np.diff(np.sign(y)))
+    assert len(found) == len(changes) and np.abs(found - t[changes]).max() <= instants[-1] / 20000
+
+
 def test_zeros_passed_touched_and_levels():
     zeros = one(1.0, 0.0, 9.0, FREE, 0.0, 3.0).zeros(q(0), 0.0, 100.0)
     assert len(zeros) == 96 and np.abs(zeros - np.arange(96) * math.pi / 3).max() < 1e-13

@@ -1,12 +1,14 @@
 """Zeros by looking, several unknowns by Newton steps, equations in letters."""
 
 import math
+from fractions import Fraction
 from types import SimpleNamespace
 
 import pytest
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table
+from vibcli.analyses.angles import _linear
 from vibcli.analyses.elimination import solve_equations
 from vibcli.analyses.several import common_zeros, halton
 from vibcli.analyses.solving import polynomial, solve_equation
@@ -171,6 +173,22 @@ def test_every_candidate_solves_its_equation(letters):
             swept += misfits[-1] < 1e-9
         assert misfits and min(misfits) < 1e-9
     assert swept >= 9
+
+
+@pytest.mark.parametrize("a", [0, 2, -3])
+@pytest.mark.parametrize("b", [0, 1, -4])
+@pytest.mark.parametrize("c", [0, "0.3", "-0.8"])
+def test_angles_from_minus_half_a_turn_to_a_turn(a, b, c):
+    """a sin x + b cos x + c (|a| + |b|) = 0: all of them, and nothing else."""
+    if not (a or b):
+        return
+    table, c = Table(), Fraction(c) * (abs(a) + abs(b)) / 2
+    found = evaluate(_linear(*(table.number(value) for value in (a, b, c))), Floats, {})
+    middle, half = math.atan2(a, b), math.acos(-c / math.hypot(a, b))
+    wanted = [x for i in range(-3, 4) for x in (middle + half + 2 * math.pi * i, middle - half + 2 * math.pi * i)
+              if -math.pi - 1e-9 <= x < 2 * math.pi - 1e-9]
+    assert all(any(abs(x - y) < 1e-12 for y in found) for x in wanted) and len(wanted) >= 2
+    assert all(abs(a * math.sin(x) + b * math.cos(x) + c) < 1e-12 for x in found)
 
 
 def test_higher_degrees_are_factored_by_sympy_alone(letters):

@@ -1,4 +1,4 @@
-"""Angles in letters: A sin x + B cos x + C = 0 within a turn to either side."""
+"""Angles in letters: A sin x + B cos x + C = 0, each from −π to 2π at least."""
 
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.normal import textbook
@@ -39,7 +39,7 @@ def _holds(node, x):
 
 
 def _linear(a, b, c):
-    """x of a sin x + b cos x + c = 0 from −2π to 2π."""
+    """x of a sin x + b cos x + c = 0, each from −π to 2π and some beyond."""
     table, turn = a.table, 2 * a.table.pi
     if c.is_zero:
         if b.is_zero:
