@@ -184,6 +184,18 @@ def test_symbols_are_strings(ask):
     assert not numbers({key: data[key] for key in ("equilibrium", "matrices", "equations")})
 
 
+@pytest.mark.parametrize("law", ["k*d + F*sin(d/L)", "k*d + F*exp(d/L)"])
+def test_what_is_not_found_in_letters_is_null_beside_the_equations_and_refused_alone(ask, law):
+    text = ("parameters: {m: , k: , F: , g: , L: }\ngravity: g\n"
+            "bodies: {b: {mass: m, at: [0, -L], slide: {along: [0, -1], by: x}}}\n"
+            f"springs: {{s: {{law: {law}, between: [[0, 0], b]}}}}\n")
+    whole, alone = ask(text), ask(text, "equations")
+    well_formed(whole, "solve")
+    assert whole["modes"] is whole["matrices"] is None and "in letters" in whole["remark"]
+    assert whole["equations"] == alone["equations"] and whole["equations"][0]["text"]
+    assert ask(text, "frequencies", code=4) is None
+
+
 def test_undamped_and_unstable(ask):
     data = ask(UPRIGHT)
     assert data["damped"] is None
