@@ -6,7 +6,11 @@ import numpy as np
 import pytest
 from scenes import problem, problem_of, value
 
+from vibcli.algebra import normal
+from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.cli import run
 from vibcli.errors import PhysicsError
+from vibcli.report.results import numeric_drive
 
 MOTIONS = ["Y*(1 - exp(-r*t))", "Y*(1 - cos(w*t))", "Y*cos(w*t)", "Y + Y*sin(w*t)", "Y - Y*exp(-r*t)*cos(w*t)"]
 FIGURES = {
@@ -187,3 +191,50 @@ find: [{response: {until: 1.5 s}}]
 """, encoding="utf-8")
     speed = problem_of(scene).motion.signal(("name", 0, 0, "x", 1)).values(np.array([0.4, 0.6, 1.0]))
     assert speed == pytest.approx([4 * 0.48 / 2, (4 * 0.78 + 3) / 2, (6 + 3) / 2], rel=1e-10)
+
+
+LONG = """
+parameters: {m2: 1.62 kg, w1: 150.6 mm, m3: 0.9493 kg, r1: 20.71 cm, a1: 35.64 deg, b1: 163 deg, m4: 1.716 kg,
+  r2: 0.1217 m, a2: 134.2 deg, b2: 97.05 deg, k1: 2.677 N/mm, Y1: 29.45 mm, k2: 318.4 N/m, U1: 0.01682 kg*m,
+  W2: 10.06 rad/s}
+points:
+  A: {body: b, at: [0.212 m, -0.401 m]}
+  S: {at: [0.195 m, 0.093 m], moves: [Y1*(1 - exp(-t/(0.112 s))), 0]}
+bodies:
+  b:
+    parts:
+      - {shape: disc, mass: m2, radius: w1, at: [0.115 m, -0.401 m]}
+      - {shape: sector, mass: m3, radius: r1, half_angle: a1, angle: b1, at: [0.384 m, -0.301 m]}
+      - {shape: sector, mass: m4, radius: r2, half_angle: a2, angle: b2, at: [0.322 m, -0.201 m]}
+    slide: {by: x, along: [-0.914, -0.405]}
+springs:
+  s: {k: k1, between: [A, [-0.605 m, -0.763 m]], free_length: 0.875 m}
+  r: {k: k2, between: [S, b]}
+forces: {f: {at: b, unbalance: U1, speed: W2}}
+"""
+
+
+@pytest.mark.parametrize("most", [None, 40])
+def test_what_drives_is_the_same_in_numbers_however_long_its_letters_are(most, monkeypatch):
+    """With `most` terms allowed the letters are too long to be multiplied out."""
+    scene = problem(LONG)
+    drive = scene.equations.drive[0]
+    values = [evaluate([drive], Floats, {**scene.at_rest, "t": t})[0] for t in (0.1, 0.7, 3.0)]
+    if most is not None:
+        monkeypatch.setattr(normal, "MOST", most)
+        with pytest.raises(normal.TooLong):
+            normal.expanded(drive)
+    row = numeric_drive(scene, scene.equations, 0)
+    assert 3 <= len(row) <= 4
+    for t, wanted in zip((0.1, 0.7, 3.0), values, strict=True):
+        assert sum(c * evaluate([node], Floats, {**scene.at_rest, "t": t})[0] for c, node in row) == pytest.approx(
+            wanted, rel=1e-13)
+
+
+def test_a_constant_that_drives_stands_without_a_factor_one(capsys, tmp_path):
+    path = tmp_path / "cam.yaml"
+    path.write_text("parameters: {k: 80 N/m}\nsprings: {s: {k: k, between: [S, B]}}\nbodies:\n"
+                    "  B: {mass: 1 kg, at: [1 m, 0], slide: x}\n"
+                    "  S: {at: [0, 0], slide: 0.02 m*(1 - cos(3 rad/s*t))}\n")
+    assert run(["equations", str(path)]) == 0
+    assert "ẍ + 80·x = 1.6 − 1.6·cos(3·t)\n" in capsys.readouterr().out

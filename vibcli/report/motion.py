@@ -102,5 +102,8 @@ def _sum(row):
     parts = []
     for value, node in row:
         sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
-        parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
+        if node.op == "number":
+            parts.append(f"{sign}{abs(value):.6g}")
+        else:
+            parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
     return parts or ["0"]

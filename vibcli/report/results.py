@@ -1,13 +1,17 @@
 """Results as plain data with the documented keys of --json: SI units, null where there is nothing."""
 
+from fractions import Fraction
+
+from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.normal import expanded
+from vibcli.algebra.normal import TooLong, expanded
 from vibcli.algebra.rationals import ONE
 from vibcli.report.language import language
 from vibcli.report.latex import latex
 from vibcli.report.sides import equation
 
 TURN = 6.283185307179586
+ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is zero then
 
 
 def energies_data(problem):
@@ -64,12 +68,34 @@ def numeric_drive(problem, equations, i):
     node = equations.drive.get(i)
     if node is None:
         return []
-    row, table, time = {}, problem.scene.table, problem.scene.time.mask
-    for monomial, value in expanded(node).items():
+    row, sizes, table, time = {}, {}, problem.scene.table, problem.scene.time.mask
+    for monomial, value in _multiplied_out(problem, node).items():
         moving = table.product(*(pair for pair in monomial if pair[0].mask & time))
         fixed = table.product((table.number(value), ONE), *(pair for pair in monomial if not pair[0].mask & time))
-        row[moving] = row.get(moving, 0.0) + evaluate([fixed], Floats, problem.at_rest)[0]
-    return [(value, moving) for moving, value in row.items()]
+        part = evaluate([fixed], Floats, problem.at_rest)[0]
+        row[moving], sizes[moving] = row.get(moving, 0.0) + part, sizes.get(moving, 0.0) + abs(part)
+    return [(value, moving) for moving, value in row.items() if abs(value) > ROUNDING * sizes[moving]]
+
+
+def _multiplied_out(problem, node):
+    """{monomial: coefficient} of a function of the time; where its letters make it too long, with their numbers."""
+    try:
+        return expanded(node)
+    except TooLong:
+        time, table = problem.scene.time.mask, problem.scene.table
+        fixed = [part for part in _beside(node, time) if part.op != "number"]
+        numbers = evaluate(fixed, Floats, problem.at_rest)
+        known = {part: table.number(Fraction(x)) for part, x in zip(fixed, numbers, strict=True)}
+        return expanded(substitute([node], known)[0])
+
+
+def _beside(node, time):
+    """The largest parts of sums and products in a node that do not depend on the time."""
+    if not node.mask & time:
+        yield node
+    elif node.op in ("sum", "product"):
+        for part, _ in node.args:
+            yield from _beside(part, time)
 
 
 def joined(row, times, write, minus="-"):
@@ -80,7 +106,7 @@ def joined(row, times, write, minus="-"):
         size = f"{abs(value):.6g}"
         size = write.numeral(size) if write is latex else size      # 1.2e+06 is no number in LaTeX
         factor = "" if abs(value) == 1 else f"{size}{times}"
-        parts.append(f"{sign}{factor}{write(symbol)}")
+        parts.append(sign + (size if symbol.op == "number" else factor + write(symbol)))
     return "".join(parts) or "0"
 
 
