@@ -11,7 +11,8 @@ from odd.sweep import Sweep
 SCENES, MOST_REFUSED = 100, 0.25
 KINDS = {"slide", "pin", "roll", "move", "turn", "carrier", "rod", "disc", "ring", "rectangle", "ellipse",
          "sector", "arch", "parts", "particle", "torsion", "law", "preload", "free_length", "stretch", "force",
-         "moment", "value", "unbalance", "rope", "gear", "link", "gravity", "initial"}
+         "moment", "value", "unbalance", "rope", "gear", "link", "join", "gravity", "initial", "driven",
+         "follower", "equilibrium", "gap", "acts"}
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +44,7 @@ def test_no_code_is_shared():
 SCENE = next(seed for seed in range(1, 400) for scene in [draw.drawn(seed)]
              if scene.axis and scene.dampers and scene.forces and len(scene.coordinates) == 2 and not scene.tied
              and "motion" not in scene.sections)
-PARTS = 3 * compare.FULL_EACH * compare.EQUATIONS_EACH
+PARTS = compare.FULL_EACH * compare.FRF_EACH * compare.EQUATIONS_EACH     # asked all that is asked every few scenes
 SMALL, FULL, LEFT = mechanics.small, motion.full_motion, mechanics.residual
 
 

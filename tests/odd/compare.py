@@ -11,7 +11,8 @@ from .figure import Figure
 
 Difference = namedtuple("Difference", "what expected found")
 EXACT, IN_TIME, IN_FULL = 1e-9, 1e-8, 1e-6
-TIMES, FULL_EACH, EQUATIONS_EACH = (0.11, 0.37, 0.9), 11, 3
+FRF_EACH = 7
+TIMES, FULL_EACH, EQUATIONS_EACH = (0.11, 0.74), 21, 7
 
 
 class Comparison:
@@ -138,11 +139,45 @@ class Comparison:
             text = text.replace("motion: full\n", "") + (
                 f"motion: full\nfind: [{{response: {{until: {times[-1]} s}}}}]\n")
         self.instants[full] = {quantity: ours[quantity] for quantity in asked}
+        signals = self._signals(times[-1], *found[-1], full)
+        scale = max([largest, *map(abs, signals.values())])
+        asked |= {quantity: "1 N*m" if "torsion" in self._element(quantity) else "1 N" for quantity in signals}
         for quantity, value in doors.values(text, asked).items():
             if isinstance(value, doors.Refusal):
                 raise value
-            self.meet(("full " if full else "") + quantity, ours[quantity], value,
-                      (IN_FULL if full else IN_TIME) * largest)
+            size = largest if quantity in ours else scale
+            self.meet(("full " if full else "") + quantity, {**ours, **signals}[quantity], value,
+                      (IN_FULL if full else IN_TIME) * size)
+
+    def _signals(self, t, q, v, full):
+        """Forces of springs and dampers that are tied in the plane or on an axis."""
+        figure = self.figure
+        if any(drive.steady for drive in figure.drives):
+            return {}
+        u, u1, u2 = figure.driven(t)
+        about = None if full else mechanics.at_rest(figure, self.q)
+        found = mechanics.forces(figure, mechanics.State(list(q), list(v), [], u, u1, u2), about)
+        return {f"{name}({t} s)": force for name, force in found.items() if "stretch" not in self._element(name)}
+
+    def _element(self, signal):
+        name = signal.partition(".")[0]
+        return {**self.figure.scene.get("springs", {}), **self.figure.scene.get("dampers", {})}[name]
+
+    def frequency_responses(self, speeds):
+        """frf[x, x] of each coordinate: what (K + iΩC − Ω²M)⁻¹ says."""
+        small, units = self.small, self._units()
+        for W in speeds:
+            inverse = np.linalg.inv(small.K + 1j * W * small.C - W**2 * small.M)
+            ours, asked = {}, {}
+            for i, name in enumerate(self.figure.independent):
+                for part, value in (("re", inverse[i, i].real), ("im", inverse[i, i].imag)):
+                    quantity = f"{part}(frf[{name}, {name}]({W} rad/s))"
+                    ours[quantity] = value
+                    asked[quantity] = "1 m/N" if units[name] == "1 m" else "1 rad/N/m"
+            for quantity, value in doors.values(self.text, asked).items():
+                if isinstance(value, doors.Refusal):
+                    raise value
+                self.meet(quantity, ours[quantity], value, IN_TIME * np.abs(inverse).max())
 
     def in_part(self, ask, *args, **options):
         """Ask for what may be refused while the rest is answered."""
@@ -200,6 +235,8 @@ def compared(draft, path, seed):
     full = draft.sections.get("motion") == "full"
     if not full:
         found.in_part(found.in_time, TIMES)
+        if seed % FRF_EACH == 0:
+            found.in_part(found.frequency_responses, (5.3,))
     if full or seed % FULL_EACH == 0:
         found.in_part(found.in_time, TIMES[:2], full=True)
     found.in_part(other_doors.ALL[seed % len(other_doors.ALL)], found)

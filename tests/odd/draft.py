@@ -8,8 +8,8 @@ UNITS = {"m": (("m", 1), ("cm", 100), ("mm", 1000)), "kg": (("kg", 1),), "N/m": 
          ("N/mm", 1e-3)), "N": (("N", 1),), "rad": (("rad", 1), ("deg", 57.29577951308232)),
          "s": (("s", 1), ("ms", 1e3))}
 
-KINDS = ("torsion", "law", "stretch", "preload", "free_length", "friction", "force", "moment", "value", "unbalance",
-         "carrier", "rope", "gear", "belt", "join", "link", "point", "equation")
+KINDS = ("gap", "acts", "torsion", "law", "stretch", "preload", "free_length", "friction", "force", "moment", "value",
+         "unbalance", "carrier", "rope", "gear", "belt", "join", "link", "point", "equation")
 
 
 class Plain(yaml.SafeDumper):
@@ -80,9 +80,12 @@ class Draft:
         for body in self.bodies.values():
             found |= {key for key in ("slide", "pin", "roll", "move", "weld", "turn") if key in body}
             found.add(body.get("shape", "parts" if "parts" in body else "particle"))
+            found |= {"driven" for motion in body.values() for text in [
+                motion.get("by", "") if isinstance(motion, dict) else motion] if "*t" in str(text)}
             found |= {"carrier" for motion in body.values() if isinstance(motion, dict) and "carrier" in motion}
         for section in ("springs", "dampers", "forces", "constraints"):
             for words in getattr(self, section).values():
                 found |= {key for key in words if key in KINDS}
+        found |= {"follower" for force in self.forces.values() if "carrier" in force}
         found |= {key for key in ("gravity", "initial", "equilibrium", "motion") if key in self.sections}
         return found

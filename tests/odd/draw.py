@@ -14,7 +14,8 @@ def drawn(seed):
         dice.choice((draw_axis.chain, draw_axis.shaft))(draft)
     elif draft.chance(0.25):
         draw_tied.mechanism(draft)
-        draw_plane.dressed(draft)
+        if "rotor" not in draft.bodies:
+            draw_plane.dressed(draft)
     else:
         draw_plane.machine(draft)
         draw_plane.dressed(draft)

@@ -26,6 +26,20 @@ def chain(draft):
                                          "stretch": f"{draft.some(0.2, 2)}*{x}"}
     if draft.chance(0.3):
         _support(draft)
+    if draft.chance(0.2):
+        _stop(draft)
+
+
+def _stop(draft):
+    """A spring with play, or one that only pulls or only pushes, not reached as drawn."""
+    ends = ["ground", draft.dice.choice(draft.axis)]
+    if draft.chance(0.5):
+        ends.reverse()
+    spring = {"k": draft.given("k", 100, 1000, "N/m"), "between": ends, "gap": draft.given("e", 0.01, 0.05, "m")}
+    if draft.chance(0.8):
+        spring["acts"] = draft.dice.choice(("tension", "compression"))
+    draft.springs[draft.new("s")] = spring
+    draft.sections["motion"] = "full"
 
 
 def _support(draft):

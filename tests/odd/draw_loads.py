@@ -110,3 +110,6 @@ def start(draft, names, tied=()):
             initial[name + "'"] = f"{draft.some(-0.5, 0.5)} {'m/s' if length else 'rad/s'}"
     if initial:
         draft.sections["initial"] = initial
+    if draft.chance(0.15) and "motion" not in draft.sections:
+        name = draft.dice.choice(names)
+        draft.sections["equilibrium"] = {name: f"{draft.some(-0.02, 0.02)} {draft.coordinates[name]}"}

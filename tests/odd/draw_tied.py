@@ -146,5 +146,51 @@ def equated(draft):
     draft.tied.add(y)
 
 
+def spun(draft):
+    """Blocks on a rotor that turns steadily, held in it by springs."""
+    W = draft.given("W", 1, 4, "rad/s")
+    draft.bodies["rotor"] = {"inertia": draft.given("J", 0.1, 1, "kg*m^2"), "at": ["0 m", "0 m"],
+                             "pin": f"({W})*t" if " " in W else f"{W}*t"}
+    draft.points["O"] = {"body": "rotor", "at": ["0 m", "0 m"]}
+    for _ in range(draft.dice.choice((1, 1, 2))):
+        name, x = draft.new("block"), draft.coordinate("m")
+        px, py = draft.some(0.2, 0.5), draft.some(-0.3, 0.3)
+        along = draft.dice.choice((["1", "0"], ["0.6", "0.8"], ["0", "1"]))
+        draft.bodies[name] = {"mass": draft.given("m", 0.5, 3, "kg"), "at": draft.spot(px, py),
+                              "slide": {"along": along, "by": x, "carrier": "rotor"}}
+        end = draft.new("B")
+        ex, ey = (draft.some(0.4, 0.8) * float(c) for c in along)
+        draft.points[end] = {"body": "rotor", "at": draft.spot(px + ex, py + ey)}
+        draft.springs[draft.new("s")] = {"k": draft.given("k", 300, 2000, "N/m"), "between": [end, name]}
+        if draft.chance(0.5):
+            draft.springs[draft.new("s")] = {"k": draft.given("k", 50, 300, "N/m"), "between": ["O", name]}
+        if draft.chance(0.6):
+            draft.dampers[draft.new("d")] = {"c": draft.given("c", 0.5, 8, "N*s/m"), "between": [end, name]}
+        if draft.chance(0.6):
+            draft.forces[draft.new("f")] = {"at": name, "carrier": "rotor", "force": [
+                draft.given("F", 1, 6, "N"), "-" + draft.given("F", 1, 6, "N")]}
+
+
+def shaken(draft):
+    """A cart that moves as prescribed carries a block on a spring, or a pendulum, which carries another body."""
+    from .draw_loads import SMOOTH, wave
+    from .draw_plane import pin, place_for
+
+    draft.bodies["cart"] = {"mass": draft.given("m", 1, 4, "kg"), "at": ["0 m", "0 m"], "slide": {
+        "along": draft.dice.choice((["1", "0"], ["0.6", "0.8"])), "by": wave(draft, "Y", 0.005, 0.03, "m", SMOOTH)}}
+    if draft.chance(0.5):
+        draft.sections["gravity"] = draft.given("g", 9.7, 9.9, "m/s^2")
+    draft.carriers["cart"] = 0.0, 0.0
+    if draft.chance(0.5):
+        x = draft.coordinate("m")
+        draft.bodies["block"] = {"mass": draft.given("m", 0.5, 3, "kg"), "at": ["0 m", "0.5 m"],
+                                 "slide": {"along": ["1", "0"], "by": x, "carrier": "cart"}}
+        draft.points["C"] = {"body": "cart", "at": [f"-{draft.some(0.3, 0.7)} m", "0.5 m"]}
+        draft.springs[draft.new("s")] = {"k": draft.given("k", 200, 2000, "N/m"), "between": ["C", "block"]}
+        draft.dampers[draft.new("d")] = {"c": draft.given("c", 0.5, 9, "N*s/m"), "between": ["C", "block"]}
+        draft.carriers["block"] = 0.0, 0.5
+    pin(draft, place_for(draft, "cart"), draft.dice.choice(list(draft.carriers)))
+
+
 def mechanism(draft):
-    draft.dice.choice((hoist, slanted_rope, crank, crank, planets, kept, equated))(draft)
+    draft.dice.choice((hoist, slanted_rope, crank, crank, planets, kept, equated, spun, spun, shaken))(draft)

@@ -202,7 +202,11 @@ class Figure:
             tree = self.tree(words_["law"])
             return lambda d: words.value(tree, {**self.parameters, "d": d}, self.literal)
         k = self.number(words_.get("k", words_.get("torsion", "0")))
-        return lambda d: k * d
+        gap = self.number(words_.get("gap", "0"))
+        pulls, pushes = (words_.get("acts") in (None, way) for way in ("tension", "compression"))
+        if not gap and pulls and pushes:
+            return lambda d: k * d
+        return lambda d: k * (pulls * jets.ramp(d - gap) - pushes * jets.ramp(-d - gap))
 
     def _damper(self, words_):
         if "law" in words_:

@@ -95,7 +95,7 @@ def _function(value, first, second):
 
 
 def _sign(v):
-    return (real(v) > 0) - (real(v) < 0)
+    return int(real(v) > 0) - int(real(v) < 0)
 
 
 sin = _function(lambda m, v: m.sin(v), lambda m, v, f: m.cos(v), lambda m, v, f: -f)
@@ -128,3 +128,11 @@ def angle(x, y):
 def polar(x, y):
     """The angle of a vector as drawn, a number."""
     return _of(real(x)).atan2(real(y), real(x))
+
+
+def larger(x, y):
+    return x if real(x) >= real(y) else y
+
+
+def smaller(x, y):
+    return y if real(x) >= real(y) else x

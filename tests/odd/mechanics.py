@@ -152,3 +152,19 @@ def energies(figure, state, guess=None):
     dissipated = sum(figure.damper_laws[name](rate) * rate for name, rate in (
         (name, jet.g @ rates) for name, jet in parts.dampers.items() if isinstance(jet, jets.Jet))) / 2
     return kinetic, None, dissipated
+
+
+def forces(figure, state, about=None):
+    """{signal: force or moment} of springs and dampers in a state; `about`: linear in what changes from that rest."""
+    base = about or state
+    parts, found = figure.parts([*base.q, *base.u]), {}
+    change = np.array([*state.q, *state.u]) - np.array([*base.q, *base.u])
+    rates = np.array([*state.v, *state.u1])
+    for name, jet in parts.springs.items():
+        if isinstance(jet, jets.Jet):
+            slope = figure.tension(name, jet.v + 1j * STEP).imag / STEP if about else 0.0
+            found[f"{name}.force"] = figure.tension(name, jet.v) + slope * (jet.g @ change)
+    for name, jet in parts.dampers.items():
+        if isinstance(jet, jets.Jet):
+            found[f"{name}.force"] = figure.damper_laws[name](jet.g @ rates)
+    return found

@@ -13,7 +13,8 @@ UNIT = r"[A-Za-z%]+(?:\^\d+)?"
 NUMBER = re.compile(rf"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?)(?:\s+({UNIT}(?:[*/]{UNIT})*))?")
 FUNCTIONS = {"sin": jets.sin, "cos": jets.cos, "exp": jets.exp, "sqrt": jets.sqrt, "abs": jets.magnitude,
              "sign": jets.sign, "step": jets.step, "ramp": jets.ramp, "square": jets.square,
-             "sawtooth": jets.sawtooth, "tanh": jets.tanh, "atan": jets.atan, "atan2": lambda y, x: jets.polar(x, y)}
+             "sawtooth": jets.sawtooth, "tanh": jets.tanh, "atan": jets.atan, "max": jets.larger, "min": jets.smaller,
+             "atan2": lambda y, x: jets.polar(x, y)}
 
 
 def _literal(match):
