@@ -78,3 +78,37 @@ def test_a_list_stands_where_the_drawn_position_leads_nowhere(ask):
     assert found["equilibrium"] is None and "no equilibrium is reached" in found["remark"] and found["equations"]
     code, out, err = ask(text.replace("find: {", "find: [equilibrium, {").replace("]}}", "]}}]"), "solve")
     assert code == 4 and out.count("unstable") == 2 and "no equilibrium is reached" in err
+
+
+@pytest.mark.parametrize("V, places", [("(x - 1)^8", [1]), ("(x - 1)^10", [1]), ("(x - 1)^12*(x + 1)^8", [-1, -0.2, 1]),
+                                       ("-(x - 1/2)^9", [0.5]), ("(x - 1)^8 + x", None)])
+def test_a_flat_place_is_no_line_of_equilibria(V, places):
+    """Floats see no force on a stretch about it; more digits do."""
+    found = problem(SCENE.replace("POTENTIAL", V) + "find: [{equilibria: all, within: {x: [-2, 3]}}]\n").equilibria
+    assert not any(item.free for item in found.items)
+    if places is not None:
+        assert [item.equilibrium.values["x"] for item in found.items] == pytest.approx(places, abs=1e-9)
+
+
+@pytest.mark.parametrize("play", ["1 m", "0.3 m"])
+def test_a_line_of_equilibria_is_one(play):
+    found = problem(f"""
+bodies: {{b: {{mass: 1 kg, slide: x}}}}
+springs:
+  s: {{k: 100 N/m, between: [ground, b], gap: {play}}}
+  r: {{k: 100 N/m, between: [b, ground], gap: {play}}}
+find: [{{equilibria: all, within: {{x: [-2 m, 3 m]}}}}]
+""").equilibria
+    assert [item.free for item in found.items] == [[{"x": 1.0}]]
+
+
+def test_tiny_places_of_a_list_are_right_to_the_last_digit():
+    """A shallow truss under 1e-12 N: w = P/K, K = 2 k h²/ℓ²."""
+    found = problem("""
+parameters: {k: 1000 N/m, a: 1 m, h: 0.1 m, P: 1e-12 N}
+bodies: {p: {mass: 1 kg, at: [0, h], slide: {by: w, along: [0, -1]}}}
+springs: {s: {k: k, between: [[-a, 0], p]}, r: {k: k, between: [[a, 0], p]}}
+forces: {f: {at: p, force: [0, -P]}}
+find: [{equilibria: all, within: {w: [-0.05 m, 0.05 m]}}]
+""").equilibria
+    assert [item.equilibrium.values["w"] for item in found.items] == pytest.approx([1e-12 * 1.01 / 20], rel=1e-10)

@@ -6,6 +6,7 @@ import numpy as np
 from vibcli.errors import PhysicsError
 from vibcli.mechanics import scan, starts
 from vibcli.mechanics.bounds import bounds, given_bounds
+from vibcli.mechanics.degenerate import sharpened
 from vibcli.mechanics.equilibrium import Equilibrium
 from vibcli.mechanics.families import Family
 from vibcli.mechanics.found import Found
@@ -107,14 +108,36 @@ def _search(forces, found, first):
     for place, stretch in scan.zeros(forces, found.box[0][0], found.box[1][0]):
         if stretch is None:
             found.add(place)
+        elif not _line(forces, stretch):
+            _add_multiple(forces, found, stretch)
         elif not any(family.holds(forces, place) for family in found.families):
             found.families.append(Family(place, np.ones((1, 1))))
+
+
+def _line(forces, stretch):
+    """Is every position of a stretch one of rest, and not only so flat that floats see no force?"""
+    from vibcli.mechanics.precise import rests
+
+    low, high = stretch
+    return forces.looped or rests(forces.problem, forces.position(np.array([low + (high - low) / 3])))
+
+
+def _add_multiple(forces, found, stretch):
+    """The one multiple zero of a stretch about which the forces are rounding."""
+    low, high = stretch
+    if any(low <= place.z[0] <= high for place in found.isolated):
+        return
+    middle = Equilibrium(forces.position(np.array([0.5 * (low + high)])), False, 0.0)
+    found.add(forces.at(forces.vector(sharpened(forces.problem, middle).values)))
 
 
 def _item(forces, place, rows, loose, known):
     place = place if id(place) in known else _tidied(forces, place)
     free = [{name: 1.0} for name in loose] + [_direction(forces, row) for row in rows]
-    rest = known.get(id(place)) or Equilibrium(forces.position(place.z), False, forces.residual(place))
+    rest = known.get(id(place))
+    if rest is None:
+        rest = Equilibrium(forces.position(place.z), False, forces.residual(place))
+        rest = rest if len(rows) else sharpened(forces.problem, rest)
     return Item(rest, free, float(np.linalg.svd(place.J, compute_uv=False)[-1]) < SINGULAR)
 
 

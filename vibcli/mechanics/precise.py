@@ -71,6 +71,18 @@ def equilibrium_to(problem, values, arithmetic):
                        "change the data by a little, or start elsewhere with `equilibrium:`")
 
 
+def rests(problem, position):
+    """Do all forces vanish in a position ({coordinate: float}), to more digits than floats have?"""
+    import mpmath
+
+    with mpmath.workdps(ROUNDED + GUARD):
+        arithmetic = multiprecision()
+        values = problem.values(arithmetic) | {name: mpmath.mpf(x) for name, x in position.items()}
+        numbers = in_numbers(problem.form, arithmetic, values)
+        largest = max((abs(x) for x in numbers.elements.stiffness().values()), default=0)
+        return all(abs(force) <= NOTHING**2 * (1 + largest) for force in numbers.residual)
+
+
 def _newton_step(numbers, mpmath):
     """−K⁻¹ r; coordinates that nothing holds stay where they are."""
     n = numbers.elements.n
