@@ -5,6 +5,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
+from vibcli.manual.time_and_work import PATIENCE, TIME
 from vibcli.questions import SEVERAL as HEADS
 
 EXIT_CODES = [
@@ -191,44 +192,6 @@ MOTIONS = [
     "`turn: -x/R`.",
 ]
 
-TIME = [
-    "`t` is the time, in seconds. A prescribed motion is the displacement from the drawn position as it stands, "
-    "constants included: `Y*(1 - cos(w*t))` leaves that position at t = 0, and with `Y*cos(w*t)` the motion starts at "
-    "Y. The time may stand in",
-    [
-        ("motions", "`pin: {at: O, by: Omega*t}`, `slide: Y*sin(Omega*t)`: a motion that is prescribed. Where all of "
-         "it is, the body needs no mass."),
-        ("points", "`S: {at: [0, 0], moves: [0, Y*sin(Omega*t)]}`: a support that is shaken"),
-        ("forces", "`{at: block, force: F0*sin(Omega*t)}`, and any other load"),
-        ("constraints", "`x2 = x1 + Y*sin(Omega*t)`, true as drawn, at t = 0"),
-        ("energies", "`V: -F0*sin(Omega*t)*x`"),
-        ("answers", "in energies and equations: `equation[x]: m*x'' + k*x = F0*sin(Omega*t)`"),
-    ],
-    "Pulses, waves and blows are made of",
-    [
-        ("step", "`F0*(step(t) - step(t - t1))`, a rectangular pulse; `H*sin(pi*t/T)*(step(t) - step(t - T))`, half a "
-         "sine. What begins at t = 0 has not begun in the drawn position."),
-        ("ramp", "`F0*(ramp(t) - ramp(t - t1))/t1` rises in t1 and stays"),
-        ("impulse", "`P*impulse(t - t1)`, a blow of the momentum P"),
-        ("square", "`F0*square(Omega*t)`; `F0*(1 + sawtooth(Omega*t))/2` rises from 0 to F0 in each period; "
-         "`abs(sin(Omega*t))` and `max(0, sin(Omega*t))` are rectified waves"),
-        ("records", "`m*ag(t - t0)`, a measured function: `vibcli explain record`"),
-    ],
-    "A driven displacement that stays bounded (waves, pulses, records, what decays) counts as a small motion; `v*t` "
-    "and `Omega*t` do not. One that jumps has impulses in its speed, and no acceleration there.",
-    "Where all is prescribed, a linkage turned by its crank say, nothing is solved but its loops: `x(2 s)`, `x'(2 s)`, "
-    "`T(2 s)`, reactions, and `crank.drive(2 s)`, the moment that it takes.",
-    "The equations of motion hold it, those of small oscillations on their right-hand side. Equilibrium, frequencies, "
-    "modes and damping are those of the scene without the terms that hold `t`, all small motions being held where they "
-    "are drawn; centrifugal and gyroscopic terms of a "
-    "steady rotation stay. Loads in time are small of the first order, as the coordinates are, and their products are "
-    "left out: of a load that hangs on a curved path small oscillations keep F(t)·∂s/∂q at the equilibrium alone. The "
-    "report tells what that leaves out, F(t)·∂²s/∂q²·q, where it is not zero; `motion: full` keeps it.",
-    "Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
-    "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so; `vibcli equations` works, and so "
-    "do motions in time with `motion: full`.",
-]
-
 SHAPES = [
     "Uniform plane bodies. C is the mass centre; O, of a sector or arch, the centre of its circle, where `at` "
     "stands, and OC points along `angle`. m is the mass: `mass`, or `density` times area or length. "
@@ -290,26 +253,6 @@ EDITORS = [
         ("# yaml-language-server: $schema=scene.schema.json", "as the first line of a scene"),
     ],
     "Dimensions, names and geometry are checked by vibcli alone: `vibcli check FILE`.",
-]
-
-PATIENCE = [
-    "Work of more than a second is told of on a terminal, with the time that is left at its own pace. It is given up "
-    "beyond a limit, which counts steps and not seconds, so that every machine answers and refuses the same. What was "
-    "found until then is kept. `--patience N` multiplies the limits by N:",
-    [
-        ("a full motion", "100000 steps, each a few oscillations of its fastest part. A fast oscillation of less than "
-         "a millionth of the motion is stepped over where it would take 5000 more, and is part of the errors of what "
-         "is printed. A motion that would need ten times as many steps as it may take is stopped after some thousand. "
-         "Up to where it has come its values are known."),
-        ("choose", "30000 steps, each a look at the conditions, or a step of what these need."),
-        ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
-         "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
-         "bounds, of three coordinates at 20000."),
-        ("--digits, shares", "60 s, as estimated from the number of coordinates and digits alone; 20 s for shares, "
-         "sensitivities and estimates."),
-    ],
-    "Closed forms are given up after some millions of calls of functions within computer algebra, whatever N: numbers "
-    "are given instead.",
 ]
 
 TOPICS = {
