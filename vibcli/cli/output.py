@@ -115,14 +115,7 @@ def _print_json(found, output):
 
 
 def _data(problem, parts, normalise, digits, sections, wanted=None):
-    from vibcli.report.results import (
-        energies_data,
-        equations_data,
-        equilibrium_data,
-        frequencies_data,
-        matrices_data,
-        sticking_data,
-    )
+    from vibcli.report.results import energies_data, equations_data, matrices_data, sticking_data
 
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if problem.chosen is not None:
@@ -130,15 +123,7 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
 
         found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
-        try:
-            found |= frequencies_data(problem, normalise, digits)
-        except PhysicsError as error:
-            letters = isinstance(error, NotInLetters) and "equations" in parts
-            if not (letters or _without_slope(problem, error, sections) or _listed_alone(problem, sections)):
-                raise
-            found |= dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
-            if isinstance(error, Inertless):
-                found |= {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
+        found |= _frequencies(problem, parts, normalise, digits, sections)
     if "equilibria" in sections:
         from vibcli.report.equilibria import equilibria_data
 
@@ -167,6 +152,22 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
 
         found["insight"] = insight_data(problem, words)
     return found
+
+
+def _frequencies(problem, parts, normalise, digits, sections):
+    """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
+    from vibcli.report.results import equilibrium_data, frequencies_data, matrices_data
+
+    try:
+        return frequencies_data(problem, normalise, digits)
+    except PhysicsError as error:
+        letters = isinstance(error, NotInLetters) and "equations" in parts
+        if not (letters or _without_slope(problem, error, sections) or _listed_alone(problem, sections)):
+            raise
+        found = dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
+        if isinstance(error, Inertless):
+            found |= {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
+        return found
 
 
 def _without_slope(problem, refusal, sections):
