@@ -83,3 +83,18 @@ def test_a_pendulum_let_go_just_below_the_top_comes_back(amplitude):
     omega = mpmath.sqrt(mpmath.mpf("9.81") / mpmath.mpf("0.8"))
     exact = float(4 * mpmath.ellipk(mpmath.sin(mpmath.mpf(amplitude) / 2) ** 2) / omega)
     assert exact_period(scene.scene, scene.floats, amplitude, 0.0)[0] == pytest.approx(exact, rel=1e-10)
+
+
+@pytest.mark.parametrize(("force", "amplitude", "most"), [
+    (np.sin, 1.0, 16_000), (lambda x: x + 2 * x**3, 1.0, 16_000), (np.expm1, 1.0, 16_000),
+    (lambda x: np.arctan(3 * x), 10.0, 2_000_000), (lambda x: 0.2 * x + np.tanh(10 * x) / 2, 3.0, 1_000_000)])
+def test_a_period_from_forces_takes_few_places(force, amplitude, most):
+    """A rule of few points is halved often where a law bends, one of many is wasted where it does not."""
+    asked = []
+
+    def counted(x):
+        asked.append(x.size)
+        return force(x)
+
+    _of_forces(counted, np.ones_like, amplitude, 0.0)
+    assert sum(asked) <= most

@@ -20,7 +20,7 @@ from vibcli.mechanics.energies import effective_potential
 
 FIRST, MOST = 16, 1 << 15
 ACCURACY, ENOUGH, ROUNDING, EPS = 1e-14, 1e-9, 1e-14, 2.0**-52
-INNER, MOST_PARTS = 40, 64
+INNER, MOST_PARTS = 28, 64
 STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring would go
 FARTHER = 0.05                # of the way gone and of q, if more: near an unstable place a spring says little
 
