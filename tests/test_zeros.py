@@ -70,6 +70,14 @@ def test_what_touches_zero_but_for_its_rounding_is_a_zero(place, bend):
         assert len(found) == count and all(abs(x - place) < 1e-6 for x in found), gap
 
 
+@pytest.mark.parametrize("place", [-1.7321, 0.0137, 2.2, 0.0])
+def test_a_change_of_sign_is_a_zero_but_for_a_jump(place):
+    """What rounding leaves of sums, some 10⁻⁹ of their terms, is no jump."""
+    for step, count in ((0.0, 1), (1e-12, 1), (2e-9, 1), (1e-7, 0), (1e-3, 0)):
+        found, _ = zeros(lambda x, step=step: math.copysign(step, x - place) + 0.02 * (x - place), EVEN)
+        assert len(found) == count and all(abs(x - place) < 1e-6 for x in found), step
+
+
 def test_an_end_counts_where_the_range_holds_it():
     grid = [1 + i / 10 for i in range(11)]
     function = bounded_ratio(lambda x: x, lambda x: 2)

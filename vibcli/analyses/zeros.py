@@ -167,7 +167,7 @@ def bracketed(function, a, fa, b, fb):
         a, fa = x, fx
         best, least = (a, fa) if abs(fa) < abs(fb) else (b, fb)
         width = abs(b - a)
-        if step == EARLY and least > JUMP * start:
+        if step == EARLY and least > max(JUMP * start, ZERO):
             return None
         if least == 0.0 or width <= 4 * NARROW * abs(best):
             return best
