@@ -242,6 +242,24 @@ def test_a_mode_moves_as_its_shape():
     assert max(abs(u) * moving.unit for u in sketch.lumped.values()) == pytest.approx(vibration.LUMPED)
 
 
+@pytest.mark.parametrize("shape", ["shape: disc, radius: 0.7 m", "inertia: 1 kg*m^2"])
+@pytest.mark.parametrize("pitch", [[0.5, 0.1], [0.1, 0.5]])
+def test_the_inner_teeth_are_those_of_the_larger_pitch_radius(pitch, shape):
+    """Whatever else a wheel has."""
+    given = problem(f"""
+        bodies:
+          one: {{{shape}, mass: 1 kg, at: [0, 0], pin: phi}}
+          two: {{mass: 1 kg, shape: disc, radius: 0.2 m, at: [0.4 m, 0], pin: psi}}
+        constraints: {{mesh: {{gear: [one, two], radii: [{pitch[0]} m, {pitch[1]} m], inside: true}}}}
+    """)
+    assert compose.Stage(given.scene).ties.rims == {"one" if pitch[0] > pitch[1] else "two"}
+
+
+def test_inner_teeth_of_a_shape():
+    given = problem_of(ROOT / "problems/6_two_degrees/epicyclic_gear_with_sprung_ring.yaml")
+    assert compose.Stage(given.scene).ties.rims == {"ring"}
+
+
 def test_loops_stay_closed_in_a_mode():
     given = problem_of(ROOT / "problems/3_free_undamped/four_bar_with_springs.yaml")
     stage = compose.Stage(given.scene)

@@ -76,20 +76,17 @@ class Ties:
                 self._pulley(stop, sketch)
 
     def _pair(self, record, kind, sketch):
-        names = [name.text for name in record[kind]]
+        names, scene = [name.text for name in record[kind]], sketch.scene
         for name, radius in zip(names, record.get("radii", ()), strict=False):
             self._rim(name, sketch.length(radius))
         if kind == "gear":
             self.toothed.update(names)
             if record.get("inside"):
-                self.rims.add(max(names, key=lambda name: self._radius(name, sketch)))
+                pitch = map(sketch.number, record["radii"]) if "radii" in record else (
+                    scene.number(scene.bodies[name].rolling_radius) for name in names)
+                self.rims.add(max(zip(pitch, names, strict=True))[1])
             if "carrier" in record:
                 self.arms.add(record["carrier"].text)
-
-    def _radius(self, name, sketch):
-        body = sketch.scene.bodies[name]
-        own = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius is not None else 0.0
-        return max([own, *self.radii.get(name, ())])
 
     def _pulley(self, stop, sketch):
         on = stop[next(side for side in SIDES if side in stop)]
