@@ -2,8 +2,10 @@
 
 import csv
 import json
+import math
 
 import pytest
+from scenes import problem
 
 from vibcli.cli import run
 from vibcli.manual import scenes
@@ -107,3 +109,30 @@ def test_motion_without_natural_frequencies_is_integrated(call):
 def test_symbols_are_named_that_need_values(call):
     code, _, err = call("response", SHAKEN.replace("m: 2 kg, k: 800 N/m", "m: , k: "), "--at", "1")
     assert code == 4 and "give values with --set to m, k" in err
+
+
+@pytest.mark.parametrize("columns", [40, 55, 119, 120, 121, 300])
+def test_a_plot_is_as_wide_as_the_terminal_up_to_a_line_that_can_be_read(call, columns, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    lines = call("frf", "forced_vibration", "--plot")[1].splitlines()
+    axis = max(i for i, line in enumerate(lines) if "└" in line)
+    assert min(columns, 120) - 2 <= max(map(len, lines[axis - 10:])) <= min(columns, 120)
+
+
+LN, TURN = math.log(1000), 2 * math.pi
+STEP, WAVE = "step(t - 3 s)", "sin(2 rad/s*t)"
+
+
+@pytest.mark.parametrize(("k", "c", "load", "end"), [
+    ([100], 0, None, TURN), ([100], 2, None, LN), ([100], 0.002, None, 6 * TURN), ([100], 101, None, LN),
+    ([100], 18, None, 2 * TURN / 19**0.5), ([100], -2, None, 10 * TURN / 99**0.5), ([100], -10, None, LN / 5),
+    ([100], 0, STEP, 3 + TURN), ([100], 0, WAVE, 5 * TURN), ([100], 2, WAVE, LN), ([100], 4, WAVE, TURN),
+    ([100, 121], 0, None, 2 * TURN), ([100, 104], 0, None, 6 * TURN), ([100, 400], 0, None, TURN),
+    ([0], 0, STEP, 6), ([0], 0, None, 1), ([0], 2, None, LN / 2), ([0], 2, STEP, 3 + LN / 2)])
+def test_a_motion_is_looked_at_as_long_as_the_manual_says(k, c, load, end):
+    lines = [f"  b{i}: {{mass: 1 kg, slide: x{i}}}" for i in range(len(k))]
+    text = "\n".join(["bodies:", *lines, "springs:", *(f"  s{i}: {{k: {k[i]} N/m, between: [ground, b{i}]}}"
+                                                      for i in range(len(k)))])
+    text += f"\ndampers: {{d: {{c: {c} N*s/m, between: [ground, b0]}}}}" * bool(c)
+    text += f"\nforces: {{F: {{at: b0, force: 5 N*{load}}}}}" * bool(load) + "\ninitial: {x0': 1 m/s}"
+    assert problem(text).motion.lasting() == pytest.approx(end, rel=1e-2 if c == 0.002 else 1e-12)

@@ -8,7 +8,7 @@ import click
 
 from vibcli.cli.pictures import FILE, refuse, write
 
-NARROWEST, WIDEST = 40, 120
+WIDEST = 120
 
 
 def curve_options(function):
@@ -60,7 +60,7 @@ def size(text, option, unit, wants, exact=False):
 
 def plot_width():
     """Columns of a plot in this terminal."""
-    return min(max(shutil.get_terminal_size((80, 24)).columns, NARROWEST), WIDEST)
+    return min(shutil.get_terminal_size().columns, WIDEST)
 
 
 def refuse_targets(paths, force, suffixes=(".png", ".svg", ".pdf", ".csv", ".npz", ".json")):

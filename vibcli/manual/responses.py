@@ -20,8 +20,9 @@ RESPONSE = [
          "place) nothing is known; plots and files end there. Values in time, `max`, `min`, `zero` and `period` can be "
          "asked, no steady states. A period is looked for beyond the end, up to eight times as long."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
-         "1/1000, or what grows fastest has grown to 1000 times, between 2 and 60 of the longest periods; without "
-         "either 10 periods, or two beats. That is counted from where the loads last change their form."),
+         "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "
+         "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "
+         "counted from where the loads last change their form; where nothing vibrates nor decays, as long again."),
         ("extremes", "`max`, `min`, `argmax`, `argmin` and `zero[i]` look at 0 ≤ t ≤ end."),
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
          "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "

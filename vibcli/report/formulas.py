@@ -6,14 +6,14 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, Table, line, paragraph, section
 from vibcli.report.figures import figure
 
-MOST_PARTS, MOST_PIECES, MOST_SIGNALS = 8, 4, 6
+MOST_PARTS, MOST_PIECES = 8, 4
 NO_ANGLE = 1e-12
 
 
 def formulas(asked):
     """x = A e^{−δt} cos(ω_d t − φ) + … of each signal, on each piece of the forcing."""
     found = []
-    for one in asked[:MOST_SIGNALS]:
+    for one in asked:
         signal = one.signal
         if not hasattr(signal, "output") or not signal.motion.forcing.listed:
             continue
