@@ -7,14 +7,15 @@ import mpmath
 import pytest
 import sympy
 from scenes import number
-from trees import NAMES, SYMBOLS, new_table, real, trees, values
+from trees import NAMES, SYMBOLS, new_table, real, symbol, trees, values
 
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
-from vibcli.algebra.expression import Table
+from vibcli.algebra.expression import Table, reachable
 from vibcli.algebra.meaning import lower
 from vibcli.algebra.normal import expanded, is_zero, textbook
 from vibcli.algebra.parse import parse
+from vibcli.algebra.roots import root
 from vibcli.report.language import language
 
 SMOOTH = ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp")
@@ -305,3 +306,20 @@ def test_functions_of_numbers_too_long_to_multiply_out():
         tiny = table.number(Fraction(-8.361089130433666e-199))
         value, opposite = evaluate([table.call(name, tiny), table.call(name, -tiny)], Floats, {})
         assert value == pytest.approx(sign * opposite, abs=0)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_root_of_a_square_that_is_multiplied_out_has_no_root(seed):
+    """Of scale · (sum of letters)², and of that times a product²; a sum that is no square stays under its root."""
+    generator, table = random.Random(seed), new_table()
+    m, k, x, y = (symbol(table, name) for name in ("m", "k", "x", "y"))
+    parts = [table.scaled(part, Fraction(generator.randint(1, 6))) for part in generator.sample((m, k, x, y), 3)]
+    base = sum(parts[1:], parts[0])
+    point = {"m": 1.3, "k": 0.7, "x": 0.9, "y": 0.4, "x'": 1.0}
+    for factor, size in ((table.one, 1), (table.number(Fraction(9, 4)), 1.5), (m * m, 1.3), (k * k * x * x, 0.63)):
+        square = table.sum(*((factor * a * b, 1) for a in parts for b in parts))
+        found, value = root(square, [point]), evaluate([base], Floats, point)[0]
+        assert evaluate([found], Floats, point)[0] == pytest.approx(size * value, rel=1e-12)
+        assert all(e.denominator == 1 for part in reachable([found]) if part.op == "product" for _, e in part.args)
+        under = root(table.sum(*((factor * a, 1) for a in parts)), [point])
+        assert evaluate([under], Floats, point)[0] == pytest.approx(size * value**0.5, rel=1e-12)

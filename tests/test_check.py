@@ -4,10 +4,12 @@ import json
 import math
 
 import pytest
-from scenes import problem
+from scenes import problem, problem_of
 
 from vibcli.check import check, likely_mistake
 from vibcli.cli import run
+from vibcli.draws import reach, states
+from vibcli.manual import scenes
 
 MASS = """
 parameters: {m: 2 kg, k: 800 N/m}
@@ -303,3 +305,23 @@ def test_signals_are_zero_to_rounding(line):
     slight = agrees(DRIVEN.replace("SLIGHT", "1e-6"), line)
     assert agrees(DRIVEN.replace("SLIGHT", "0"), line)
     assert slight is line.startswith("final")
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "two_storeys", "slider_crank"])
+def test_random_states_are_within_reach(name):
+    """Coordinates one reach about the drawn position, velocities three of them, accelerations nine; each group of its
+    kind alone: all, at rest, very near at rest, with a velocity alone, with an acceleration alone."""
+    given = problem_of(scenes.path(name))
+    found, groups = states(given)
+    seen = {name + "'" * k: 0.0 for name in given.scene.coordinates for k in range(3)}
+    for name in given.scene.coordinates:
+        for k, most in enumerate((1, 3, 9)):
+            away = abs(found[name + "'" * k] - (0 if k else given.drawn_floats[name])) / reach(given, name)
+            assert most / 2 < max(away) <= most
+            seen[name + "'" * k] = [bool(max(away[group])) for group in groups]
+    kinds = {tuple(any(seen[name + "'" * k][i] for name in given.scene.coordinates) for k in range(3))
+             for i in range(len(groups))}
+    assert kinds == {(True, True, True), (True, False, False), (False, True, False), (False, False, True)}
+    moving = [sum(any(seen[name + "'" * k][i] for k in range(3)) for name in given.scene.coordinates)
+              for i in range(len(groups))]
+    assert {1, len(given.scene.coordinates)} == set(moving)

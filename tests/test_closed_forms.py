@@ -9,6 +9,7 @@ from closed_forms import TEXTBOOK, chain, pendulums, ring
 from scenes import number, problem
 
 from vibcli.algebra.parse import parse
+from vibcli.analyses.letters.extension import Extension
 from vibcli.check import check
 from vibcli.draws import Draws
 from vibcli.errors import PhysicsError
@@ -249,3 +250,16 @@ def test_letters_of_any_sign():
     springs: {s: {k: k, stretch: a*phi}}
     """
     assert "ω₁ = |a|·√(3·k/m)/L" in printed(problem(text))
+
+
+@pytest.mark.parametrize("modulus", [[-2, 0, 1], [-2, 0, 0, 3], [1, 1, 0, 0, 1], [3, 5]])
+def test_arithmetic_with_a_root_is_that_of_a_field(modulus):
+    generator, field = random.Random(len(modulus)), Extension(Fraction, list(map(Fraction, modulus)))
+    for _ in range(30):
+        a, b, c = (field.reduced([Fraction(generator.randint(-5, 5)) for _ in range(len(modulus) + k)])
+                   for k in range(3))
+        if a:
+            assert field.times(a, field.inverse(a)) == [1]
+            assert field.times(field.times(b, a), field.inverse(a)) == b
+        assert field.minus(field.times(a, b), field.times(a, c)) == field.times(a, field.minus(b, c))
+        assert field.minus(field.minus(a, b), a) == field.minus([], b)

@@ -4,12 +4,13 @@ import math
 import random
 import re
 from itertools import pairwise
+from pathlib import Path
 
 import mpmath
 import numpy as np
 import pytest
 from mpmath import asin, cos, sin, sqrt, tan
-from scenes import problem, value
+from scenes import problem, problem_of, value
 
 from vibcli.algebra.calculus import gradient
 from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
@@ -18,6 +19,9 @@ from vibcli.draws import states
 from vibcli.errors import PhysicsError, SpecError
 from vibcli.mechanics.energies import kinetic, potential
 from vibcli.mechanics.reactions import along_the_motion, slack
+from vibcli.scene.loops import drawn_values, nearby
+
+PROJECT = Path(__file__).parent.parent
 
 # dependent coordinates as functions of the independent ones: (scene, {name: function of the coordinates and t})
 
@@ -840,3 +844,18 @@ def test_signals_of_dependent_things():
     slope = -0.3 * math.cos(phi) + 0.09 * math.cos(phi) * math.sin(phi) / along
     assert value(scene, "mode[1, piston.x]") == pytest.approx(slope * value(scene, "mode[1, phi]"), rel=1e-11)
     assert value(scene, "mode[1, x]") == pytest.approx(value(scene, "mode[1, piston.x]"), rel=1e-13)
+
+
+@pytest.mark.parametrize("scene", ["vibcli/examples/slider_crank.yaml", "vibcli/examples/double_pendulum.yaml",
+                                   "problems/3_free_undamped/four_bar_with_springs.yaml",
+                                   "problems/6_two_degrees/cart_with_pendulum.yaml"])
+def test_positions_near_the_drawn_one_differ_from_it_and_from_each_other_in_every_coordinate(scene):
+    scene = problem_of(PROJECT / scene).scene
+    drawn, found = drawn_values(scene), [nearby(scene, attempt) for attempt in range(4)]
+    for q in scene.q:
+        ways = [(position[q.name] - drawn[q.name]) / scene.unit_of(q.name) for position in found]
+        assert len({round(way, 9) for way in ways}) == 4 and min(ways) < 0 < max(ways)
+        assert min(map(abs, ways)) > 0.005 and max(map(abs, ways)) <= 0.06
+    if scene.loops is not None:
+        assert all(abs(size) < 1e-9 for position in found for size in evaluate(
+            list(scene.loops.conditions), Floats, position))

@@ -3,6 +3,7 @@
 import cmath
 import math
 import random
+from fractions import Fraction
 
 import mpmath
 import pytest
@@ -13,6 +14,7 @@ from vibcli.algebra.expression import Table
 from vibcli.algebra.meaning import lower
 from vibcli.algebra.parse import parse
 from vibcli.algebra.samples import Samples
+from vibcli.analyses.forcing.blows import nearest
 from vibcli.analyses.forcing.decompose import forcing_of
 from vibcli.analyses.forcing.fourier import fourier, integral
 from vibcli.errors import PhysicsError
@@ -75,6 +77,7 @@ CASES = [
     "abs(t - q)", "max(t, q)", "min(1, ramp(t - p)/q)", "abs(min(t, q) - p)", "F*sin(W*ramp(t - p))", "step(sin(W*t))",
     "F*(t - q)^2*(step(t - q) - step(t - 2*q))", "F*exp(-a*(t - q))*sin(W*(t - q))*step(t - q)", "sign(t - q)*t^2",
     "square(W*t) - square(W*t)", "F*exp(k*t)*exp(-k*t)", "step(t - p)^3*F", "square(W*t)^2*F", "1/(2 + a)*t",
+    "(exp(-a*t)*sin(W*t) + F)*(exp(-b*t)*cos(3*t) + 2)",
 ]
 
 
@@ -102,7 +105,7 @@ def test_what_never_repeats_itself_is_known_up_to_any_instant(text):
 def piecewise(generator, depth):
     """The text of a random expression that has a closed form; below waves only what is linear."""
     leaf = generator.choice(("t", "F", "a", "3", "step(t - p)", "ramp(q - t)", "sin(W*t)", "cos(b*t - a)", "exp(k*t)",
-                             "min(t, q)", "abs(t - p)", "sin(2*t + b)", "step(q - t)"))
+                             "min(t, q)", "abs(t - p)", "sin(2*t + b)", "step(q - t)", "exp(-a*t)*sin(3*t)"))
     if not depth:
         return leaf
     left, right = piecewise(generator, depth - 1), piecewise(generator, depth - 1)
@@ -202,6 +205,17 @@ def blows(text, channel=0):
     ("impulse(t - p)*ramp(t - p)", [])])
 def test_impulses(text, expected):
     assert blows(text) == [pytest.approx(pair, rel=1e-13) for pair in expected]
+
+
+def test_an_impulse_belongs_to_the_cut_that_is_nearest():
+    """Of instants that rounding has moved either way."""
+    generator = random.Random("cuts")
+    for n in (1, 2, 3, 50):
+        cuts = sorted(Fraction(generator.randrange(10**6), 1000) for _ in range(n))
+        for cut in cuts:
+            for moved in (0, Fraction(1, 10**9), -Fraction(1, 10**9)):
+                assert cuts[nearest(cuts, cut + moved)] == cut
+        assert nearest(cuts, cuts[-1] + 1) == n - 1 and nearest(cuts, cuts[0] - 1) == 0
 
 
 RATES = ["F*step(t - p)", "F*sin(pi*t/p)*(step(t) - step(t - p))", "F*(ramp(t) - ramp(t - p))", "square(W*t)",

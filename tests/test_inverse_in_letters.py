@@ -8,7 +8,7 @@ from scenes import problem
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 from vibcli.inverse import settled
-from vibcli.inverse.admissible_letters import Letters
+from vibcli.inverse.admissible_letters import SPREADS, Letters
 from vibcli.inverse.ranges import known
 
 ONE = """
@@ -105,3 +105,14 @@ def test_what_no_draw_fulfils_is_not_called_impossible():
     with pytest.raises(PhysicsError) as caught:
         settled(problem(text))
     assert "was found" in caught.value.message
+
+
+def test_draws_lie_about_the_natural_scale_of_each_letter():
+    """Within three decades of it, on both sides alike, nearer ones among them."""
+    whole = problem(TWO.format(parameters="m1: , m2: , k2: , w: ", choose='k1: "omega[1] = w"'))
+    draws = Letters(whole, whole, [])
+    for name in whole.letters:
+        away = [math.log10(draws.values(attempt)[name] / draws.scales[name]) for attempt in range(MOST)
+                if SPREADS[attempt % len(SPREADS)]]
+        assert max(map(abs, away)) <= max(SPREADS) and abs(sum(away)) < 0.2 * len(away)
+        assert max(away) > 2.5 and min(away) < -2.5

@@ -169,3 +169,10 @@ def test_its_sign_is_the_stability():
             assert size == pytest.approx(float(largest), rel=1e-7)
         seen[bool(stable)] += 1
     assert min(seen.values()) >= 25
+
+
+def test_where_nothing_holds_and_dampers_cancel_stability_is_at_its_limit():
+    zero = mpmath.zeros(2)
+    elements = elements_of(mpmath.eye(2), zero, zero, zero)
+    elements.dampers = [(1.0, {0: 1, 1: -1}), (-1.0, {0: 1, 1: -1})]
+    assert margin(elements, free_roots(elements)) == (0.0, 0.0)

@@ -5,6 +5,7 @@ from functools import cache
 
 import mechanisms
 import mpmath
+import numpy as np
 import pytest
 import sympy
 from scenes import problem
@@ -13,6 +14,7 @@ from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.lagrange import equation_of, full_equations
+from vibcli.mechanics.system import System
 
 DIGITS, STATES = 40, 6
 
@@ -230,3 +232,27 @@ def test_kane_gives_the_same():
         exact = [-float(part.subs(accelerations).subs(values)) for part in fr + frstar]
         found = [ours(theirs, [equation_of(theirs.problem.scene, i)], state)[0] for i in (0, 1)]
         assert agree(found, exact)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4, 6])
+def test_equations_of_given_matrices(n):
+    """M q̈ + C q̇ + K q, the skew part of C included, in letters and solved for q̈."""
+    generator = random.Random(n)
+
+    def drawn(i, j):
+        return generator.randint(-9, 9)
+
+    M = [[2**(i + j) * (10 * (i == j) + 1) for j in range(n)] for i in range(n)]
+    C, K = ([[drawn(i, j) for j in range(n)] for i in range(n)] for _ in range(2))
+    K = [[K[min(i, j)][max(i, j)] for j in range(n)] for i in range(n)]
+    names = ", ".join(f"x{i}" for i in range(n))
+    scene = problem(f"coordinates: [{names}]\nmatrices: {{M: {M}, C: {C}, K: {K}}}").scene
+    system = System(scene, {})
+    for _ in range(3):
+        q, v, a = ([drawn(0, 0) for _ in range(n)] for _ in range(3))
+        state = {f"x{i}" + "'" * k: x[i] for k, x in enumerate((q, v, a)) for i in range(n)}
+        for left in (full_equations(scene), [equation_of(scene, i) for i in range(n)]):
+            assert evaluate(left, Floats, state) == pytest.approx([
+                sum(M[i][j] * a[j] + C[i][j] * v[j] + K[i][j] * q[j] for j in range(n)) for i in range(n)], abs=1e-11)
+        found = system.accelerations(0.0, *(np.array(x, float)[:, None] for x in (q, v)))[:, 0]
+        assert np.array(M) @ found == pytest.approx(-(np.array(C) @ v + np.array(K) @ q), rel=1e-11, abs=1e-11)

@@ -25,6 +25,7 @@ FORCED = """
     dampers: {d: {c: c, between: [ground, block]}}
     forces: {drive: {at: block, force: F0*%s(Omega*t)}}
 """
+UNDAMPED = FORCED.replace("    dampers: {d: {c: c, between: [ground, block]}}\n", "").replace("c: , ", "")
 SHAKEN = """
     parameters: {m: , k: , c: , Y: , Omega: }
     bodies: {base: {slide: Y*sin(Omega*t)}, block: {mass: m, slide: x}}
@@ -259,3 +260,13 @@ def test_tuning_in_letters():
 def test_a_fixed_point_needs_a_damper_of_the_scene():
     with pytest.raises(SpecError, match="no damper 'e'"):
         problem((TUNED % ("20 kg", "2 kg", "8000 N/m", "30 N*s/m", "50 N")).replace("[1, d]", "[1, e]"))
+
+
+@pytest.mark.parametrize("scene", [FORCED % "sin", UNDAMPED % "sin", UNDAMPED % "cos", SHAKEN, UNBALANCED, ABSORBER,
+                                   DAMPED])
+def test_resonances_are_told_once_of_each_signal_and_only_where_nothing_is_damped(scene):
+    given = problem(scene)
+    signals = [*given.spec.coordinates, *(f"{name}.force" for name in given.spec.get("springs"))]
+    found = problem(f"{scene}\n    find: {{response: {{of: [{', '.join(signals)}]}}}}\n")
+    told = [line for line in printed(found) if line.startswith("resonance")]
+    assert len(told) == (0 if "dampers:" in scene else len(signals))

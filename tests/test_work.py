@@ -7,7 +7,7 @@ import click
 import pytest
 from scenes import problem
 
-from vibcli.analyses.trajectory import simulate
+from vibcli.analyses.trajectory import march, simulate
 from vibcli.cli import COMMANDS, progress, run
 from vibcli.cli.common import require_quick
 from vibcli.errors import PhysicsError
@@ -90,6 +90,18 @@ def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
     assert run(["check", scene(MOTION + "answers: {'x(2 s)': 1 m}\n")]) == 1
 
 
+@pytest.mark.parametrize(("times", "early"), [(30, True), (3, False)])
+def test_a_motion_far_beyond_the_limit_is_given_up_early(times, early, monkeypatch):
+    """At an even pace: it is known soon how far the limit would bring it."""
+    whole = problem(MOTION)
+    per_second = len(simulate.simulate(whole, 20.0, initial=whole.given_start).windows) / 20
+    monkeypatch.setattr(simulate, "MOST_STEPS", 400)
+    monkeypatch.setattr(march, "PACE", 20)
+    found = simulate.simulate(whole, times * 400 / per_second, initial=whole.given_start)
+    windows = len(found.windows)
+    assert windows <= 60 if early else 300 <= windows <= 400
+
+
 def test_equilibria_are_kept_and_not_called_complete(scene, capsys, monkeypatch):
     monkeypatch.setattr(equilibria, "MOST_WORK", 1)
     monkeypatch.setattr(equilibria, "LEAST", 10)
@@ -138,11 +150,13 @@ def test_the_patience_that_many_digits_ask_for_is_enough(tmp_path):
     text = "bodies:\n" + "".join(f"  b{i}: {{mass: 1 kg, slide: x{i}}}\n" for i in range(n)) + "springs:\n" + "".join(
         f"  s{i}: {{k: 1 N/m, between: [{f'b{i - 1}' if i else 'ground'}, b{i}]}}\n" for i in range(n))
     scene = problem(text)
-    with pytest.raises(click.UsageError) as refused:
-        require_quick(scene, 5000)
-    patience = int(re.search(r"--patience (\d+)", refused.value.message)[1])
-    scene.work.patience = patience
-    require_quick(scene, 5000)
-    scene.work.patience = patience - 1
-    with pytest.raises(click.UsageError):
-        require_quick(scene, 5000)
+    for digits in range(5000, 12000, 70):
+        scene.work.patience = 1
+        with pytest.raises(click.UsageError) as refused:
+            require_quick(scene, digits)
+        patience = int(re.search(r"--patience (\d+)", refused.value.message)[1])
+        scene.work.patience = patience
+        require_quick(scene, digits)
+        scene.work.patience = patience - 1
+        with pytest.raises(click.UsageError):
+            require_quick(scene, digits)

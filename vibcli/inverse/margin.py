@@ -17,7 +17,7 @@ def margin(elements, free):
     roots = sorted(_eigenvalues(elements, damped), key=abs)
     size, moving = abs(roots[-1]), roots[free:]
     if damped:
-        return -max((root.real for root in moving), default=-size), size
+        return -max((root.real for root in moving), default=0.0), size
     squares = [-root * root for root in moving if root.imag > 0 or (root.imag == 0 and root.real > 0)]
     size = max(map(abs, squares), default=size * size)
     real = [x.real for x in squares if abs(x.imag) <= ZERO * size]

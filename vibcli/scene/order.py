@@ -5,7 +5,7 @@ def carriers_first(spec, report):
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
     bodies = spec.get("bodies") or {}
     needs = {name: _carriers(record, spec) for name, record in bodies.items()}
-    order, state, circles = [], {}, 0
+    order, state, circular = [], {}, False
     for start in bodies:
         stack = [start]
         while stack:
@@ -25,10 +25,10 @@ def carriers_first(spec, report):
                            "these bodies carry one another: " + " → ".join([*circle, circle[0]]))
                 report(bodies[circle[0]].where, message, "one of them must be carried by the ground")
                 state.update(dict.fromkeys(circle, "done"))
-                circles += 1
+                circular = True
             else:
                 stack.append(waiting[0])
-    return [] if circles else order
+    return [] if circular else order
 
 
 def _carriers(record, spec):
