@@ -35,17 +35,19 @@ def grown(table, draw, depth):
         return table.sum(*((grown(table, draw, depth - 1), draw.choice((1, 1, -1)) * draw.choice(NUMBERS))
                            for _ in range(draw.randint(2, 3))))
     if kind < 0.75:
-        return table.product(*((grown(table, draw, depth - 1), draw.choice(EXPONENTS))
-                               for _ in range(draw.randint(1, 3))))
+        return table.product((table.number(draw.choice(NUMBERS[:5])), 1), *(
+            (grown(table, draw, depth - 1), draw.choice(EXPONENTS)) for _ in range(draw.randint(1, 3))))
     if kind < 0.85:
         return table.call(draw.choice(FUNCTIONS), grown(table, draw, depth - 1))
     return table.parameter(draw.choice(LETTERS)) if draw.random() < 0.8 else table.number(draw.choice(NUMBERS))
 
 
 def readable(node, values):
-    """Can its value be told from printed digits: no power too large, no angle of many turns?"""
+    """Can its value be told from printed digits: no power too large, none of roots of roots, no angle of many turns?"""
     parts = [part for part in reachable([node]) if part.op in ("product", "call")]
     powers = [node.table.power(base, e) for part in parts if part.op == "product" for base, e in part.args]
+    if any(e.denominator > 12 for part in parts if part.op == "product" for _, e in part.args):
+        return False
     angles = [arg for part in parts if part.op == "call" for arg in part.args]
     return all(1e-30 < abs(size) < 1e30 for size in evaluate([node, *powers], Floats, values)) and all(
         abs(angle) < 30 for angle in evaluate(angles, Floats, values))

@@ -7,7 +7,8 @@ import pytest
 from scenes import problem, problem_of
 
 from vibcli.errors import PhysicsError
-from vibcli.report.drawing import compose, plane, vibration
+from vibcli.report.drawing import compose, mode_shape, plane, vibration
+from vibcli.report.drawing.primitives import Line, Polygon
 from vibcli.report.results import modes_data
 
 ROOT = Path(__file__).parent.parent
@@ -86,3 +87,19 @@ def test_what_leads_by_a_quarter_of_a_period_is_seen(shape):
     """Of a gyroscopic mode the largest amplitude is shown, and what is in phase with the first goes its way."""
     turned = [value * cmath.exp(-1j * vibration._lead(max(shape, key=abs))) for value in shape]
     assert turned[0].real >= -1e-12 and abs(turned[1].real) == pytest.approx(abs(shape[1]), rel=1e-2)
+
+
+@pytest.mark.parametrize("name", ["two_storeys", "beats", "chain_of_masses"])
+def test_arrows_are_as_long_as_the_mode_tells(name):
+    """Of lumped bodies: the largest LUMPED long, the others in proportion."""
+    found = problem_of(ROOT / f"vibcli/examples/{name}.yaml")
+    stage = compose.Stage(found.scene)
+    for mode in found.modes:
+        moving = vibration.Vibration(found, mode.index, stage)
+        ways = [moving.at(0.0).lumped[body] - moving.rest.lumped[body] for row in stage.rows for body in row.places]
+        parts = mode_shape._arrows(stage, moving.rest, moving.at(0.0), moving.unit)
+        starts = [part.points[0][0] for part in parts if isinstance(part, Line) and part.role == "coordinate"
+                  and part.points[0][0] == part.points[1][0]]
+        tips = [part.points[0][0] for part in parts if isinstance(part, Polygon)]
+        told = [(start, way / max(map(abs, ways)) * vibration.LUMPED) for start, way in zip(starts, ways, strict=True)]
+        assert tips == pytest.approx([start + length for start, length in told if abs(length) > 2.0])

@@ -90,7 +90,7 @@ def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
     assert run(["check", scene(MOTION + "answers: {'x(2 s)': 1 m}\n")]) == 1
 
 
-@pytest.mark.parametrize(("times", "early"), [(30, True), (3, False)])
+@pytest.mark.parametrize(("times", "early"), [(18, True), (5, False)])
 def test_a_motion_far_beyond_the_limit_is_given_up_early(times, early, monkeypatch):
     """At an even pace: it is known soon how far the limit would bring it."""
     whole = problem(MOTION)

@@ -3,7 +3,6 @@
 from fractions import Fraction
 
 from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced
 from vibcli.algebra.quotient import fraction
 from vibcli.algebra.rationals import HALF, ONE
 
@@ -14,7 +13,7 @@ def root(node, samples=()):
     table = node.table
     if node.is_zero:
         return node
-    scale, *factors = _squares(table, fraction(node))
+    scale, *factors = _factors(fraction(node))
     if scale < 0:
         turned = next((i for i, (base, e) in enumerate(factors) if base.op == "sum" and e.numerator % 2), None)
         if turned is None:
@@ -29,27 +28,15 @@ def _is_even(e):
     return e.denominator == 1 and e.numerator % 2 == 0
 
 
-def _squares(table, factors):
-    """The rational, and factors in which the square of a sum stands as a square."""
+def _factors(factors):
+    """The rational, and the other factors, each once."""
     scale, found = Fraction(1), {}
     for base, e in factors:
         if base.op == "number" and e.denominator == 1:
             scale *= Fraction(base.coefficient) ** int(e)
-            continue
-        for part, power in _parts(table, base) if base.op == "sum" else ((base, ONE),):
-            if part.op == "number" and e.denominator == 1:
-                scale *= Fraction(part.coefficient) ** int(e * power)
-            else:
-                found[part] = found.get(part, 0) + e * power
+        else:
+            found[base] = found.get(base, 0) + e
     return scale, *found.items()
-
-
-def _parts(table, base):
-    try:
-        parts = factors_of(table, reduced(expanded(base, ())))
-    except TooLong:
-        return ((base, ONE),)
-    return parts if len(parts) != 2 or parts[1][1] != 1 else ((base, ONE),)
 
 
 def positive(base, samples):
