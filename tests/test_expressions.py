@@ -12,7 +12,7 @@ from vibcli.algebra.evaluate import Floats, Rationals, evaluate, evaluate_ration
 from vibcli.algebra.expression import Table, reachable
 from vibcli.algebra.meaning import lower
 from vibcli.algebra.normal import is_zero
-from vibcli.algebra.parse import parse
+from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.algebra.rationals import BITS, bits
 
 
@@ -229,3 +229,14 @@ def test_numbers_that_grow_without_end_cost_nothing():
     assert scene.floats["h"] * 1.0 == 1000.0
     assert scene.modes[0].omega ** 2 == pytest.approx(500 * scene.floats["p30"] / scene.floats["q30"])
     assert max(bits(number) for number in scene.rational.values()) < 10**4
+
+
+@pytest.mark.parametrize(("written", "most", "words"), [
+    (lambda n: "+".join(["1"] * n), 400, "400 terms"), (lambda n: "*".join(["1"] * n), 400, "400 factors"),
+    (lambda n: "(" * n + "1" + ")" * n, 64, "64 levels"), (lambda n: "sin(" * n + "0" + ")" * n, 64, "64 levels"),
+    (lambda n: "^".join(["1"] * (n + 2)), 64, "64 powers"), (lambda n: " " * (n - 1) + "1", 2000, "2000")])
+def test_an_expression_is_read_up_to_the_limit_that_is_told_beyond_it(written, most, words):
+    parse(written(most))
+    with pytest.raises(ExpressionError) as refused:
+        parse(written(most + 1))
+    assert words in refused.value.message
