@@ -10,7 +10,7 @@ from trees import new_table, trees, values
 from vibcli.algebra.calculus import substitute
 from vibcli.algebra.evaluate import Floats, Rationals, evaluate, evaluate_rational
 from vibcli.algebra.expression import Table, reachable
-from vibcli.algebra.meaning import lower
+from vibcli.algebra.meaning import lower, whole_literal
 from vibcli.algebra.normal import is_zero
 from vibcli.algebra.parse import ExpressionError, parse
 from vibcli.algebra.rationals import BITS, bits
@@ -240,3 +240,11 @@ def test_an_expression_is_read_up_to_the_limit_that_is_told_beyond_it(written, m
     with pytest.raises(ExpressionError) as refused:
         parse(written(most + 1))
     assert words in refused.value.message
+
+
+@pytest.mark.parametrize(("text", "one"), [("5", True), ("-5 m", True), ("+3 N/m", True), ("1.5e3 s^-1", True),
+                                           ("5 m + 3 m", False), ("-2 - 3", False), ("2*3", False), ("-x", False),
+                                           ("x + 2", False), ("2^2", False), ("-(2 m)", True), ("sin(1)", False)])
+def test_one_literal_is_told_from_a_sum(text, one):
+    found = whole_literal(parse(text))
+    assert (found is not None and found[0] == "number") == one
