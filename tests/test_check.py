@@ -325,3 +325,23 @@ def test_random_states_are_within_reach(name):
     moving = [sum(any(seen[name + "'" * k][i] for k in range(3)) for name in given.scene.coordinates)
               for i in range(len(groups))]
     assert {1, len(given.scene.coordinates)} == set(moving)
+
+
+PASSING = """
+parameters: {m: 2, k: 200, c: 4, F: 5, W: 6}
+bodies: {b: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, b]}}
+dampers: {d: {c: c, between: [ground, b]}}
+forces: {f: {at: b, force: F*sin(W*t)}}
+initial: {x: 0.03, x': 0.1}
+motion: full
+"""
+TURNS = 0.03384973285088846     # where x' passes zero
+
+
+@pytest.mark.parametrize("asked", [f"T({TURNS})", "min(T)", f"x'({TURNS})"])
+def test_a_number_near_zero_agrees_with_zero_alone(asked):
+    """The error of what is found is absolute: as a part of a number near zero it may be more than all of it."""
+    for other in ("2", "0.123456789", "-1e-6", "m/4"):
+        assert not agrees(PASSING, f"{asked}: {other}"), other
+    assert agrees(PASSING, f"{asked}: 0")

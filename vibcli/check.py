@@ -83,9 +83,11 @@ def _compare(problem, answer):
         return Verdict(answer, stable == wanted, wanted, stable)
     found, error = value_of(problem, answer.asked)
     expected, _ = value_of(problem, answer.expected)
-    tolerance = _tolerance(problem, answer, expected, error)
-    if problem.spec.get("motion") == "full" and error * abs(found) > tolerance:
+    doubt = error * abs(found)      # absolute: of a number near zero it may be any part of what is expected
+    written, times = _tolerance(problem, answer, expected)
+    if problem.spec.get("motion") == "full" and times < 4 and doubt > max(written, EXACT * abs(expected)):
         raise _beyond_known(answer, found, error)
+    tolerance = max(written, times * doubt + 4 * EPSILON * abs(expected))
     agrees = bool(abs(found - expected) <= tolerance)
     remark = None if agrees else likely_mistake(head, expected, found)
     return Verdict(answer, agrees, expected, found, remark)
@@ -100,28 +102,26 @@ def _beyond_known(answer, found, error):
                         "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
 
 
-def _tolerance(problem, answer, expected, error):
-    """The absolute tolerance: that given, that of the digits written (never finer than what is found), or rounding."""
-    rounding = (EXACT + 4 * error) * abs(expected) + 1e-300
+def _tolerance(problem, answer, expected):
+    """(absolute tolerance, how many times the error of what is found is allowed at least): the tolerance given; that of
+    the digits written, never finer than what is found; or rounding."""
+    rounding = EXACT * abs(expected) + 1e-300 if expected else _small(problem, answer)
     if answer.rtol is not None:
         rtol = value_of(problem, answer.rtol)[0]
         if not 0 <= rtol < 1:
             raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
                                         "write for example rtol: 0.5 %")])
-        return rtol * abs(expected) if expected else _small(problem, answer)
+        return (rtol * abs(expected), 0) if expected else (rounding, 0)
     literal = whole_literal(answer.expected.tree)
     if literal is None:
-        return rounding if expected else _small(problem, answer)
+        return rounding, 4
     written = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", answer.expected.text)
     whole, fraction, exponent = written.groups()
     digits = (whole + fraction).lstrip("0")
     if len(digits) < 3:
-        return rounding if expected else _small(problem, answer)
-    number = abs(float(literal[3]))
+        return rounding, 4
     half = 0.5 * 10.0 ** (int(exponent or 0) - len(fraction))
-    if not number:
-        return rounding
-    return max(min(half / number, WIDEST) * (1 + EXACT), error + 4 * EPSILON) * abs(expected)
+    return min(half / abs(float(literal[3])), WIDEST) * (1 + EXACT) * abs(expected), 1
 
 
 def _small(problem, answer):
