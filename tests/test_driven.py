@@ -56,6 +56,48 @@ def test_a_prescribed_motion_counts_as_it_stands_small_and_full_alike(figure, mo
         assert values(small, signal) == pytest.approx(expected, rel=1e-9, abs=1e-10 * abs(expected).max()), signal
 
 
+TIED = {
+    "a block": ("slide: MOTION", "y = MOTION"),
+    "half of it": ("slide: MOTION", "2*y = MOTION"),
+    "a cube beside it": ("slide: MOTION", "y + y^3/(1 m)^2 = MOTION"),
+    "against another": ("slide: x + MOTION", "y = x + MOTION"),
+    "against the sum": ("slide: MOTION - x", "x + y = MOTION"),
+}
+
+
+def tied(slide, constraint, motion):
+    """A block x on a spring, tied by a spring and a damper to one that a drive or a constraint moves."""
+    body, law = (slide.replace("MOTION", motion), "") if slide else (
+        "slide: y", f"constraints: {{q: '{constraint.replace('MOTION', motion)}'}}")
+    unused = ", unused: allowed}"
+    return problem(f"""
+parameters: {{m: 1.3 kg, k: 80 N/m, c: 2 N*s/m, Y: {{value: 0.02 m{unused}, r: {{value: 3 s^-1{unused},
+  w: {{value: 3 rad/s{unused}, v: {{value: 0.3 m/s{unused}}}
+coordinates: [x{'' if slide else ', y'}]
+bodies: {{b: {{mass: m, slide: x}}, S: {{mass: 2*m, {body}}}}}
+springs: {{s: {{k: k, between: [S, b]}}, u: {{k: k/3, between: [ground, b]}}}}
+dampers: {{d: {{c: c, between: [S, b]}}}}
+{law}
+""")
+
+
+@pytest.mark.parametrize("motion", ["Y*(1 - exp(-r*t))", "Y*(1 - cos(w*t))", "Y - Y*exp(-r*t)*cos(w*t)", "v*t"])
+@pytest.mark.parametrize("kind", TIED)
+def test_a_constraint_in_time_drives_as_a_prescribed_motion_does(kind, motion):
+    """None of what it prescribes is there at rest, constants included."""
+    slide, constraint = TIED[kind]
+    if kind == "a cube beside it" and motion == "v*t":
+        pytest.skip("far from small")
+    if kind == "half of it":
+        slide = slide.replace("MOTION", f"({motion})/2")
+    one, other = tied(slide, None, motion), tied(None, constraint, motion)
+    assert other.equilibrium.values["x"] == one.equilibrium.values["x"]
+    assert motion == "v*t" or not other.equilibrium.values["x"]
+    scale = abs(values(one, "x")).max()
+    for signal in ("x", "s.force", "d.force"):
+        assert values(other, signal) == pytest.approx(values(one, signal), rel=1e-9, abs=1e-9 * scale), signal
+
+
 LINKAGE = """
 parameters: {{W: 3 rad/s, A: 1e-6}}
 points: {{P: {{body: crank, at: [0.3 m, 0.2 m]}}, E: {{body: rod, at: [1 m, 0]}}}}

@@ -77,7 +77,19 @@ def _equation(record, scene):
     scene.require_equal(node, scene.table.zero, record["equation"].where,
                         f"the constraint '{record.name}' does not hold as drawn: its sides differ by {{}} (SI units)",
                         "mind that coordinates are zero as drawn unless `coordinates` gives `drawn`", size=1e-12)
-    scene.add_constraint(record, node, "equation")
+    scene.add_constraint(record, _driven(record, scene, node), "equation")
+
+
+def _driven(record, scene, node):
+    """The condition with its terms of the time alone, and their value at t = 0, as one displacement that is driven: of
+    y = Y (1 − cos Ωt) all of the right side, so that none of it is there at rest."""
+    others = ~scene.time.mask
+    tied = scene.terms_with(node, others)
+    in_time = textbook(node - tied)
+    if not in_time.mask:
+        return node
+    drawn, = scene.at_drawn(tied)
+    return tied - drawn + scene.driven_by(in_time + drawn, record.name)
 
 
 def _join(record, scene):

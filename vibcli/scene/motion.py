@@ -35,12 +35,12 @@ class Motion:
             self._symbols[name, primes] = self.rate(self.symbol(name, primes - 1))
         return self._symbols[name, primes]
 
-    def driven_by(self, node, name, drive):
+    def driven_by(self, node, name, drive=None):
         """A displacement of what has this name: where it depends on the time, a symbol that is zero as drawn and stands
         for it until the scene is assembled; of an opened scene an input. Where supports give way its `drive` does."""
         if not node.mask & self.time.mask:
             return node
-        slip = self._released(drive) if self.releasing else self.table.zero
+        slip = self._released(drive) if self.releasing and drive else self.table.zero
         if self.opened and self.waves(node):
             return self.add_input(name, node) + slip
         symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
