@@ -453,3 +453,27 @@ def test_three_degrees_have_no_formula():
     """)
     with pytest.raises(NotInLetters):
         formula(scene, "x", "y")
+
+
+@pytest.mark.parametrize("damper", ["", "dampers: {d: {c: 3 N*s/m, between: [ground, a]}}"])
+@pytest.mark.parametrize("order", ["a, b", "b, a"])
+def test_what_is_not_coupled_plays_no_part(damper, order):
+    """An oscillator beside the one that is driven: neither a zero nor a pole of its response, which itself has none."""
+    bodies = {"a": "a: {mass: m, slide: x}", "b": "b: {mass: m, slide: y}"}
+    scene = """
+parameters: {m: 2 kg, k: 800 N/m}
+bodies: {BODIES}
+springs: {s: {k: k, between: [ground, a]}SECOND}
+forces: {f: {at: a, force: (3 N)*sin(5 rad/s*t)}}
+""" + damper
+    alone = problem(scene.replace("BODIES", bodies["a"]).replace("SECOND", ""))
+    both = problem(scene.replace("BODIES", ", ".join(bodies[name] for name in order.split(", ")))
+                   .replace("SECOND", ", s2: {k: 2*k, between: [ground, b]}"))
+    one, two = (formula(found, "x", "f") for found in (alone, both))
+    assert str(one.amplitude) == str(two.amplitude)
+    assert [str(place) for place in (two.poles, two.zeros)] == [str(place) for place in (one.poles, one.zeros)]
+    nothing, curve = formula(both, "y", "f"), both.frequency_response("y", "f")
+    assert nothing.vanishes and nothing.poles is None and nothing.zeros is None and nothing.peak is None
+    assert curve.peaks == [] and curve.antiresonances == []
+    peaks_of = [np.ravel(found.frequency_response("x", "f").peaks) for found in (alone, both)]
+    assert peaks_of[0] == pytest.approx(peaks_of[1], rel=1e-13)

@@ -46,7 +46,9 @@ def _in_letters(problem, name, driver):
         if problem.symbolic:
             raise
         return
-    if found.undamped:
+    if found.vanishes:
+        lines = [line("H = 0")]
+    elif found.undamped:
         lines = [line("H = ", found.amplitude)]
     elif found.ahead:
         lines = [line("H = ", *turned(found.amplitude))]

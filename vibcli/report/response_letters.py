@@ -72,7 +72,7 @@ def conditions(formula):
     if formula.peak is not None:
         place, less, more = formula.peak
         yield paragraph("peak at ", maths(formula.Omega, " = ", place), " for ", maths(less, " < ", more))
-    if formula.undamped and not formula.short and not formula.denominator[0].is_zero:
+    if formula.undamped and not formula.short and not formula.vanishes and not formula.denominator[0].is_zero:
         yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
 
 

@@ -10,11 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.analyses.frequency.poles import endless, pace, poles, zeros
-from vibcli.analyses.frequency.response import sloped
+from vibcli.analyses.frequency.response import sampled, sloped
 
 SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
 COARSE, FEW = np.array([0.0, 0.25, 1.0, 5.0]), 40                       # where there are more poles and zeros
 NARROWEST, WIDE, ROUNDS, SAME = 1e-9, 1e4, 150, 2.0**-51
+ANYWHERE = np.array([0.37, 1.19, 3.1])  # times a typical frequency
 BESIDE, ENDLESS = 1e-9, 3e3     # a peak that is so much higher than beside it has a damping ratio below 3e-13: none
 
 
@@ -27,7 +28,9 @@ class Extreme(NamedTuple):
 
 
 def extremes(system):
-    """The Extremes of |H(iΩ)| for Ω > 0, ascending."""
+    """The Extremes of |H(iΩ)| for Ω > 0, ascending; none where the input does not reach the output."""
+    if not sampled(system, pace(system) * ANYWHERE)[0].any():
+        return []
     low, high = _brackets(system)
     maximum = steepness(system, low) > 0
     Omega = narrowed(lambda at: steepness(system, at), low, high)

@@ -39,12 +39,19 @@ class Formula:
     def __init__(self, table, Omega, numerator, denominator, order, short):
         w, square = table.variable(SQUARE), {table.variable(SQUARE): Omega * Omega}
         self.table, self.Omega, self.order, self.short = table, Omega, order, short
-        self.poles, self.zeros = (_root(parts, w) for parts in (denominator, numerator))
+        nothing = _nothing(numerator)
+        self.poles, self.zeros = (None if nothing else _root(parts, w) for parts in (denominator, numerator))
         self.scale = _common(table, numerator)
         self.denominator = tuple(substitute([denominator[0], _simple(denominator[1])], square))
         numerator = [_simple(part / self.scale) for part in numerator]
         self.numerator = tuple(substitute(numerator, square))
-        self.peak = _peak(self.scale, Omega, numerator, denominator, w) if short and not order else None
+        peaked = short and not order and not nothing
+        self.peak = _peak(self.scale, Omega, numerator, denominator, w) if peaked else None
+
+    @property
+    def vanishes(self):
+        """Does the input not reach the output at all?"""
+        return _nothing(self.numerator)
 
     @property
     def undamped(self):
@@ -120,6 +127,8 @@ def from_parts(problem, b, c, d, Omega, order=0):
     D = [[(textbook(K.get((i, j), zero) - w * M.get((i, j), zero)), C.get((i, j), zero) + G.get((i, j), zero))
           for j in range(n)] for i in range(n)]
     b, c = ([_pair(part, i, w, zero) for i in range(n)] for part in (b, c))
+    part = _taking_part(D, b, c)
+    D, b, c, n = [[D[i][j] for j in part] for i in part], [b[i] for i in part], [c[i] for i in part], len(part)
     det = D[0][0] if n == 1 else _minus(_times(D[0][0], D[1][1], w), _times(D[0][1], D[1][0], w))
     parts = [_times(_times(c[i], _adjugate(D, i, j, zero), w), b[j], w) for i in range(n) for j in range(n)]
     direct = _pair(d, 0, w, zero)
@@ -160,6 +169,17 @@ def _pair(parts, i, w, zero):
     """(even, odd over iΩ) of entry i of a polynomial in s, s² = −Ω²."""
     zeroth, first, second = (part.get(i, zero) for part in parts)
     return zeroth - w * second, first
+
+
+def _taking_part(D, b, c):
+    """The coordinates that H depends on: of two that are not coupled those that are driven and seen; one at least."""
+    if len(D) == 1 or not _nothing(D[0][1], D[1][0]):
+        return range(len(D))
+    return [i for i in range(len(D)) if not _nothing(b[i]) and not _nothing(c[i])] or [0]
+
+
+def _nothing(*pairs):
+    return all(part.is_zero for pair in pairs for part in pair)
 
 
 def _times(one, two, w):
