@@ -125,3 +125,15 @@ def test_no_scene_takes_hz_for_its_angular_frequency(path, span):
     text = path.read_text(encoding="utf-8")
     found = wrong(text[:span[0]] + "Hz" + text[span[1]:], str(path))
     assert any("cycles (Hz)" in message or "found Hz" in message for message, _ in found)
+
+
+@pytest.mark.parametrize(("k", "advice"), [
+    ("m*f^2", "where 'k'"), ("m/T^2", "where 'k'"), ("m*n^2", "where 'k'"), ("m*N^2", "where 'k'")])
+def test_a_stiffness_that_counts_cycles_is_mended_where_it_is_defined(k, advice):
+    found = wrong(f"""
+parameters: {{m: 2 kg, f: {{value: 5 Hz, unused: allowed}}, T: {{value: 1/f, unused: allowed}}, k: {k},
+  n: {{value: 1/T, unused: allowed}}, N: {{value: 1/(1/f), unused: allowed}}}}
+bodies: {{one: {{mass: m, slide: x}}}}
+springs: {{s: {{k: k, between: [ground, one]}}}}
+""")
+    assert len(found) == 1 and advice in found[0][1] and "2*pi/" not in found[0][1]

@@ -9,8 +9,12 @@ from pathlib import Path
 from test_bad import BAD, expected
 
 import vibcli
+from vibcli.algebra.meaning import whole_literal
+from vibcli.algebra.parse import parse
 from vibcli.cli import COMMANDS, group, run
+from vibcli.fit import unit_of_a_number
 from vibcli.manual import words
+from vibcli.questions import ASKED
 
 PACKAGE = Path(vibcli.__file__).parent
 FILES = sorted(path for path in PACKAGE.rglob("*.py") if "bench" not in path.parts)
@@ -89,3 +93,36 @@ def test_a_scene_in_letters_is_checked_with_numbers(tmp_path, capsys):
     assert run(["check", str(scene), "--set", "k=18 N/m", "--set", "m=2 kg"]) == 0
     assert run(["check", str(scene), "--set", "k=20 N/m", "--set", "m=2 kg"]) == 1
     assert "1 answer agrees" in capsys.readouterr().out
+
+
+def test_a_number_with_the_unit_that_a_hint_names_is_one_value(tmp_path, capsys):
+    units = {asked.unit for asked in ASKED.values()} - {None, "", "1", "signal"}
+    assert "1/s" in units
+    for unit in units:
+        assert whole_literal(parse(f"3.13 {unit_of_a_number(unit)}")), unit
+    scene = tmp_path / "scene.yaml"
+    text = """parameters: {m: 2 kg, L: 1 m, g: 9.81 m/s^2}
+gravity: g
+bodies: {b: {mass: m, at: [0, L], pin: {at: [0, 0], by: phi}}}
+answers:
+  growth_rate[1]: 3.13209
+"""
+    scene.write_text(text)
+    assert run(["check", str(scene)]) == 3
+    advised = re.search(r"write the unit: (.*)", capsys.readouterr().err)[1]
+    scene.write_text(text.replace("3.13209", advised))
+    assert run(["check", str(scene)]) == 0
+
+
+ENDLESS = "bodies: {b: {mass: 1, slide: x}, c: {mass: 1, slide: y}}\nenergies: {V: x^4/4 - x^2 + (y - x)^2}\n"
+
+
+def test_a_hint_writes_numbers_as_its_scene_does(tmp_path, capsys):
+    """One unit makes every plain number of a scene without units an error."""
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(ENDLESS + "find: [{equilibria: all}]\n")
+    assert run(["solve", str(scene)]) == 4
+    advised = re.search(r"as in find: (\{.*\})", capsys.readouterr().err)[1]
+    scene.write_text(ENDLESS + f"find: {advised}\n")
+    run(["solve", str(scene)])
+    assert "write the unit" not in capsys.readouterr().err

@@ -108,13 +108,19 @@ def _unit_hint(spec, expression):
     if expression.unit == "N/m" and literal and literal_unit(literal[4]).dimension == units.parse_unit("N*m").dimension:
         return "a torsional stiffness is given as `torsion:`"
     if literal and not literal[4]:
-        return f"{UNIT_DUE} {expression.text} {expression.unit}"
+        return f"{UNIT_DUE} {expression.text} {unit_of_a_number(expression.unit)}"
     name = expression.tree[3] if expression.tree[0] == "name" else None
     value = spec.parameters[name].get("value") if name in spec.parameters else None
     if name in spec.parameters and value is None:
         return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
     literal = value and whole_literal(value.tree)
-    return f"give '{name}' its unit: {value.text} {expression.unit}" if literal and not literal[4] else None
+    unit = unit_of_a_number(expression.unit)
+    return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal[4] else None
+
+
+def unit_of_a_number(unit):
+    """A unit as it stands behind a number: 1/s is s^-1."""
+    return unit.replace("1/", "", 1) + "^-1" if unit.startswith("1/") else unit
 
 
 def _no_quantities(reader, expression):

@@ -97,8 +97,9 @@ class FullMotion(StatesInTime):
         try:
             return duration(self.problem.modes, self.problem.damped, 0.0, [])
         except PhysicsError:
+            until = self.problem.spec.example("10 s")
             raise PhysicsError("it is not known how long this motion is to be looked at",
-                               "say until when: find: [{response: {until: 10 s}}]") from None
+                               f"say until when: find: [{{response: {{until: {until}}}}}]") from None
 
     def by_quadrature(self, tree):
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""

@@ -25,7 +25,7 @@ class PrescribedMotion(StatesInTime):
 
     def lasting(self):
         raise PhysicsError("it is not known how long this motion is to be looked at",
-                           "say until when: find: [{response: {until: 10 s}}]")
+                           f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]")
 
     def period(self, tree):
         raise PhysicsError("the period of what is prescribed is that of what drives it",

@@ -120,7 +120,8 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
         if not self.scene.q and any(body.moves for body in self.scene.bodies.values()):
             hint = "take a constraint out, or let one more body move"
-            in_time = ", or ask for its motion in time: find: [{response: {until: 2 s}}]"
+            until = self.spec.example("2 s")
+            in_time = f", or ask for its motion in time: find: [{{response: {{until: {until}}}}}]"
             raise PhysicsError(words_of_locked(self.scene), hint + in_time * self.scene.timed)
         if not self.scene.q:
             raise PhysicsError("nothing moves in this scene: it has no coordinates",

@@ -94,6 +94,10 @@ class Spec:
     def get(self, section, default=None):
         return self.sections.get(section, default)
 
+    def example(self, literal):
+        """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
+        return literal.partition(" ")[0] if self.free_numbers else literal
+
 
 def read_spec(root, file, diagnostics=(), settings=None):
     """The Spec of a document and of its cases; SpecError with every diagnostic where it is not one."""

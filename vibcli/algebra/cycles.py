@@ -87,9 +87,9 @@ class Cycles:
             return "the period of a frequency f in Hz is 1/f"
         part = self._uncleared(tree)
         count = self.count(part)
-        if part[0] == "name" and count.get(PERIOD):
+        if part[0] == "name" and count.get(PERIOD) == 1:
             found = OF_ANGLES + f"write 2*pi/{part[3]}"
-        elif part[0] == "name" and count.get(CYCLE) != 1:
+        elif part[0] == "name" and left_over(count) != 1:
             found = OF_ANGLES + f"write it so where '{part[3]}' is defined"
         else:
             found = OF_ANGLES + f"write (2*pi*{self._text(part) if part[0] in ('name', 'number') else 'f'})"

@@ -24,8 +24,9 @@ def bounds(problem, forces, rests):
         else:
             reach = REACH * max(typical_length(problem), *(abs(rest[name] - drawn) for rest in rests), 0.0)
             if not reach:
+                far = problem.spec.example("2 m")
                 raise PhysicsError(f"nothing in this scene says how far '{name}' is to be searched for equilibria",
-                                   f"give bounds, as in find: {{equilibria: all, within: {{{name}: [-2 m, 2 m]}}}}",
+                                   f"give bounds, as in find: {{equilibria: all, within: {{{name}: [-{far}, {far}]}}}}",
                                    problem.spec.coordinates[name].where)
             found[name] = (drawn - reach, drawn + reach)
     return found
