@@ -17,6 +17,8 @@ from vibcli.algebra.samples import Samples
 from vibcli.analyses.forcing.blows import nearest
 from vibcli.analyses.forcing.decompose import forcing_of
 from vibcli.analyses.forcing.fourier import fourier, integral
+from vibcli.analyses.forcing.numbers import Floating
+from vibcli.analyses.forcing.sampled import Sampled
 from vibcli.errors import PhysicsError
 
 VALUES = {"F": 5.0, "a": 0.7, "b": 1.3, "W": 31.4, "p": 0.25, "q": 0.8, "c": 0.1, "k": -2.5}
@@ -337,6 +339,14 @@ def test_records(text):
     with mpmath.workdps(40):
         for t in instants(found, random.Random(text)):
             assert float(abs(at(found, t) - exact(node, t))) <= 1e-14 * 15
+
+
+def test_two_looks_at_a_record_are_one_where_all_of_them_is():
+    keys = [(samples, a, b, order) for samples in (Samples(TIMES, HEIGHTS), Samples(TIMES, HEIGHTS))
+            for a in (1, 2, -1) for b in (0, Fraction(1, 3)) for order in (0, 1, 2)]
+    one, other = ([Sampled(*key, Floating) for key in keys] for _ in range(2))
+    assert all((x == y) == (i == j) for i, x in enumerate(one) for j, y in enumerate(other))
+    assert len({*one, *other}) == len(keys) and one[0] != keys[0]
 
 
 @pytest.mark.parametrize("heights", [HEIGHTS, (1.0, 1.5, -2.0, 0.5, 3.0, -1.0)])

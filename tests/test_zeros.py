@@ -8,7 +8,8 @@ import pytest
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.expression import Table
-from vibcli.analyses.angles import _linear
+from vibcli.algebra.normal import expanded
+from vibcli.analyses.angles import _linear, angles
 from vibcli.analyses.elimination import solve_equations
 from vibcli.analyses.several import common_zeros, halton
 from vibcli.analyses.solving import polynomial, solve_equation
@@ -197,6 +198,22 @@ def test_angles_from_minus_half_a_turn_to_a_turn(a, b, c):
               if -math.pi - 1e-9 <= x < 2 * math.pi - 1e-9]
     assert all(any(abs(x - y) < 1e-12 for y in found) for x in wanted) and len(wanted) >= 2
     assert all(abs(a * math.sin(x) + b * math.cos(x) + c) < 1e-12 for x in found)
+
+
+@pytest.mark.parametrize(("i", "j"), [(1, 0), (0, 1), (2, 1), (1, 1), (0, 3)])
+@pytest.mark.parametrize("rest", [(0, 0, 1), (2, 0, 0), (2, -3, 0), (0, 4, 1), (3, 0, -2)])
+def test_angles_where_sines_and_cosines_are_common_factors(i, j, rest):
+    """sinⁱ x cosʲ x (a sin x + b cos x + c) = 0: all of them."""
+    table = Table()
+    x = table.variable("x")
+    sine, cosine = table.call("sin", x), table.call("cos", x)
+    node = sine**i * cosine**j * (rest[0] * sine + rest[1] * cosine + rest[2])
+    found = evaluate(angles(expanded(node), x, lambda part: part.is_zero), Floats, {})
+    grid = [-math.pi + 3 * math.pi * k / 64 for k in range(64)]
+    wanted = [k * math.pi for k in (-1, 0, 1)] * bool(i) + [(k - 0.5) * math.pi for k in (0, 1, 2)] * bool(j)
+    wanted += [x for x in zeros(lambda x: evaluate([node], Floats, {"x": x})[0] / 10, grid)[0] if x < 6.28]
+    assert all(any(abs(x - y) < 1e-3 for y in found) for x in wanted)
+    assert all(abs(evaluate([node], Floats, {"x": y})[0]) < 1e-12 for y in found)
 
 
 def test_higher_degrees_are_factored_by_sympy_alone(letters):
