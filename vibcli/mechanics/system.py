@@ -146,13 +146,7 @@ class System:
     def struck(self, t, q, v, g, blows):
         """q̇ after impulses of the sizes {impulse node: N·s} just before an instant: M Δq̇ + Gᵀ Λ = Σ size ∂(−h)/∂δ, and
         Ġ = 0 again where a constraint is driven at another speed from then on."""
-        table = self.scene.table
-        stand_in = {node: table.variable(f"impulse {i}") for i, node in enumerate(blows)}
-        h = substitute(self.parts.h, stand_in)
-        slopes = [gradient(node).get(symbol, table.zero) for symbol in stand_in.values() for node in h]
-        if any(symbol in gradient(slope) for slope in slopes for symbol in stand_in.values()):
-            raise PhysicsError("a force of this scene is no linear function of an impulse",
-                               "let the impulse stand alone, as in P*impulse(t - t1)")
+        slopes = self.slopes_by(blows)
         point = np.array([t]), q[:, None], v[:, None], g
         sizes = np.array([float(np.max(value)) for value in self.compiled(slopes)(*point)]).reshape(len(blows), self.n)
         entries = [*self.parts.M.values(), *self.parts.slopes.values()]
@@ -161,6 +155,17 @@ class System:
         parted = self.gaps(*point[:3])[1][:, 0] if self.m else np.zeros(0)
         right = np.concatenate([-np.array(list(blows.values())) @ sizes, -parted])
         return v + np.linalg.solve(A, right)[:self.n]
+
+    def slopes_by(self, blows):
+        """[∂h/∂δ] of each impulse node, one coordinate after the other."""
+        table = self.scene.table
+        stand_in = {node: table.variable(f"impulse {i}") for i, node in enumerate(blows)}
+        h = substitute(self.parts.h, stand_in)
+        slopes = [gradient(node).get(symbol, table.zero) for symbol in stand_in.values() for node in h]
+        if any(symbol in gradient(slope) for slope in slopes for symbol in stand_in.values()):
+            raise PhysicsError("a force of this scene is no linear function of an impulse",
+                               "let the impulse stand alone, as in P*impulse(t - t1)")
+        return slopes
 
     def rate_of(self, node):
         """(dnode/dt without accelerations, {i: its slope by q̈ᵢ}) of an expression of q, q̇ and t."""

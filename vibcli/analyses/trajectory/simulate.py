@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.analyses.trajectory.blows import blow
 from vibcli.analyses.trajectory.breaks import breaks
 from vibcli.analyses.trajectory.drift import drift
 from vibcli.analyses.trajectory.energy import balance
@@ -123,7 +124,7 @@ def _loose(problem):
 def _marched(march, stops, events):
     """March to the end; the events on the way go to `events`."""
     until, at_once = march.until, 0
-    _strike(march, stops, until, events)
+    _strike(march, stops, events)
     march.begin(stops.after(0.0, until))
     while march.t < until:
         limit = stops.after(march.t, until)
@@ -135,7 +136,7 @@ def _marched(march, stops, events):
             if limit - march.t <= 1e-15 * limit:
                 march.t = limit
                 if limit < until:
-                    _strike(march, stops, until, events)
+                    _strike(march, stops, events)
                     march.begin(stops.after(limit, until))
             continue
         at_once = at_once + 1 if instant <= 1e-14 * march.t else 0
@@ -154,13 +155,11 @@ def _event(march, window):
     return first_event(march.switching, window, slack)
 
 
-def _strike(march, stops, until, events):
+def _strike(march, stops, events):
     """The impulses that act now."""
-    blows = stops.blows.get(march.t)
-    if blows:
-        soon = march.t + 1e-10 * (stops.after(march.t, until) - march.t)
-        g, _ = march.switching.settled(soon, march.q, march.v, march.g)
-        before, march.v = march.v, march.system.struck(soon, march.q, march.v, g, blows)
+    change = blow(march, stops)
+    if change is not None:
+        before, march.v = march.v, march.v + change
         march.slides = ()
         march.struck.append((march.t, march.q, before, march.v))
         events.append(Event(march.t, "impulse", ""))
