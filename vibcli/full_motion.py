@@ -10,6 +10,8 @@ from vibcli.full_signals import FullSignal
 from vibcli.motions import Motion
 from vibcli.signals import is_reaction
 
+LOOK = 1.0          # seconds, to tell what rests for ever
+
 
 class StatesInTime(Motion):
     """A motion whose places, velocities and accelerations are known at any instant, and with them all forces."""
@@ -117,10 +119,21 @@ class FullMotion(StatesInTime):
         problem = self.problem
         if len(problem.scene.coordinates) != 1:
             return None
+        self._require_start()
         with mpmath.workdps(DIGITS):
             values = problem.values(multiprecision())
             (q,), (v,) = self._precise_start(values)
         return exact_period(problem.scene, values, q, v)
+
+    def _require_start(self):
+        """PhysicsError of a period where nothing starts to move."""
+        from vibcli.analyses.trajectory.resting import starts_at_rest
+
+        if self.problem.scene.timed or not starts_at_rest(self.problem.given_start):
+            return
+        found = self.reaching(LOOK)
+        if found.rests == found.end:
+            raise PhysicsError("the scene is at rest: its motion has no period", "give it an `initial` state")
 
     def _precise_start(self, values):
         """The places and velocities at t = 0, to more digits than floats have where they are given."""
@@ -135,6 +148,7 @@ class FullMotion(StatesInTime):
         """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
         from vibcli.analyses.trajectory.repetition import searched_period
 
+        self._require_start()
         if self.by_quadrature(tree) is not None:
             return self._exact_period[0]
         try:

@@ -18,7 +18,8 @@ RESPONSE = [
          "refused. It is found twice, by rules of another order and with another last digit of its start: what the two "
          "do not share is not printed, and from where they share less than three digits (chaos, a start at an unstable "
          "place) nothing is known; plots and files end there. Values in time, `max`, `min`, `zero` and `period` can be "
-         "asked, no steady states. A period is looked for beyond the end, up to eight times as long."),
+         "asked, no steady states. What starts at rest in its equilibrium stays there, to the last digit, until a load "
+         "or a drive in time acts. A period is looked for beyond the end, up to eight times as long."),
         ("end", "`find: {response: {until: 2 s}}`, or `--until`. Unless given: until what decays slowest has fallen to "
          "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "
          "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "

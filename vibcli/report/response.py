@@ -129,7 +129,20 @@ def _integration(trajectory):
                           ("work of what drives the motion", balance.driving)):
         if values[-1]:
             rows.append((words, figure(float(values[-1]))))
-    told = f"the balance of these energies holds to {figure(float(balance.error), digits=2)} of the largest of them"
+    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
+    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
+    more = len(trajectory.events) - len(events)
+    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
+                       paragraph(f"and {more} more") if more else None)
+
+
+def _accuracy(trajectory):
+    """How well a motion is known: what it says of itself."""
+    if trajectory.rests and trajectory.rests == trajectory.end:
+        return "it starts at rest in its equilibrium, and nothing acts on it in time: there it stays"
+    told = f"it rests up to t = {figure(trajectory.rests)} s; " if trajectory.rests else ""
+    error = figure(float(trajectory.balance.error), digits=2)
+    told += f"the balance of these energies holds to {error} of the largest of them"
     shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
     told += f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion"
     if trajectory.end < trajectory.until:
@@ -140,11 +153,7 @@ def _integration(trajectory):
                  "stepped over: velocities and forces that it moves are known the less")
     if trajectory.drift is not None:
         told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
-    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(told))
-    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
-    more = len(trajectory.events) - len(events)
-    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
-                       paragraph(f"and {more} more") if more else None)
+    return told
 
 
 def _extremes(asked, until):

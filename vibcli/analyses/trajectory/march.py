@@ -42,7 +42,7 @@ class March:
         arguments vanish now."""
         soon = self._soon(limit)
         self.g, self.slides = self.switching.settled(soon, self.q, self.v, self.g, zero, self.slides)
-        self.sizes.measure(self.system, self._accelerations, soon, self.q, self.v, self.g)
+        self.sizes.measure(self.system, self.accelerations, soon, self.q, self.v, self.g)
         self.H = min(self.H or np.inf, RADIANS * self.sizes.radian)
         self.guess = None
         if self.fast is not None:
@@ -52,14 +52,14 @@ class March:
         """An instant shortly after the present one, at which what begins now has begun."""
         return self.t + min(SOON * (limit - self.t), SOON * max(self.t, limit - self.t))
 
-    def _accelerations(self, t, q, v, c=None):
+    def accelerations(self, t, q, v, c=None):
         if self.slides:
             return self.switching.sliding(self.slides, t, q, v, self.g, c)[0]
         return self.system.accelerations(t, q, v, self.g, c)
 
     def advance(self, limit):
         """The next Window, at most up to the instant `limit`."""
-        a = self._accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
+        a = self.accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
         if not np.isfinite(a).all():
             raise self.undefined()
         left = limit - self.t
@@ -168,9 +168,9 @@ class March:
 
         def force(Q, V, copies=1):
             if copies == 1:
-                return self._accelerations(times, Q, V, c)
+                return self.accelerations(times, Q, V, c)
             many = np.tile(times, copies)
-            return self._accelerations(many, Q, V, self.system.prepared(many))
+            return self.accelerations(many, Q, V, self.system.prepared(many))
         return force
 
     def _steer(self, H, iterations, used, failed, unresolved):

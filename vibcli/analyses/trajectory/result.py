@@ -44,13 +44,14 @@ class Trajectory:
     """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
     earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
     (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
-    those of the motion; fast: the oscillation that was stepped over, None where all is followed."""
+    those of the motion; fast: the oscillation that was stepped over, None where all is followed; rests: the instant up
+    to which it stays in the equilibrium in which it starts."""
 
     def __init__(self, system, switching, windows, until, events, balance, drift, sizes):
         self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
         self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
         self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
-        self.shared, self.sizes, self.fast = None, sizes, None
+        self.shared, self.sizes, self.fast, self.rests = None, sizes, None, 0.0
         self.lengths = np.array([window.length for window in windows])
         self.starts = np.array([window.start for window in windows])
 

@@ -9,6 +9,7 @@ from vibcli.analyses.trajectory.drift import drift
 from vibcli.analyses.trajectory.energy import balance
 from vibcli.analyses.trajectory.events import first_event
 from vibcli.analyses.trajectory.march import FIRST, SECOND, March
+from vibcli.analyses.trajectory.resting import starts_at_rest, stay
 from vibcli.analyses.trajectory.result import Event, Trajectory
 from vibcli.analyses.trajectory.ropes import slack
 from vibcli.analyses.trajectory.shared import Shared
@@ -56,6 +57,9 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     with problem.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
         events = []
+        if starts_at_rest(initial):
+            stay(march, stops)
+        rests = march.t
         try:
             _marched(march, stops, events)
         except Spent as spent:
@@ -63,7 +67,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
                 raise
     if second:
         found = Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
-        found.fast = march.fast
+        found.fast, found.rests = march.fast, rests
         return found
     energies = balance(system, march.switching, march.windows, march.ends, march.struck)
     if not energies.error <= BALANCED:
@@ -74,7 +78,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
         energies = energies._replace(error=gap / largest if gap <= BALANCED * largest else EPSILON * gap / rounding)
     found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows),
                        march.sizes)
-    found.fast = march.fast
+    found.fast, found.rests = march.fast, rests
     if any(tie.form == "rope" for tie in problem.scene.constraints):
         all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
         gone = slack(problem, all_of_it, found)
@@ -124,8 +128,10 @@ def _loose(problem):
 def _marched(march, stops, events):
     """March to the end; the events on the way go to `events`."""
     until, at_once = march.until, 0
+    if march.t == until:
+        return
     _strike(march, stops, events)
-    march.begin(stops.after(0.0, until))
+    march.begin(stops.after(march.t, until))
     while march.t < until:
         limit = stops.after(march.t, until)
         window = march.advance(limit)

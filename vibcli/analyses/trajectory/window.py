@@ -67,7 +67,7 @@ def iterated(force, rule, H, q, v, guess, allowed, unseen=0):
         if count <= unseen:
             continue
         error = float((np.abs(state[:, :s] - old[:, :s]) / allowed).max())
-        if error <= 1 or (error <= CLOSE and error > 0.5 * before):
+        if error <= 1 or (count > PATIENCE and error <= CLOSE and error > 0.5 * before):
             return Attempt(A, count)
         if not error < HOPELESS or (count > PATIENCE and error > 0.9 * before):
             break
