@@ -463,7 +463,8 @@ def test_text_and_json(find, tmp_path, capsys):
     middle = data["equilibria"][1]
     assert middle["omega"] == [None] and middle["growth_rate"] == pytest.approx(sqrt(3.81 / 0.5))
     assert middle["coordinates"] == {"f": 0.0} and middle["free"] == [] and middle["warning"] is None
-    assert data["search"] == {"bounds": {"f": [-pi, pi]}, "complete": True, "cut": False}
+    assert data["search"] == {"bounds": {"f": [-pi, pi]}, "complete": True, "cut": False, "indices": None,
+                              "degree": None}
     assert run(["frequencies", str(path), "--json"]) == 0
     assert "equilibria" not in json.loads(capsys.readouterr().out)
 

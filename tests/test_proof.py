@@ -24,8 +24,9 @@ FUNCTIONS = ("sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "atan", "asin",
 
 
 def scene(V, names="x", within=2):
-    """V in joules of pure numbers; `within`: a number, None (one turn) or pairs by name."""
-    limits = ", ".join(f"{name}: [-{within}, {within}]" for name in names)
+    """V in joules of pure numbers; `within`: a number, None (one turn), or numbers by name."""
+    pairs = within if isinstance(within, dict) else dict.fromkeys(names, within)
+    limits = ", ".join(f"{name}: [-{end}, {end}]" for name, end in pairs.items())
     bounds = f"find: {{equilibria: all, within: {{{limits}}}}}\n" if within else ""
     T = " + ".join(f"{name}'^2" for name in names)
     return problem(f"parameters: {{J: 1 kg*m^2, E: 1 J}}\ncoordinates: [{', '.join(names)}]\n{bounds}"

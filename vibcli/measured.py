@@ -73,6 +73,10 @@ def _number(problem):
     if found.cut:
         raise PhysicsError("the search for all equilibria was cut short: their number is not known",
                            "give narrower bounds, as in find: {equilibria: all, within: …}")
+    if found.missed:
+        raise PhysicsError(f"more equilibria exist than the {len(found.items)} that were found: by the forces on the "
+                           f"bounds their indices sum to {found.indices.degree}, not {found.indices.sum}",
+                           "give narrower bounds, as in find: {equilibria: all, within: …}")
     return len(found.items)
 
 

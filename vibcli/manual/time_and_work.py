@@ -50,7 +50,9 @@ PATIENCE = [
         ("choose", "30000 steps, each a look at the conditions, or a step of what these need."),
         ("all equilibria", "10⁶/n² positions for n coordinates, at least 300 and at most 60000. Those found are "
          "listed, as a search that was cut short. The proof that there are no others looks at 50000 pieces of the "
-         "bounds, of three coordinates at 20000."),
+         "bounds, of three coordinates at 20000. Without a proof the sum of the indices (signs of det K) is compared "
+         "with the degree of the forces on the bounds, of 20000 pieces at most; where they differ, one more exists, "
+         "and is looked for at 20000 positions more."),
         ("--digits, shares", "60 s, as estimated from the number of coordinates and digits alone; 20 s for shares, "
          "sensitivities and estimates."),
     ],

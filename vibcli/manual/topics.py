@@ -45,7 +45,7 @@ FIND = {
     "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "
                    "`equilibrium:` names, and whether it is stable",
     "equilibria": "`{equilibria: all}`: all positions of equilibrium that are found within bounds, each stable or not; "
-                  "it is told whether it is proved that there are no others",
+                  "it is told whether it is proved that there are no others, or that one is missing",
     "frequencies": "natural frequencies and periods of the system without its dampers",
     "modes": "mode shapes",
     "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",

@@ -10,6 +10,7 @@ from vibcli.mechanics.degenerate import sharpened
 from vibcli.mechanics.equilibrium import Equilibrium
 from vibcli.mechanics.families import Family
 from vibcli.mechanics.found import Found
+from vibcli.mechanics.indices import compared
 from vibcli.mechanics.kinks import KINKED
 from vibcli.mechanics.proof import proved
 from vibcli.mechanics.scaled_forces import Forces, TooMuch, idle
@@ -32,13 +33,19 @@ class Item:
 class Equilibria:
     """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
     those searched; complete: is it proved that there are no others; cut: was the search cut short; linear: are the
-    forces, so that there is no other? forces: the Forces that were searched."""
+    forces, so that there is no other? forces: the Forces that were searched; indices: Indices of what is not proved to
+    be complete, None where they are not known."""
 
-    __slots__ = ("bounds", "complete", "cut", "forces", "items", "linear")
+    __slots__ = ("bounds", "complete", "cut", "forces", "indices", "items", "linear")
 
-    def __init__(self, items, bounds, complete, linear, forces, cut=False):
+    def __init__(self, items, bounds, complete, linear, forces, cut=False, indices=None):
         self.items, self.bounds, self.complete, self.linear, self.forces = items, bounds, complete, linear, forces
-        self.cut = cut
+        self.cut, self.indices = cut, indices
+
+    @property
+    def missed(self):
+        """Is it proved that there are others?"""
+        return self.indices is not None and not self.indices.agree
 
 
 def find_equilibria(problem):
@@ -60,24 +67,17 @@ def find_equilibria(problem):
     else:
         limits, found = _prepared(problem, forces, rests)
     places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
-    with problem.work.task("the search for equilibria", min(MOST, max(LEAST, MOST_WORK // len(names) ** 2))) as task:
-        try:
-            for place in places:
-                found.add(place)
-            if not linear:
-                _search(forces, found, [forces.vector(problem.drawn_floats)])
-            cut = False
-        except (Spent, TooMuch) as stopped:
-            if isinstance(stopped, Spent) and stopped.task is not task:
-                raise
-            cut = True
+    for place in places:
+        found.add(place)
+    cut = not linear and _cut_short(forces, found)
     complete = problem.sticking is None and (linear or (not cut and proved(forces, found)))
+    indices = None if complete or problem.sticking is not None else compared(forces, found)
     known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
     items = [_item(forces, place, (), loose, known) for place in found.isolated]
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
     items.sort(key=lambda item: [round(x, 7) + 0.0 for x in forces.vector(item.equilibrium.values)])
     limits = {name: pair for name, pair in limits.items() if np.all(np.isfinite(pair))}
-    return Equilibria(items, limits, complete, linear, forces, cut)
+    return Equilibria(items, limits, complete, linear, forces, cut, indices)
 
 
 def _reached(problem):
@@ -99,6 +99,21 @@ def _prepared(problem, forces, rests):
 
 def _box(forces, limits):
     return [forces.vector({name: pair[i] for name, pair in limits.items()}) for i in (0, 1)]
+
+
+def _cut_short(forces, found):
+    """Searches the box; True if that took too much."""
+    limit = min(MOST, max(LEAST, MOST_WORK // len(forces.names) ** 2))
+    with forces.work.task("the search for equilibria", limit) as task:
+        try:
+            _search(forces, found, [forces.vector(forces.problem.drawn_floats)])
+            return False
+        except TooMuch:
+            return True
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            return True
 
 
 def _search(forces, found, first):

@@ -20,6 +20,11 @@ class Found:
     def count(self):
         return len(self.isolated) + len(self.families)
 
+    @property
+    def full(self):
+        """Are there as many as can be listed?"""
+        return self.count >= MOST
+
     def add(self, place):
         """Keep a zero; True if it lies in the box and is new."""
         place = self._in_box(place)
@@ -30,7 +35,7 @@ class Found:
             self.families.append(Family(place, rows))
         else:
             self.isolated.append(place)
-        if self.count >= MOST:
+        if self.full:
             raise TooMuch
         return True
 

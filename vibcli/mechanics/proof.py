@@ -77,10 +77,10 @@ def _searched_on(forces, found, enclosed, left, known, beside):
     before = found.count + len(beside)
     for z in left[::-(-len(left) // STARTS)]:
         place = zero_from(forces, z, found.box)
-        if place is None or not len(_outside(place.z[None], place.z[None], known)[0]):
+        if place is None or not len(outside(place.z[None], place.z[None], known)[0]):
             continue
         region = enclosed.region(place.z)
-        if region is None or any(len(_outside(other.z[None], other.z[None], [region])[0]) == 0
+        if region is None or any(len(outside(other.z[None], other.z[None], [region])[0]) == 0
                                  for other in found.isolated):
             continue
         if not found.add(place) and not found.holds(place):
@@ -99,7 +99,7 @@ class Enclosed:
         F = [scene.table.sum(*((term, ONE) for term in terms[row])) for row in forces.rows]
         slopes = [gradient(node) for node in F]
         self.nodes = F + [slope.get(symbol, scene.table.zero) for slope in slopes for symbol in q]
-        self.symbols = [symbol.name for symbol in q]
+        self.of_coordinates, self.symbols = q, [symbol.name for symbol in q]
         self.jumps = any(part.name in JUMPING and any(part.mask & symbol.mask for symbol in q)
                          for part in reachable(F))
         drawn = {name: exact(x) for name, x in problem.drawn_floats.items()}
@@ -110,14 +110,18 @@ class Enclosed:
     def over(self, low, high):
         """(F, J) over boxes given by arrays of their corners: a list and a list of rows of Intervals."""
         n, D, E = len(self.symbols), self.forces.D, self.forces.E
-        boxes = {}
-        for i, name in enumerate(self.symbols):
-            ends = exact(low[:, i]) * exact(D[i]), exact(high[:, i]) * exact(D[i])
-            boxes[name] = outward(ends[0].low, ends[1].high)
-        found = evaluate(self.nodes, Intervals, {**self.values, **boxes})
+        found = self.of(self.nodes, low, high)
         F = [exact(D[i] / E) * found[i] for i in range(n)]
         J = [[exact(D[i] / E) * found[n + i * n + j] * exact(D[j]) for j in range(n)] for i in range(n)]
         return F, J
+
+    def of(self, nodes, low, high):
+        """Intervals of expressions over these boxes."""
+        boxes = {}
+        for i, name in enumerate(self.symbols):
+            ends = exact(low[:, i]) * exact(self.forces.D[i]), exact(high[:, i]) * exact(self.forces.D[i])
+            boxes[name] = outward(ends[0].low, ends[1].high)
+        return evaluate(nodes, Intervals, {**self.values, **boxes})
 
     def region(self, z):
         """(z, radius) of a box about it that is proved to hold one zero and no other; None where that fails."""
@@ -127,11 +131,11 @@ class Enclosed:
         if not np.isfinite(at).all() or abs(np.linalg.det(at)) < 1e-300:
             return None
         Y = np.linalg.inv(at)
-        off = np.array([_sum(exact(Y[i, k]) * F[k] for k in range(n)).size[0] for i in range(n)]).max()
+        off = np.array([summed(exact(Y[i, k]) * F[k] for k in range(n)).size[0] for i in range(n)]).max()
         _, J = self.over(z - radius, z + radius)
         bend = []
         for i in range(n):
-            row = [exact(float(i == j)) - _sum(exact(Y[i, k]) * J[k][j] for k in range(n)) for j in range(n)]
+            row = [exact(float(i == j)) - summed(exact(Y[i, k]) * J[k][j] for k in range(n)) for j in range(n)]
             bend.append(sum(entry.size for entry in row))
         bend = np.max(bend, axis=0) * (1 + 1e-12)
         single = np.flatnonzero(bend < 1)
@@ -146,7 +150,7 @@ class Enclosed:
         while stack:
             low, high = stack.pop()
             self.forces.work.step(len(low))
-            low, high = _outside(*self._open(*_outside(low, high, regions)), regions)
+            low, high = outside(*self._open(*outside(low, high, regions)), regions)
             wide = high - low
             small = wide.max(axis=1) < NARROW if len(low) else np.zeros(0, bool)
             left += list(0.5 * (low + high)[small])
@@ -154,7 +158,7 @@ class Enclosed:
             if len(left) > LEFT:
                 break
             if len(low):
-                stack += _chunks(*_halved(low, high, wide))
+                stack += chunks(*halved(low, high, wide))
         return np.array(left)
 
     def _open(self, low, high):
@@ -180,8 +184,8 @@ class Enclosed:
         low, high, may = low.copy(), high.copy(), np.ones(len(low), bool)
         for i in range(n):
             away = [outward(low[:, j] - middle[:, j], high[:, j] - middle[:, j]) for j in range(n)]
-            slopes = [_sum(exact(Y[:, i, k]) * J[k][j] for k in range(n)) for j in range(n)]
-            rest = _sum(exact(Y[:, i, k]) * F[k] for k in range(n))
+            slopes = [summed(exact(Y[:, i, k]) * J[k][j] for k in range(n)) for j in range(n)]
+            rest = summed(exact(Y[:, i, k]) * F[k] for k in range(n))
             for j in range(n):
                 rest = rest if j == i else rest + slopes[j] * away[j]
             may &= (rest + slopes[i] * away[i]).holds_zero()
@@ -192,7 +196,7 @@ class Enclosed:
         return low[may], high[may]
 
 
-def _outside(low, high, regions):
+def outside(low, high, regions):
     """The boxes that lie in none of the regions."""
     inside = np.zeros(len(low), bool)
     for z, radius in regions:
@@ -200,7 +204,7 @@ def _outside(low, high, regions):
     return low[~inside], high[~inside]
 
 
-def _halved(low, high, wide):
+def halved(low, high, wide):
     """The boxes cut in two across their widest side."""
     each, side = np.arange(len(low)), wide.argmax(axis=1)
     middle = 0.5 * (low + high)[each, side]
@@ -209,11 +213,11 @@ def _halved(low, high, wide):
     return np.concatenate([low, upper]), np.concatenate([lower, high])
 
 
-def _chunks(low, high):
+def chunks(low, high):
     return [(low[i:i + TOGETHER], high[i:i + TOGETHER]) for i in range(0, len(low), TOGETHER)]
 
 
-def _sum(parts):
+def summed(parts):
     total, *others = parts
     for part in others:
         total = total + part

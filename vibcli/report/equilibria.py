@@ -13,6 +13,10 @@ WIDEST = 6      # coordinates side by side
 PROVED = "proved by interval arithmetic: there are no others within these bounds"
 OPEN_LIST = "found by search: it is not proved that there are no others"
 HELD_ELSEWHERE = "these are the positions of rest without dry friction, which holds it in others too"
+AGREE = ("{}; the indices of these sum to {}, the degree of the forces on the bounds, so that those of any others "
+         "cancel")
+MISSED = ("at least one more exists: the indices of these sum to {}, but the forces on the bounds have the degree {}. "
+          "It was not found; give narrower bounds under `within`, in which it may be")
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
 
@@ -36,7 +40,14 @@ def _others(problem, found):
         return paragraph(HELD_ELSEWHERE, hang=None)
     if found.linear:
         return paragraph("the equations are linear: there are no others") if found.items else None
-    return paragraph(PROVED if found.complete else CUT if found.cut else OPEN_LIST, hang=None)
+    if found.missed:
+        return paragraph(MISSED.format(*map(_signed, found.indices)), hang=None)
+    said = PROVED if found.complete else CUT if found.cut else OPEN_LIST
+    return paragraph(said if found.indices is None else AGREE.format(said, _signed(found.indices.sum)), hang=None)
+
+
+def _signed(number):
+    return str(number).replace("-", "−")
 
 
 def equilibrium_warning(problem):
@@ -103,7 +114,7 @@ def _direction(free):
 
 def equilibria_data(problem):
     """{equilibria: [{coordinates, dependent, stable, kind, growth_rate, residual, omega, free, warning}],
-    search: {bounds, complete, cut}}."""
+    search: {bounds, complete, cut, indices, degree}}."""
     found, entries = problem.equilibria, []
     for item, about in zip(found.items, problem.about_each, strict=True):
         result = judged(about)
@@ -114,4 +125,6 @@ def equilibria_data(problem):
             "omega": _omega(about, result),
             "free": item.free, "warning": _warning(about)})
     limits = {name: [float(low), float(high)] for name, (low, high) in found.bounds.items()}
-    return {"equilibria": entries, "search": {"bounds": limits, "complete": found.complete, "cut": found.cut}}
+    indices, degree = found.indices or (None, None)
+    return {"equilibria": entries, "search": {"bounds": limits, "complete": found.complete, "cut": found.cut,
+                                              "indices": indices, "degree": degree}}

@@ -43,6 +43,8 @@ KEYS = {
     "search.complete": "true where it is proved that there are no others within the bounds; false where there may be "
                        "more",
     "search.cut": "true where the search was cut short",
+    "search.indices": "sum of the signs of det K of the equilibria found; null where it is complete or not known",
+    "search.degree": "the degree of the forces on the bounds, which this sum has where none is missing; null likewise",
     "sticking": "where dry friction holds the scene at rest, in solve and equations; absent where none does",
     "sticking.conditions": "equations and inequalities of the coordinates as texts, sigma_1 … being shares of friction",
     "sticking.from": "of one coordinate in numbers: the least of a stretch of such places; null where there is no end",
