@@ -112,8 +112,36 @@ def test_what_rests_costs_no_step_and_is_told(tmp_path, capsys, monkeypatch):
     path.write_text(f"title: It rests\n{text}find: [{{response: {{until: 10 s}}}}]\n")
     assert run(["response", str(path)]) == 0
     out = " ".join(capsys.readouterr().out.split())
-    assert "it starts at rest in its equilibrium, and nothing acts on it in time: there it stays" in out
-    assert "solution" not in out and "balance" not in out
+    assert "it starts at rest where its forces balance, and nothing acts on it in time: there it stays" in out
+    assert "second solution" not in out and "balance of" not in out
     path.write_text(path.read_text() + "answers: {period(x): 1 s}\n")
     assert run(["check", str(path)]) != 0
     assert "the scene is at rest: its motion has no period" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("off", [1e-15, 1e-13, 1e-12, 1e-9])
+@pytest.mark.parametrize(("mass", "k", "height"), [("1e3 kg", "500 N/m", "0.8 m"), ("1 kg", "50 N/m", "800 m"),
+                                                   ("1e4 kg", "5e3 N/m", "800 m"), ("1e6 kg", "5e5 N/m", "0.8 m")])
+def test_a_start_beside_a_stable_equilibrium_is_not_chaotic(mass, k, height, off):
+    scene = problem(RESTING.replace("m: 1 kg", "m: " + mass).replace("500 N/m", k).replace("0.8 m", height))
+    rest = scene.equilibrium.values
+    found = known_motion(scene, 3.0, {name: value + off for name, value in rest.items()})
+    assert (found.end, found.rests) == (3.0, 0.0)
+    away = found.at(np.linspace(0, 3, 60))[0] - np.array(list(rest.values()))[:, None]
+    assert np.abs(away).max() < 3 * off + 1e-13
+
+
+def test_friction_holds_a_block_where_it_is_put_to_the_last_digit():
+    text = """
+motion: full
+parameters: {m: 2 kg, k: 30 N/m}
+bodies: {b: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, b]}}
+dampers: {d: {friction: 3 N, breakaway: 4 N, between: [ground, b]}}
+initial: {x: START}
+"""
+    held, gone = (problem(text.replace("START", start)) for start in ("0.13 m", "0.14 m"))
+    found = known_motion(held, 30.0, held.given_start)
+    assert found.rests == 30.0 and (found.at(np.linspace(0, 30, 9))[0] == 0.13).all()
+    moved = known_motion(gone, 0.1, gone.given_start)
+    assert moved.rests == 0.0 and np.ptp(moved.at([0.0, 0.1])[0]) > 1e-4

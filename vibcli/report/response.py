@@ -139,12 +139,13 @@ def _integration(trajectory):
 def _accuracy(trajectory):
     """How well a motion is known: what it says of itself."""
     if trajectory.rests and trajectory.rests == trajectory.end:
-        return "it starts at rest in its equilibrium, and nothing acts on it in time: there it stays"
+        return "it starts at rest where its forces balance, and nothing acts on it in time: there it stays"
     told = f"it rests up to t = {figure(trajectory.rests)} s; " if trajectory.rests else ""
     error = figure(float(trajectory.balance.error), digits=2)
     told += f"the balance of these energies holds to {error} of the largest of them"
     shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
-    told += f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion"
+    told += ("; nothing moves by more than rounding may" if trajectory.shared.still else
+             f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion")
     if trajectory.end < trajectory.until:
         told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
     if trajectory.fast is not None:

@@ -1,4 +1,4 @@
-"""A motion that starts at rest in its equilibrium, and rests there until something acts on it.
+"""A motion that starts at rest in its equilibrium, or where friction holds it, and rests there until something acts.
 
 That is a solution of the equations, stable or not, and nothing is integrated: the rounding of the forces, which an
 integration follows, would move it. From the first instant at which what holds the time acts on it is integrated.
@@ -18,13 +18,14 @@ def starts_at_rest(initial):
     return all(name.endswith("'") and not value for name, value in (initial or {}).items())
 
 
-def stay(march, stops):
-    """Let the march stay where it is as long as nothing acts."""
+def stay(march, stops, in_equilibrium):
+    """Let the march stay where it is as long as nothing acts: in its equilibrium, or where friction holds it."""
     moving = _of_time(march.system)
     while march.t < march.until and blow(march, stops) is None:
         start, limit = march.t, stops.after(march.t, march.until)
         march.begin(limit)
-        if not _silent(march, limit, moving):
+        held = in_equilibrium or len(march.slides) == len(march.q)
+        if not held or not _silent(march, limit, moving, in_equilibrium):
             break
         nothing = np.zeros((len(march.q), march.rule.points))
         march.windows.append(Window(march.rule, start, limit - start, march.q, march.v, nothing, march.g, march.slides))
@@ -44,9 +45,9 @@ def _of_time(system):
     return [node for node in nodes if node.mask & scene.time.mask]
 
 
-def _silent(march, limit, moving):
+def _silent(march, limit, moving, in_equilibrium):
     """Is nothing of what holds the time felt until then, and are the forces in equilibrium? Of smooth forces without
-    the time the search for it tells."""
+    the time the search for it tells, of others without the time nearly."""
     times = march.t + (limit - march.t) * march.rule.c
     state = [np.repeat(x[:, None], len(times), 1) for x in (march.q, march.v)]
     a = march.accelerations(times, *state)
@@ -55,9 +56,9 @@ def _silent(march, limit, moving):
         values = Compiled(march.system.scene, march.system.floats, None, moving)(times, *state)
         if any(np.ptp(value) for value in values):
             return False
-    elif march.switching.count:
+    elif in_equilibrium and march.switching.count:
         size = march.system.sizes(times[0], march.q, march.v, march.g)
         bound = np.maximum(bound, BALANCED * size / march.sizes.weight**2)
-    else:
+    elif in_equilibrium:
         bound = np.full(len(march.q), np.inf)
     return bool((np.abs(a) <= bound[:, None]).all() and np.isfinite(a).all())

@@ -10,8 +10,9 @@ import numpy as np
 from vibcli.analyses.trajectory.collocation import rule
 from vibcli.analyses.trajectory.result import POINTS
 from vibcli.analyses.trajectory.sizes import EPSILON
+from vibcli.analyses.trajectory.window import CLOSE
 
-ROUNDED = 16         # last digits of the figure: of places that differ by less nothing but rounding is known
+ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
 LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
 NEAR = POINTS       # places before and after an instant, at which two signals are compared
 STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
@@ -19,7 +20,8 @@ STILL = 1e-3        # of the size of a coordinate: its error is not compared wit
 
 class Shared:
     """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
-    relative to how far each coordinate goes and how fast. units: the size of the figure along each coordinate."""
+    relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
+    it more than rounding? still: is all of the motion no more? units: the size of the figure along each coordinate."""
 
     def __init__(self, one, other, units):
         self.one, self.other = one, other
@@ -30,18 +32,26 @@ class Shared:
         both = [trajectory.at(self.times)[:2] for trajectory in (one, other)]
         skipped = [trajectory.fast for trajectory in (one, other) if trajectory.fast is not None]
         fast = [sum((getattr(part, row) for part in skipped), np.zeros(len(one.names))) for row in ("q", "v")]
-        places = ROUNDED * EPSILON * np.asarray(units)
-        least = [one.sizes.noise[:, None] * self.times**power + rounding[:, None]
-                 for power, rounding in ((2, places), (1, places / one.sizes.radian))]
-        worst = [_relative(a, b, one.sizes, rounding, less)
-                 for a, b, rounding, less in zip(*both, least, fast, strict=True)]
-        self.error = np.maximum.accumulate(np.maximum(*worst))
+        rounding = self._rounding(units, both[0][0])
+        self.still = bool((np.ptp(both[0][0], axis=1) <= rounding[0].max(axis=1)).all())
+        compared = [_compared(*row) for row in zip(*both, [one.sizes] * 2, rounding, fast, strict=True)]
+        worst, gone = zip(*compared, strict=True)
+        self.error, self.lost = np.maximum.accumulate(np.maximum(*worst)), np.logical_or(*gone)
+
+    def _rounding(self, units, q):
+        """What rounding may make of q and q̇ at the times: that of a place at the end of each window, and that of the
+        forces. Springs know their lengths to the last digit of the figure."""
+        sizes, reach = self.one.sizes, np.maximum(units, np.abs(q).max(axis=1))
+        windows = np.sqrt(np.arange(len(self.times)) // POINTS + 1.0)       # as errors that add up at random
+        places = ROUNDED * EPSILON * reach[:, None] * windows
+        forces = (sizes.noise + EPSILON * (sizes.slopes @ reach))[:, None]
+        return forces * self.times**2 + places, forces * self.times + places / sizes.radian
 
     @property
     def horizon(self):
         """The last place before the two share less than three digits; None where they share all of the motion."""
-        lost = int(np.searchsorted(self.error, LOST, side="right"))
-        return float(self.times[max(lost - 1, 0)]) if lost < len(self.times) else None
+        first = int(np.argmax(self.lost))
+        return float(self.times[max(first - 1, 0)]) if self.lost[first] else None
 
     def of_state(self, t):
         """The error of the states up to an instant, relative to the motion."""
@@ -55,10 +65,11 @@ class Shared:
         return float(np.abs(values(self.one, times) - values(self.other, times)).max())
 
 
-def _relative(a, b, sizes, rounding, fast):
-    """The largest |a − b| of each instant relative to how far a row goes; of what rests but for rounding, relative to
-    what rounding may make of it: that of its acceleration, and that of the places, to which what is fastest vibrates.
-    fast: what is stepped over, which is told apart."""
-    size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None] + rounding / LOST
+def _compared(a, b, sizes, rounding, fast):
+    """(the largest |a − b| of each instant relative to how far a row goes, or to rounding where that is more; is a row
+    lost there?). fast: what is stepped over, which is told apart."""
+    size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None]
     gap = np.maximum(np.abs(a - b) - fast[:, None], 0.0)
-    return np.divide(gap, size, out=np.zeros_like(a), where=size > 0).max(axis=0)
+    known = np.maximum(size, rounding)
+    error = np.divide(gap, known, out=np.zeros_like(a), where=known > 0)
+    return error.max(axis=0), (gap > LOST * size + rounding).any(axis=0)

@@ -2,6 +2,8 @@
 
 from fractions import Fraction
 
+import numpy as np
+
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.analyses.trajectory.blows import blow
 from vibcli.analyses.trajectory.breaks import breaks
@@ -29,8 +31,8 @@ MOST_AT_ONCE = 20       # events at one instant
 def known_motion(problem, until, initial=None):
     """The Trajectory that `simulate` gives, as far as a second solution shares it."""
     found = simulate(problem, until, initial=initial)
-    units = [(problem.figure_size or 1.0) if problem.dimension(name) else 1.0 for name in found.names]
-    found.shared = Shared(found, simulate(problem, found.end, initial=initial, second=True), units)
+    second = simulate(problem, found.end, initial=initial, second=True)
+    found.shared = Shared(found, second, units_of(problem, found.names))
     horizon = found.shared.horizon
     if horizon is not None:
         found.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
@@ -57,8 +59,8 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     with problem.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
         events = []
-        if starts_at_rest(initial):
-            stay(march, stops)
+        if not v.any():
+            stay(march, stops, starts_at_rest(initial))
         rests = march.t
         try:
             _marched(march, stops, events)
@@ -93,9 +95,15 @@ def _rounding(problem, march, energies):
     """How far rounding may upset the balance [J]: that of the accelerations on the way, and that of V, whose springs
     know their lengths to the last digit of the figure."""
     way = sum(window.end * abs(v) for window, (_, v) in zip(march.windows, march.ends, strict=True))
-    figure = max(problem.figure_size, max(abs(march.q)))
-    of_V = abs(energies.energy).max() + figure * sum(march.system.sizes(march.t, march.q, march.v, march.g))
-    return float(march.sizes.weight**2 * march.sizes.noise @ way) + 4 * EPSILON * float(of_V)
+    reach = np.maximum(units_of(problem, march.system.scene.coordinates), abs(march.q))
+    of_V = abs(energies.energy).max() + reach @ march.system.sizes(march.t, march.q, march.v, march.g)
+    each = 4 * EPSILON * float(of_V) * len(march.windows) ** 0.5       # of a window, as errors that add up at random
+    return float(march.sizes.weight**2 * march.sizes.noise @ way) + each
+
+
+def units_of(problem, names):
+    """The size of the figure along each coordinate."""
+    return np.array([(problem.figure_size or 1.0) if problem.dimension(name) else 1.0 for name in names])
 
 
 def _unbalanced(energies):

@@ -14,9 +14,9 @@ FEW = 20                # coordinates for which eigenvalues are found
 
 class Sizes:
     """moved: the farthest that each coordinate has been from its start; largest: of |q̈|; radian: 1/|λ| of the fastest
-    eigenvalue of the equations linearised [s]; noise: the rounding error of q̈; weight: √Mᵢᵢ."""
+    eigenvalue of the equations linearised [s]; noise: the rounding error of q̈; slopes: |∂q̈/∂q|; weight: √Mᵢᵢ."""
 
-    __slots__ = ("largest", "moved", "noise", "origin", "radian", "weight")
+    __slots__ = ("largest", "moved", "noise", "origin", "radian", "slopes", "weight")
 
     def __init__(self, q):
         self.origin, self.moved, self.largest = q.copy(), np.zeros(len(q)), np.zeros(len(q))
@@ -28,9 +28,11 @@ class Sizes:
         a, J = jacobian(accelerations, t, q, v)
         n = len(q)
         self.radian, self.noise = np.inf, 4 * EPSILON * system.sizes(t, q, v, g) / self.weight**2
+        self.slopes = np.zeros((n, n))
         if np.isfinite(J).all():
             fastest = _fastest(J[:, :n], J[:, n:], self.weight)
             self.radian = 1.0 / fastest if fastest > 0 else np.inf
+            self.slopes = np.abs(J[:, :n])
             self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
         self.meet(a[:, None])
 
