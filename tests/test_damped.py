@@ -13,6 +13,7 @@ import pytest
 from vibcli.analyses import damped as damped_module
 from vibcli.analyses.damped import damped
 from vibcli.analyses.digits import estimate_seconds
+from vibcli.analyses.shapes import normalised
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 
@@ -336,3 +337,14 @@ def test_many_coordinates_stay_within_their_bounds(family, monkeypatch):
     for mode in modes:
         near = exact[int(np.argmin(abs(values - mode.eigenvalue)))]
         assert abs(near.eigenvalue - mode.eigenvalue) <= (mode.error + near.error) * near.omega
+
+
+@pytest.mark.parametrize("turn", [1, 1j, 0.6 - 0.8j, -0.3 + 2j])
+def test_amplitudes_in_one_phase_are_real(turn):
+    """Whatever the phase of the eigenvector, but for what is more than rounding."""
+    for how in ("first", "largest"):
+        found = normalised([turn * part for part in (1.0, -0.3, 1 / 3, 0.7)], how)
+        assert all(complex(value).imag == 0.0 for value in found)
+        assert [complex(value).real for value in found] == pytest.approx([1.0, -0.3, 1 / 3, 0.7], rel=1e-15)
+        assert complex(normalised([turn, turn * (0.3 + 1e-12j)], how)[1]).imag == pytest.approx(1e-12, rel=1e-3)
+        assert complex(normalised([turn, turn * 0.3j], how)[1]) == pytest.approx(0.3j, rel=1e-15)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from motions import problem
 
-from vibcli.analyses.trajectory.period import _of_forces, exact_period
+from vibcli.analyses.trajectory.period import _of_forces, _scale, exact_period
 from vibcli.measured import value_of
 
 PENDULUM = """
@@ -98,3 +98,11 @@ def test_a_period_from_forces_takes_few_places(force, amplitude, most):
 
     _of_forces(counted, np.ones_like, amplitude, 0.0)
     assert sum(asked) <= most
+
+
+@pytest.mark.parametrize("k", [0.3, 4e5])
+@pytest.mark.parametrize("a", [1e-4, 2.0])
+def test_ends_are_looked_for_in_steps_of_a_twentieth_of_the_way_of_a_linear_spring(k, a):
+    """From rest, and from the middle with the energy of that amplitude."""
+    assert _scale(lambda q: k * q, a, 0.0) == pytest.approx(a / 20)
+    assert _scale(lambda q: k * q, 0.0, k * a * a / 2) == pytest.approx(a / 20)
