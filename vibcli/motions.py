@@ -136,7 +136,7 @@ class SmallMotion(Motion):
         from vibcli.analyses.response.motion import linear_motion
 
         found = self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                   modes=self.modes)
+                                   modes=self.modes, work=self.problem.work)
         check_start(self.problem, found)
         return found
 

@@ -1,9 +1,12 @@
-"""Stretches of time within the segments of a motion, and the root of a function in each."""
+"""Stretches of time within the segments of a motion, how they are divided, and the root of a function in each."""
 
 import numpy as np
 
 EPSILON = 2.0**-52
 NEWTON = 60
+PARTS, LEVELS = 4, 60           # of a division, and divisions
+MOST, STEP = 500_000, 1000      # steps of a search, and values of one exponential each that are found in one of them
+BATCH = 400                     # steps that are done together, so that the memory does not grow with their number
 
 
 class Cells:
@@ -55,6 +58,25 @@ def stretches(timeline, start, end):
     segment = np.arange(first, last + 1)
     starts = timeline.starts[segment]
     return Cells(segment, np.maximum(start - starts, 0.0), np.minimum(timeline.lengths[segment], end - starts))
+
+
+def first_cells(timeline, y, start, end):
+    """Cells that grow with time, the first a part of the fastest wave's period."""
+    fastest = max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
+    cells = stretches(timeline, start, end)
+    return cells.doubling(1 / fastest) if fastest else cells
+
+
+def batches(cells, y):
+    """[(slice of the cells, Cells of its parts)] of all the cells divided."""
+    many = max(1, BATCH * STEP // (PARTS * len(y.nodes()) or 1))
+    parts = [slice(i, i + many) for i in range(0, len(cells), many)]
+    return [(part, cells.where(part).divided(PARTS)) for part in parts]
+
+
+def steps(cells, y):
+    """The steps that looking at the cells takes."""
+    return len(cells) * len(y.nodes()) / STEP
 
 
 def root(function, derivative, cells):

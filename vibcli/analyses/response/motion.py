@@ -6,21 +6,23 @@ from functools import cached_property
 import numpy as np
 
 from vibcli.analyses.precise import beyond
-from vibcli.analyses.response import searching
 from vibcli.analyses.response.condensed import condensed
 from vibcli.analyses.response.driven import drives, ends, marched
+from vibcli.analyses.response.largest import extreme
+from vibcli.analyses.response.searching import zeros
 from vibcli.analyses.response.spectrum import spectrum
 from vibcli.analyses.response.terms import Terms
 from vibcli.analyses.response.timeline import Timeline
 from vibcli.errors import PhysicsError
+from vibcli.work import Work
 
 
-def linear_motion(M, C, K, forcing, q0, v0, modes=None):
+def linear_motion(M, C, K, forcing, q0, v0, modes=None, work=None):
     """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
 
     M symmetric positive definite, but for coordinates that have no inertia; C and K any real matrices; forcing:
     segments.Forcing whose first n channels are the generalised forces. modes: undamped modes (modal.Mode) where they
-    are known better than the assembled matrices tell.
+    are known better than the assembled matrices tell. work: what counts its long work.
     """
     M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
     if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
@@ -28,7 +30,7 @@ def linear_motion(M, C, K, forcing, q0, v0, modes=None):
                            hint="look for a length, an angle or a law that is singular there")
     try:
         system = condensed(M, C, K)
-        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0)
+        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0, work)
     except (OverflowError, ZeroDivisionError):
         raise beyond() from None
 
@@ -39,7 +41,8 @@ class LinearMotion:
 
     constants = True
 
-    def __init__(self, matrices, blocks, forcing, q0, v0):
+    def __init__(self, matrices, blocks, forcing, q0, v0, work=None):
+        self.work = work or Work()
         self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
         self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
@@ -54,11 +57,11 @@ class LinearMotion:
 
     def extreme(self, output, start, end, sense="max"):
         """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals."""
-        return searching.extreme(self.pieces(end), output, start, end, sense)
+        return extreme(self.pieces(end), output, start, end, sense, self.work)
 
     def zeros(self, output, start, end):
         """All times from `start` to `end` where the output passes or touches zero, ascending."""
-        return searching.zeros(self.pieces(end), output, start, end)
+        return zeros(self.pieces(end), output, start, end, self.work)
 
     def crossings(self, output, level, start, end):
         """All times from `start` to `end` where the output passes or touches a level, ascending."""
@@ -102,7 +105,7 @@ class LinearMotion:
 
     def like(self, forcing, q0, v0):
         """The same system, driven and started otherwise."""
-        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0)
+        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work)
 
     def pieces(self, until):
         """The Pieces of the motion up to a time."""
@@ -131,7 +134,7 @@ class SteadyMotion(LinearMotion):
                       for order in range(2))
         else:
             q0, v0 = steady.repeating(motion, forcing)
-        super().__init__(motion.matrices, motion.blocks, forcing, q0, v0)
+        super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work)
 
     def phasors(self, output):
         """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""

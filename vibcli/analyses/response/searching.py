@@ -1,72 +1,61 @@
-"""Where an output is largest, and where it is zero: nothing is missed between the points looked at.
+"""Where an output is zero: nothing is missed between the points looked at.
 
-Between two points a distance h apart a function strays from the straight line by no more than B h²/8, B a bound of its
-second derivative there, which sums of exponentials give. Stretches that can hold nothing are left out, the others
-divided.
+Stretches that can hold no zero by the bounds of the output and its derivatives are left out, those that hold a single
+one are narrowed down, the others divided.
 """
 
 import numpy as np
 
-from vibcli.analyses.response.cells import EPSILON, Cells, root, stretches
+from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, Cells, batches, first_cells, root, steps
 from vibcli.errors import PhysicsError
-
-PARTS, LEVELS = 4, 60
-MOST = 1_500_000
-FINE = 1e-6
+from vibcli.work import Spent
 
 
-def extreme(pieces, output, start, end, sense):
-    """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
-    sign = -1.0 if sense == "min" else 1.0
-    timeline = pieces.timeline
-    y, slope, curvature = (pieces.terms(output, order) for order in range(3))
-    whole, cells = stretches(timeline, start, end), _first(timeline, y, start, end)
-    best, scale = (-np.inf, 0.0), 0.0
-    for _ in range(LEVELS):
-        ends = [sign * y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
-        for found, tau in zip(ends, (cells.early, cells.late), strict=True):
-            top = np.argmax(found)
-            best = max(best, (found[top], timeline.starts[cells.segment[top]] + tau[top]), key=lambda pair: pair[0])
-            scale = max(scale, np.abs(found).max())
-        room = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2 / 8
-        most = np.minimum(np.maximum(*ends) + room, y.bound(cells.segment, cells.early, cells.late))
-        held = most >= best[0] - 4 * EPSILON * scale
-        cells, room = cells.where(held), room[held]
-        if not (room > FINE * scale).any():
-            break
-        cells = _divided(cells)
-    rises, falls = (sign * slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
-    peaks = cells.where((rises >= 0) & (falls <= 0))
-    segment = np.concatenate([whole.segment, whole.segment, peaks.segment])
-    tau = np.concatenate([whole.early, whole.late, root(slope, curvature, peaks)])
-    values, times = sign * y.at(segment, tau), timeline.starts[segment] + tau
-    near = values >= max(best[0], values.max()) - 4 * EPSILON * scale
-    value, time = (values[near][np.argmin(times[near])], times[near].min()) if near.any() else best
-    return float(time), float(sign * value)
-
-
-def _first(timeline, y, start, end):
-    """Cells that grow with time, the first a part of the fastest wave's period."""
-    fastest = max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
-    cells = stretches(timeline, start, end)
-    return cells.doubling(1 / fastest) if fastest else cells
-
-
-def _divided(cells):
-    if len(cells) * PARTS > MOST:
-        raise PhysicsError("the interval holds too many vibrations to search them all",
-                           hint="ask for a shorter interval")
-    return cells.divided(PARTS)
-
-
-def zeros(pieces, output, start, end):
+def zeros(pieces, output, start, end, work):
     """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
-    timeline = pieces.timeline
-    y, slope, curvature = (pieces.terms(output, order) for order in range(3))
-    cells = _first(timeline, y, start, end)
-    cells = cells.where(y.bound(cells.segment, cells.early, cells.late) > 0)
-    found, closest = _jumps(timeline, y, cells), []
-    for _ in range(LEVELS):
+    search = Search(pieces, output, start, end)
+    with work.task(f"the search for passages until t = {end:.6g} s", MOST) as task:
+        try:
+            return search.run(task)
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            raise search.refusal(task) from None
+
+
+class Search:
+    """found: arrays of times; closest: Cells in which the output turns at zero but for rounding; left: [(how often they
+    were divided, Cells)], those of the earliest times last."""
+
+    def __init__(self, pieces, output, start, end):
+        self.timeline, self.start, self.end = pieces.timeline, start, end
+        self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
+        cells = first_cells(self.timeline, self.y, start, end)
+        cells = cells.where(self.y.bound(cells.segment, cells.early, cells.late) > 0)
+        self.found, self.closest = _jumps(self.timeline, self.y, cells), []
+        self.left = [(0, cells)]
+
+    def run(self, task):
+        while self.left:
+            level, cells = self.left[-1]
+            task.step((self.reached - self.start) / (self.end - self.start or 1.0), steps(cells, self.y))
+            self.left.pop()
+            self._look(level, cells)
+        closest = Cells.together(self.closest)
+        if len(closest):
+            self.found.append(_touching(self.timeline, self.y, self.slope, self.curvature, closest))
+        times = _distinct(np.concatenate(self.found), 4 * EPSILON * max(abs(self.start), abs(self.end)))
+        until = _at_start(self.timeline, self.y, self.slope, self.start)
+        return times if until is None else np.append(self.start, times[times > until])
+
+    @property
+    def reached(self):
+        """Before which all is known."""
+        cells = self.left[-1][1]
+        return self.timeline.starts[cells.segment[0]] + cells.early[0] if len(cells) else self.start
+
+    def _look(self, level, cells):
+        y, slope, curvature = self.y, self.slope, self.curvature
         left, right = (y.at(cells.segment, tau) for tau in (cells.early, cells.late))
         rounding = 4 * EPSILON * y.bound(cells.segment, cells.early, cells.late)
         bend = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
@@ -74,20 +63,21 @@ def zeros(pieces, output, start, end):
         steep = (rise > bend) & (rise > 4 * rounding)
         through = (left * right < 0) | (left == 0) | (right == 0)
         single = cells.where(steep & through)
-        found.append(timeline.starts[single.segment] + root(y, slope, single))
+        self.found.append(self.timeline.starts[single.segment] + root(y, slope, single))
         unsure = ~steep & (through | (np.minimum(np.abs(left), np.abs(right)) <= bend / 8 + rounding))
         resolved = bend / 8 <= rounding
-        closest.append(cells.where(unsure & resolved))
+        self.closest.append(cells.where(unsure & resolved))
         cells = cells.where(unsure & ~resolved)
-        if not len(cells):
-            break
-        cells = _divided(cells)
-    closest = Cells.together([*closest, cells])
-    if len(closest):
-        found.append(_touching(timeline, y, slope, curvature, closest))
-    times = _distinct(np.concatenate(found), 4 * EPSILON * max(abs(start), abs(end)))
-    until = _at_start(timeline, y, slope, start)
-    return times if until is None else np.append(start, times[times > until])
+        if level + 1 == LEVELS:
+            self.closest.append(cells)
+        else:
+            self.left += [(level + 1, some) for _, some in reversed(batches(cells, self.y))]
+
+    def refusal(self, task):
+        """What is said of a search that was given up, and what is known by then."""
+        refused, count = task.refusal(), sum(len(times) for times in self.found)
+        known = f"all until t = {self.reached:.6g} s are found, {count} in all"
+        return PhysicsError(f"{refused.message}: {known}", f"ask for a shorter interval; {refused.hint}")
 
 
 def _jumps(timeline, y, cells):

@@ -1,0 +1,95 @@
+"""Where an output is largest or smallest: nothing is missed between the points looked at.
+
+Between two points a distance h apart a function strays from the straight line by no more than B h²/8, B a bound of its
+second derivative there, which sums of exponentials give. Stretches that cannot hold more than what was found are left
+out, the others divided: all at once, and where they are very many those with the highest bounds first.
+"""
+
+import numpy as np
+
+from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, batches, first_cells, root, steps, stretches
+from vibcli.errors import PhysicsError
+from vibcli.work import Spent
+
+FINE = 1e-6
+
+
+def extreme(pieces, output, start, end, sense, work):
+    """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
+    search = Search(pieces, output, start, end, sense)
+    with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST) as task:
+        try:
+            return search.run(task)
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            raise search.refusal(task) from None
+
+
+class Search:
+    """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
+    how often they were divided, Cells)]; tops: [(values, times)] of ends and peaks that may be the largest."""
+
+    def __init__(self, pieces, output, start, end, sense):
+        self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
+        self.timeline, self.start, self.end = pieces.timeline, start, end
+        self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
+        self.value, self.time, self.scale = -np.inf, start, 0.0
+        self.left, self.tops = [(np.inf, 0, first_cells(self.timeline, self.y, start, end))], []
+
+    def run(self, task):
+        """(t, value), the earliest of equals."""
+        while self.left:
+            most, level, cells = max(self.left, key=lambda part: part[0])
+            task.step(steps=steps(cells, self.y))
+            self.left = [part for part in self.left if part[2] is not cells]
+            if most >= self.value - self.rounding:
+                self._look(level, cells)
+        whole = stretches(self.timeline, self.start, self.end)
+        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]))
+        values, times = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
+        near = values >= max(self.value, values.max()) - self.rounding
+        if not near.any():
+            return float(self.time), float(self.sign * self.value)
+        first = np.argmin(times[near])
+        return float(times[near][first]), float(self.sign * values[near][first])
+
+    @property
+    def rounding(self):
+        return 4 * EPSILON * self.scale
+
+    def _look(self, level, cells):
+        ends = [self.sign * self.y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
+        for found, tau in zip(ends, (cells.early, cells.late), strict=True):
+            top = np.argmax(found)
+            if found[top] > self.value:
+                self.value, self.time = found[top], self.timeline.starts[cells.segment[top]] + tau[top]
+            self.scale = max(self.scale, np.abs(found).max())
+        room = self.curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2 / 8
+        most = np.minimum(np.maximum(*ends) + room, self.y.bound(cells.segment, cells.early, cells.late))
+        held = most >= self.value - self.rounding
+        cells, room, most = cells.where(held), room[held], most[held]
+        if level + 1 == LEVELS or not (room > FINE * self.scale).any():
+            self._narrow(cells)
+        else:
+            self.left += [(most[part].max(), level + 1, some) for part, some in batches(cells, self.y)]
+
+    def _narrow(self, cells):
+        """The peaks within the cells."""
+        rises, falls = (self.sign * self.slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
+        peaks = cells.where((rises >= 0) & (falls <= 0))
+        self._keep(peaks.segment, root(self.slope, self.curvature, peaks))
+
+    def _keep(self, segment, tau):
+        values = self.sign * self.y.at(segment, tau)
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
+        self.tops.append((values[near], self.timeline.starts[segment[near]] + tau[near]))
+
+    def refusal(self, task):
+        """What is said of a search that was given up, and what is known by then."""
+        refused = task.refusal()
+        more = max(0.0, *(most - self.value for most, *_ in self.left))
+        known = f"so far {self.sign * self.value:.6g} at t = {self.time:.6g} s is the {self.which} (in SI units)"
+        if np.isfinite(more):
+            known += f", and none is {'above' if self.sign > 0 else 'below'} it by more than {1.05 * more:.2g}"
+        return PhysicsError(f"{refused.message}: {known}", f"ask for a shorter interval; {refused.hint}")
