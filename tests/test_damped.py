@@ -12,7 +12,7 @@ import pytest
 
 from vibcli.analyses import damped as damped_module
 from vibcli.analyses.damped import damped
-from vibcli.analyses.digits import estimate_seconds
+from vibcli.analyses.digits import estimated_steps
 from vibcli.analyses.shapes import normalised
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
@@ -307,7 +307,7 @@ def test_digits():
                 residual = value * value * (m * x) + value * (c * x) + k * x
                 assert mpmath.norm(residual) <= mpmath.mpf(10) ** -60 * mpmath.norm(k * x)
         assert all(isinstance(mode.omega, mpmath.mpf) for mode in modes)
-    assert estimate_seconds(3, 60, damped=True) > estimate_seconds(3, 60)
+    assert estimated_steps(3, 60, damped=True) > estimated_steps(3, 60)
 
 
 def test_what_neither_damps_nor_turns_has_no_damped_modes():

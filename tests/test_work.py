@@ -7,6 +7,7 @@ import click
 import pytest
 from scenes import problem
 
+from vibcli.analyses.response import cells, largest, searching
 from vibcli.analyses.trajectory import march, simulate
 from vibcli.cli import COMMANDS, progress, run
 from vibcli.cli.common import require_quick
@@ -110,6 +111,44 @@ def test_equilibria_are_kept_and_not_called_complete(scene, capsys, monkeypatch)
     assert "cut short" in capsys.readouterr().out
     assert run(["solve", file, "--patience", "1000"]) == 0
     assert "cut short" not in capsys.readouterr().out
+
+
+LONG = """bodies: {b: {mass: 1 kg, slide: x}, c: {mass: 1 kg, slide: y}}
+springs: {s: {k: 100 N/m, between: [ground, b]}, s2: {k: 37 N/m, between: [b, c]}}
+initial: {x: 0.5 m}
+find: [{response: {until: 300 s}}]
+answers: {'max(x)': 0.5 m}
+"""
+
+
+@pytest.mark.parametrize(("quantity", "known"), [
+    ("max(y)", r"so far (\S+) at t = \S+ s is the largest \(in SI units\), and none is above it by more than (\S+)"),
+    ("min(y)", r"so far (\S+) at t = \S+ s is the smallest \(in SI units\), and none is below it by more than (\S+)"),
+    ("period(x)", r"before t = (\S+) s it passes (\d+) times")])
+def test_searches_through_linear_motions_tell_what_is_known(monkeypatch, quantity, known):
+    scene = problem(LONG)
+    signal, y = (scene.motion.signal(("name", 0, 0, name, 0)) for name in "xy")
+    full = signal.zeros(0.0, 300.0)
+    for module in (largest, searching):
+        monkeypatch.setattr(module, "MOST", 2)
+    monkeypatch.setattr(cells, "BATCH", 1)
+    sense = 1 if quantity.startswith("max") else -1
+    search = (lambda: signal.zeros(0.0, 300.0)) if quantity == "period(x)" else lambda: y.extreme(0.0, 300.0, sense)[1]
+    with pytest.raises(PhysicsError) as refused:
+        search()
+    assert "--patience 10" in refused.value.hint
+    first, second = map(float, re.search(known, refused.value.message).groups())
+    scene.work.patience = 1000
+    found = search()
+    if quantity == "period(x)":
+        assert len(full[full < first]) == second and 0 < first < 300 and found.tolist() == full.tolist()
+    else:
+        assert -1e-6 < sense * (found - first) <= second
+    scene.work.patience = 2
+    with pytest.raises(PhysicsError) as later:
+        search()
+    further, least = map(float, re.search(known, later.value.message).groups())
+    assert further > first if quantity == "period(x)" else least <= second
 
 
 class Clock:

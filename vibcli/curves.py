@@ -7,6 +7,7 @@ from vibcli.errors import PhysicsError
 from vibcli.problem import Problem
 
 ERROR = 1e-12
+MOST = 10_000      # steps of a million products
 
 
 def without_damper(problem, name):
@@ -36,14 +37,16 @@ class FrequencyResponse:
     def extremes(self):
         from vibcli.analyses.frequency.extremes import extremes
 
-        return extremes(self.transfer)
+        with self.problem.work.task("the search for peaks", MOST):
+            return extremes(self.transfer)
 
     @cached_property
     def marked(self):
         """The Extremes that are peaks."""
         from vibcli.analyses.frequency.peaks import peaks
 
-        return peaks(self.transfer, self.extremes)
+        with self.problem.work.task("the search for peaks", MOST):
+            return peaks(self.transfer, self.extremes)
 
     @property
     def peaks(self):
@@ -55,7 +58,8 @@ class FrequencyResponse:
         """Ω of the antiresonances."""
         from vibcli.analyses.frequency.peaks import antiresonances
 
-        return [one.Omega for one in antiresonances(self.transfer, self.extremes)]
+        with self.problem.work.task("the search for antiresonances", MOST):
+            return [one.Omega for one in antiresonances(self.transfer, self.extremes)]
 
     def half_power_of(self, number):
         """(Ω₁, Ω₂) about a peak, counted from 1."""

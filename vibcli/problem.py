@@ -19,6 +19,7 @@ from vibcli.work import Work
 SHARED = ("scene", "preloads", "form", "timed_form", "drawn_form", "potential")
 STAGES = ("scene", "form", "equilibrium", "elements", "modes", "damped", "energies", "equations", "closed_forms",
           "equilibria", "reactions", "shares", "sensitivities", "estimates")
+MOST = 10_000       # steps of a million products, for modes
 
 
 class Problem(InNumbers, InLetters, InTime, OnRequest):
@@ -204,11 +205,12 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         return normalised(mode.shape, how, weights(self.elements))
 
     def named(self, solve, *args, **options):
-        """Solve, and give a physical refusal the name of its coordinate."""
+        """Solve for modes, and give a physical refusal the name of its coordinate."""
         from vibcli.errors import PhysicsError
 
         try:
-            return solve(*args, **options)
+            with self.work.task("the search for the modes", MOST):
+                return solve(*args, **options)
         except PhysicsError as error:
             index = getattr(error, "coordinate", None)
             if index is not None:

@@ -5,9 +5,19 @@ never in seconds: every machine answers and refuses the same. What is done withi
 """
 
 from contextlib import contextmanager
+from contextvars import ContextVar
 from math import inf
 
 from vibcli.errors import PhysicsError
+
+_innermost = ContextVar("the task that is under way", default=None)
+
+
+def counted(steps):
+    """Steps of the task that is under way, where there is one: for what is far below whoever knows of tasks."""
+    task = _innermost.get()
+    if task is not None:
+        task.step(None, steps)
 
 
 class Spent(Exception):
@@ -33,6 +43,7 @@ class Work:
         """A Task: with work.task("the search for k", 20_000) as task: … task.step(). PhysicsError beyond the limit."""
         task = Task(self, what, limit * self.patience)
         self.open.append(task)
+        before = _innermost.set(task)
         try:
             yield task
         except Spent as spent:
@@ -40,6 +51,7 @@ class Work:
                 raise
             raise task.refusal() from None
         finally:
+            _innermost.reset(before)
             self.open.remove(task)
             if self.tell is not None and not self.open:
                 self.tell(None, 1.0, False)

@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from vibcli.analyses.block_roots import roots_of_block
-from vibcli.analyses.fixed import fixed, floats
+from vibcli.analyses.fixed import count_floats, fixed, floats, product
 from vibcli.analyses.symmetric import components
 
 PARALLEL = 1e4
@@ -76,7 +76,7 @@ class BlockForm:
         """E = V⁻¹(A V − V T)."""
         residual = apply(self.v)
         for part in self.blocks:
-            residual[:, part] -= self.v[:, part].dot(self.t[np.ix_(part, part)]) >> self.bits
+            residual[:, part] -= product(self.v[:, part], self.t[np.ix_(part, part)], self.bits)
         top = max(abs(x) for x in residual.ravel().tolist()).bit_length()
         self.shift = self.bits - max(top, 1)
         self.vf = floats(self.v, self.bits)
@@ -146,7 +146,7 @@ class BlockForm:
         largest = np.full((len(pieces), len(pieces)), 0.05)
         if len(pieces) == 1 or separation(own, pieces, rounding, 0, largest)[1].any():
             return [part]
-        self.v[:, part] = self.v[:, part].dot(fixed(turn, bits)) >> bits
+        self.v[:, part] = product(self.v[:, part], fixed(turn, bits), bits)
         new = fixed(own, size)
         new[k, k] += middle
         self.t[at] = new
@@ -155,6 +155,7 @@ class BlockForm:
 
 def split(matrix):
     """A real basis R of invariant subspaces of a float matrix, and their index sets."""
+    count_floats(len(matrix))
     values, vectors = np.linalg.eig(matrix)
     units = []
     for i, value in enumerate(values):

@@ -37,7 +37,7 @@ class Follower(Reduced):
         def enough(root):
             return self._enough(root, wanted, noise + 60)
 
-        self.form, self.norms = block_diagonal(lambda y: a.dot(y) >> bits, matrix, bits, enough, noise)
+        self.form, self.norms = block_diagonal(lambda y: fx.product(a, y, bits), matrix, bits, enough, noise)
         return self._all(self.norms)
 
     def rounded(self, data, scale, unit):

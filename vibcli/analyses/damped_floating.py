@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from vibcli.analyses.damped_modes import DampedMode
+from vibcli.analyses.fixed import count_floats
 from vibcli.analyses.floating import approximate, dense
 from vibcli.analyses.modal import prepared
 from vibcli.analyses.precise import in_units
@@ -74,6 +75,7 @@ class FirstOrder:
 
     def general(self):
         """Eigenvalues of the matrix, the small ones of its inverse where that is better."""
+        count_floats(len(self.matrix))
         values, vectors = np.linalg.eig(self.matrix)
         middle = math.sqrt(np.abs(values).max() * max(np.abs(values).min(), 1e-300))
         if not len(self.rigid) and np.abs(values).max() > 1e3 * np.abs(self.omega).max():

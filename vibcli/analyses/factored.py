@@ -8,6 +8,8 @@ value is off by ε ‖|X⁺||X|‖ at most, in which the sizes of the rows, and 
 
 import numpy as np
 
+from vibcli.analyses.fixed import count_floats
+
 UNIT = 2.0 ** -53
 ENOUGH = 1e-13
 ENOUGH_WHEN_MANY = 1e-10
@@ -23,6 +25,7 @@ def singular_vectors(x, zeros, known=1.0):
     """
     n = x.shape[1]
     tall = x if len(x) >= n else np.vstack([x, np.zeros((n - len(x), n))])
+    count_floats(n)
     _, sigma, vt = np.linalg.svd(tall, full_matrices=False)
     elastic = sigma[:n - zeros]
     error = 4 * np.sqrt(n) * known * UNIT

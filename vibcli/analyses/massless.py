@@ -118,7 +118,7 @@ class Reduced:
         def enough(root):
             return known(root, bits, wanted, self.deep, top - 2 * self.coupled + 60)
 
-        found = eigenvalues(lambda y: a.dot(y) >> bits, matrix, bits, enough, top - 2 * self.coupled)
+        found = eigenvalues(lambda y: fx.product(a, y, bits), matrix, bits, enough, top - 2 * self.coupled)
         marked = vanishing(found, self.zeros, bits, top)
         moving = [self._full(root, h) for root, zero in marked if not zero]
         return self._still(len(marked) - len(moving)) + moving

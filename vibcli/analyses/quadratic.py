@@ -168,7 +168,7 @@ class Coupled:
         """The matrix times fixed-point columns."""
         k, bits = len(self.c), self.bits
         v, u = y[:k], y[k:]
-        out = np.concatenate([-(self.c.dot(v) >> bits), self.omega[:, None] * v[self.elastic] >> bits])
+        out = np.concatenate([-fx.product(self.c, v, bits), self.omega[:, None] * v[self.elastic] >> bits])
         out[self.elastic] -= self.pull[:, None] * u >> bits
         return out
 

@@ -5,13 +5,13 @@ A spring 10¹² times as stiff as another stretches by 10⁻¹² of the amplitud
 
 import math
 
-from vibcli.analyses.digits import estimate_seconds
+from vibcli.analyses.digits import estimated_steps
 from vibcli.analyses.spectrum import damped_modes, natural_modes
 from vibcli.errors import PhysicsError
 
 DIGITS, WORKING = 30, 60
 LARGEST = 80        # coordinates
-LONGEST = 20        # seconds, by an estimate that is the same on every machine
+MOST = 200          # steps of a million products
 SAME = 1e-24        # relative difference of repeated frequencies
 
 
@@ -38,11 +38,11 @@ def _require_quick(problem, damped):
     if n > LARGEST:
         raise PhysicsError(f"shares, sensitivities and estimates are found for up to {LARGEST} coordinates; this scene "
                            f"has {n}", hint)
-    seconds, limit = estimate_seconds(n, DIGITS, damped), LONGEST * problem.work.patience
-    if seconds > limit:
-        raise PhysicsError(f"the damped modes of {n} coordinates take about {seconds:.0f} s to the digits that shares "
-                           f"and sensitivities need; the limit is {limit} s",
-                           f"--patience {math.ceil(seconds / LONGEST)} allows it")
+    steps, limit = estimated_steps(n, DIGITS, damped), MOST * problem.work.patience
+    if steps > limit:
+        raise PhysicsError(f"the damped modes of {n} coordinates take about {steps:.0f} steps of a million products "
+                           f"each to the digits that shares and sensitivities need; the limit is {limit}",
+                           f"--patience {math.ceil(steps / MOST)} allows it")
 
 
 def coinciding(modes):

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from vibcli.analyses.fixed import fixed, floats, identity
+from vibcli.analyses.fixed import fixed, floats, identity, product
 
 STEPS = 24
 LEAST = 1e-300
@@ -43,8 +43,8 @@ def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
     slack = max(slack, 0) + 2 + 2 * math.log2(n)
     previous = math.inf
     for _ in range(STEPS):
-        gram = q.T.dot(q) >> bits
-        s = q.T.dot(a.dot(q) >> bits) >> bits
+        gram = product(q.T, q, bits)
+        s = product(q.T, product(a, q, bits), bits)
         alpha = (s.diagonal() << bits) // gram.diagonal()
         h = s - (gram * alpha >> bits)
         gaps = np.subtract.outer(alpha, alpha)
@@ -56,9 +56,9 @@ def spectrum(a, bits, goal, zeros=None, slack=0, start=None):
         if (worst <= -goal and rough <= -goal / 2) or stalled:
             break
         previous = worst
-        q = q.dot(step(h, gram, alpha, gaps, off, bits)) >> bits
+        q = product(q, step(h, gram, alpha, gaps, off, bits), bits)
     if rough > -2 * goal:
-        q = q.dot(_first_order(h, gram, gaps, off, off.clusters(), bits)) >> bits
+        q = product(q, _first_order(h, gram, gaps, off, off.clusters(), bits), bits)
     return Spectrum(alpha, radius, off.shift, q, bits)
 
 
@@ -198,5 +198,5 @@ def step(h, gram, alpha, gaps, off, bits):
             block[place, place] = alpha[i] - middle
         size = max(abs(v) for v in block.ravel().tolist()).bit_length()
         if size:
-            x[:, part] = x[:, part].dot(fixed(np.linalg.eigh(floats(block, size))[1], bits)) >> bits
+            x[:, part] = product(x[:, part], fixed(np.linalg.eigh(floats(block, size))[1], bits), bits)
     return x

@@ -12,6 +12,7 @@ from vibcli.document import read_file
 from vibcli.errors import SpecError
 from vibcli.work import Work
 
+MOST = 600      # steps of a million products, for --digits
 _sources = {}
 
 
@@ -194,17 +195,17 @@ def show_timings(problems):
 
 
 def require_quick(problem, digits):
-    """Refuse --digits where it would take long, by an estimate that is the same on every machine."""
+    """Refuse --digits where it would take long, by an estimate of the steps."""
     if digits is None:
         return
-    from vibcli.analyses.digits import estimate_seconds
+    from vibcli.analyses.digits import estimated_steps
 
     spec = problem.spec
     damped = any(section in spec.sections for section in ("dampers", "energies", "matrices"))
-    seconds, limit = estimate_seconds(len(spec.coordinates), digits, damped), 60 * problem.work.patience
-    if seconds > limit:
+    steps, limit = estimated_steps(len(spec.coordinates), digits, damped), MOST * problem.work.patience
+    if steps > limit:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
-                               f"{seconds:.0f} s; the limit is {limit} s: ask for fewer digits, or allow more with "
-                               f"--patience {ceil(seconds / 60)}")
+                               f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "
+                               f"digits, or allow more with --patience {ceil(steps / MOST)}")
 
 

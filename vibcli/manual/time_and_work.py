@@ -53,8 +53,12 @@ PATIENCE = [
          "bounds, of three coordinates at 20000. Without a proof the sum of the indices (signs of det K) is compared "
          "with the degree of the forces on the bounds, of 20000 pieces at most; where they differ, one more exists, "
          "and is looked for at 20000 positions more."),
-        ("--digits, shares", "60 s, as estimated from the number of coordinates and digits alone; 20 s for shares, "
-         "sensitivities and estimates."),
+        ("largest values, passages", "500000 steps of a search through a motion of small oscillations, each a "
+         "thousand values of one of the exponentials that it is made of. What is found by then is told."),
+        ("modes", "10000 steps, each a million products of whole numbers, which some hundreds of coordinates with "
+         "dampers need."),
+        ("--digits, shares", "600 such steps, as estimated from the number of coordinates and digits alone; 200 for "
+         "shares, sensitivities and estimates."),
     ],
     "Closed forms are given up after some millions of calls of functions within computer algebra, whatever N: numbers "
     "are given instead.",

@@ -3,8 +3,10 @@ complex modes. Each method gives (H, dH/ds or None, whether there is a pole) at 
 
 import numpy as np
 
+from vibcli.analyses.fixed import MILLION
 from vibcli.analyses.frequency.response import SINGULAR, along, direct, probe, scales
 from vibcli.analyses.frequency.transfer import polynomial, slope
+from vibcli.work import counted
 
 NARROW, COUPLED = 16, 1e-14     # widest band on either side; coupling relative to the damping of two modes
 DEPENDENT = 1e5                 # condition of complex modes from which on they lose too many digits
@@ -52,6 +54,7 @@ def _banded(system, s, steep, order, width):
     right = np.empty((n, 2), complex)
     right[:, 1] = probe(n)
     for k, point in enumerate(s.tolist()):
+        counted(n * (width + 1)**2 / MILLION)
         band = (bands[0] + point * bands[1] + point * point * bands[2]) * scale[k] * scale[k][rows]
         right[:, 0] = b[k]
         factors, pivots, info = lapack.zgbtrf(band, width, width)

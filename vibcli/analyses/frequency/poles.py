@@ -9,6 +9,7 @@ at infinity goes to μ = 0. They are starting values: what is told of H is locat
 
 import numpy as np
 
+from vibcli.analyses.fixed import count_floats
 from vibcli.analyses.frequency.response import undifferentiated
 
 FAR = 1e-7      # |μ| of what counts as infinite
@@ -71,6 +72,7 @@ def _roots(parts, pace):
     except np.linalg.LinAlgError:
         return np.zeros(0, complex)
     companion = np.vstack([-lower, np.eye(n, 2 * n)])
+    count_floats(2 * n)
     inverse = np.linalg.eigvals(companion)
     inverse = inverse[np.abs(inverse) > FAR]
     found = pace * (shift + 1 / inverse)

@@ -9,6 +9,7 @@ With x = D⁻¹b and y = D⁻ᵀc the slope is dH/ds = c′ᵀx + yᵀ(b′ − 
 
 import numpy as np
 
+from vibcli.analyses.fixed import count_floats
 from vibcli.analyses.frequency.transfer import polynomial, slope
 from vibcli.errors import PhysicsError
 
@@ -94,6 +95,7 @@ def probe(n):
 
 
 def _block(system, s, steep):
+    count_floats(system.n, len(s) / 10)
     scale, at = scales(system, s), s[:, None, None]
     D = (system.K + at * system.C + at * at * system.M) * scale[:, :, None] * scale[:, None, :]
     b, c = polynomial(system.b, s) * scale, polynomial(system.c, s) * scale
@@ -130,6 +132,7 @@ def along(system, s, x, y):
 
 def _singular(D, b, c):
     """(cᵀD⁻¹b, False), or (0, True) where D is singular along a mode that b drives and c sees."""
+    count_floats(len(D))
     u, size, v = np.linalg.svd(D)
     driven, seen = u.conj().T @ b, c @ v.conj().T
     small = size <= SINGULAR * max(size[0], 1.0)

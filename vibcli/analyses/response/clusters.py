@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.fixed import count_floats
 from vibcli.analyses.response.condensed import leading
 
 CLOSE, EQUAL = 0.05, 1e-9
@@ -25,6 +26,7 @@ def groups(M, C, K):
     Coordinates without inertia come last.
     """
     A = first_order(M, C, K)
+    count_floats(len(A))
     values, V = np.linalg.eig(A)
     values, V = values.astype(complex), V.astype(complex)
     with np.errstate(over="ignore"):

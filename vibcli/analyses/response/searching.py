@@ -75,8 +75,9 @@ class Search:
 
     def refusal(self, task):
         """What is said of a search that was given up, and what is known by then."""
-        refused, count = task.refusal(), sum(len(times) for times in self.found)
-        known = f"all until t = {self.reached:.6g} s are found, {count} in all"
+        refused = task.refusal()
+        times = _distinct(np.concatenate(self.found), 4 * EPSILON * max(abs(self.start), abs(self.end)))
+        known = f"before t = {self.reached:.6g} s it passes {(times < self.reached).sum()} times"
         return PhysicsError(f"{refused.message}: {known}", f"ask for a shorter interval; {refused.hint}")
 
 

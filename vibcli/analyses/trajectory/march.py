@@ -225,7 +225,7 @@ class March:
     def endless(self):
         """(why it was stopped, what may be done)."""
         H = self.windows[-1].length
-        return (f"after {self.task.steps} of at most {self.task.limit:.0f} steps the motion has come to "
+        return (f"after {self.task.steps:.0f} of at most {self.task.limit:.0f} steps the motion has come to "
                 f"t = {self.t:.6g} s of {self.until:.6g} s: its fastest part takes steps of {H:.3g} s",
                 f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; "
                 f"{self.task.hint()}")
