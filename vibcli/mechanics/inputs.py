@@ -5,6 +5,7 @@ in which it is written, a moment of 1 N·m, an unbalance of 1 kg·m turning at s
 its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised force 1 along a coordinate.
 """
 
+from fractions import Fraction
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import substitute
@@ -16,10 +17,12 @@ INSTANTS, SAME = (0.0, 0.173, 0.891, 2.317), 1e-12
 
 
 class Input(NamedTuple):
-    """weights {number of an input coordinate: its share}, times (−s²)^turns: an unbalance acts with m₀ e Ω²."""
+    """weights {number of an input coordinate: its share}, times (−s²)^turns: an unbalance acts with m₀ e Ω². carried:
+    the shares as nodes of the time where a load turns with a body that is driven; then weights are those at t = 0."""
 
     weights: dict
     turns: int = 0
+    carried: dict = None
 
 
 def named_input(problem, text):
@@ -35,7 +38,10 @@ def named_input(problem, text):
 
 
 def input_columns(problem, chosen):
-    """b as [{i: number}] of the powers s⁰, s¹, s² of an Input."""
+    """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
+    if chosen.carried:
+        return [problem.opened.carried(chosen.carried), {}, {}]
+    problem.opened.require_steady(chosen.weights)
     return in_powers(problem.opened.columns, chosen.weights, chosen.turns)
 
 
@@ -51,6 +57,9 @@ def in_powers(columns, weights, turns):
 
 def direct_part(row, chosen):
     """d as [number] of the powers s⁰, s¹, s²: what an Input does to a Row at once."""
+    if chosen.carried and any(part.get(j) for part in (row.q, row.v, row.a) for j in chosen.carried):
+        raise PhysicsError("what this load does to the signal at once turns with what is driven",
+                           "ask for a coordinate")
     parts = [sum(weight * part.get(j, 0.0) for j, weight in chosen.weights.items()) for part in (row.q, row.v, row.a)]
     return _turned(parts, chosen.turns, 0.0)
 
@@ -73,16 +82,34 @@ def _loads(problem, text, found):
         return Input({list(terms)["xy".index(axis)]: 1.0}) if len(terms) == 2 else None
     if "unbalance" in record:
         return Input(dict(zip(terms, (1.0, -1j), strict=False)), turns=1)
+    if len(terms) == 2 and "carrier" in record and not _fixed_line(problem, terms.values()):
+        return _carried(problem, record, name, terms)
     return Input(dict(zip(terms, _line(problem, name, terms.values()), strict=True)))
+
+
+def _carried(problem, record, name, terms):
+    """The direction of a load, as it is written in the axes of the body that carries it."""
+    scene, sample = problem.opened.scene, problem.opened.sample
+    written = _amplitudes(scene, [scene.lower(part) for part in record["force"]])
+    line = [scene.table.number(Fraction(x)) for x in _unit(evaluate(written, Floats, sample), name)]
+    nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
+    start = evaluate(list(nodes.values()), Floats, {**sample, scene.time.name: 0.0})
+    return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
+
+
+def _fixed_line(problem, loads):
+    """Does a load of two components keep its line?"""
+    opened = problem.opened
+    nodes = [opened.scene.forces[k].weight for k in loads]
+    moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
+    return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
 
 
 def _line(problem, name, loads):
     """The direction of a load as it is written, its function of the time being positive."""
     opened = problem.opened
     nodes = [opened.scene.forces[k].weight for k in loads]
-    moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
-    if len(nodes) == 2 and any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving
-                               for u, v in moving):
+    if len(nodes) == 2 and not _fixed_line(problem, loads):
         raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
     return _unit(evaluate(_amplitudes(opened.scene, nodes), Floats, opened.sample), name)
 

@@ -16,7 +16,7 @@ def coefficients(problem, signal, driven_by):
     """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
     opened, place = problem.opened, place_in_letters(problem)
     chosen = named_input(problem, driven_by)
-    if any(isinstance(weight, complex) for weight in chosen.weights.values()):
+    if chosen.carried or any(isinstance(weight, complex) for weight in chosen.weights.values()):
         raise NotInLetters(f"what turns as '{driven_by}' does has no amplitudes in letters here",
                            "ask for them in numbers")
     scene, n = opened.scene, opened.n

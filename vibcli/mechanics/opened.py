@@ -61,21 +61,50 @@ class Opened:
 
     @cached_property
     def numbers(self):
-        """The Numbers of the Linearisation in equilibrium; PhysicsError where they are others at other instants."""
-        if self.scene.timed:
-            wanted = matrices_at(self.form, self.values)
-            for instant in INSTANTS:
-                found = matrices_at(self.timed, {**self.values, self.scene.time.name: instant})
-                if not all(self._same(wanted[key], found[key], found["size"] if key == "K" else {}) for key in "MCGK"):
-                    raise PhysicsError("what acts here turns with what is driven: it has no constant coefficients",
-                                       "ask for what is counted in the carrier")
+        """The Numbers of the Linearisation in equilibrium."""
         return in_numbers(self.form, Floats, self.values)
 
-    def _same(self, one, two, size):
+    @cached_property
+    def turning(self):
+        """The numbers of the coordinates and inputs whose columns are others at other instants."""
+        if not self.scene.timed:
+            return set()
+        wanted, columns = matrices_at(self.form, self.values), set()
+        for instant in INSTANTS:
+            found = matrices_at(self.timed, {**self.values, self.scene.time.name: instant})
+            for key in "MCGK":
+                columns |= self._others(wanted[key], found[key], found["size"] if key == "K" else {})
+        return columns
+
+    def _others(self, one, two, size):
+        """The columns in which two matrices differ."""
         largest = max(map(abs, (*one.values(), *two.values())), default=0.0)
-        return all(abs(one.get(pair, 0.0) - two.get(pair, 0.0)) <= SAME * max(abs(two.get(pair, 0.0)),
-                                                                             size.get(pair, 0.0), 1e-6 * largest)
-                   for pair in {*one, *two} if pair[0] < self.n)
+        return {pair[1] for pair in {*one, *two} if pair[0] < self.n
+                and not abs(one.get(pair, 0.0) - two.get(pair, 0.0)) <= SAME * max(
+                    abs(two.get(pair, 0.0)), size.get(pair, 0.0), 1e-6 * largest)}
+
+    def require_steady(self, weights):
+        """PhysicsError where what these inputs {number: weight} do depends on the time."""
+        if self.turning & {*range(self.n), *(j for j, weight in weights.items() if weight)}:
+            raise self._turns()
+
+    def _turns(self):
+        return PhysicsError("what acts here turns with what is driven: it has no constant coefficients",
+                            f"ask for a response to a coordinate, as in frf[…, {self.problem.scene.coordinates[0]}]")
+
+    def carried(self, weights):
+        """{i: number} of b₀ of loads that turn with what is driven, `weights` {number of an input: node of the time}:
+        the product of the two is what must not depend on it."""
+        self.require_steady({})
+        found, values = [], {**self.values}
+        for instant in (0.0, *INSTANTS):
+            values[self.scene.time.name] = instant
+            shares = dict(zip(weights, evaluate(list(weights.values()), Floats, values), strict=True))
+            K = matrices_at(self.timed, values)["K"]
+            found.append({(i, 0): -sum(w * K.get((i, j), 0.0) for j, w in shares.items()) for i in range(self.n)})
+        if any(self._others(found[0], later, {}) for later in found[1:]):
+            raise self._turns()
+        return {i: x for (i, _), x in found[0].items() if x}
 
     @cached_property
     def columns(self):

@@ -28,6 +28,7 @@ def excitation_through(problem):
     if problem.linear_in_letters:
         M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(problem)))
     else:
+        opened.require_steady({j: 1.0 for j, _ in _driven(opened)})
         M, C, G, K = ({pair: table.number(exact(x)) for pair, x in part.items()}
                       for part in opened.numbers.elements.matrices())
     for j, opening in _driven(opened):
