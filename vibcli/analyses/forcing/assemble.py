@@ -6,7 +6,7 @@ from fractions import Fraction
 from vibcli.analyses.forcing.blows import blows_of, nearest
 from vibcli.analyses.forcing.gates import Place
 from vibcli.analyses.forcing.periods import common_period, shortest
-from vibcli.analyses.forcing.segments import MOST, Forcing, Irregular, Segment, Wave
+from vibcli.analyses.forcing.segments import Forcing, Irregular, Segment, Wave, task_of
 from vibcli.analyses.forcing.sums import added, convolved, shifted
 from vibcli.errors import PhysicsError
 
@@ -67,7 +67,7 @@ def _forcing(groups, channels, numbers):
         period = common_period([group for group, _ in lasting], numbers)
     except PhysicsError as refusal:
         longest = max(gate.period for group, _ in lasting for gate in group.gates)
-        return Irregular(channels, lambda until: _up_to(groups, cuts, lasting, until, longest, numbers),
+        return Irregular(channels, lambda until, work: _up_to(groups, cuts, lasting, until, longest, numbers, work),
                          numbers.number(longest), refusal)
     settled = max(cuts)
     breaks = _repeated(lasting, settled + 2 * period)
@@ -78,17 +78,16 @@ def _forcing(groups, channels, numbers):
     return Forcing(channels, *shortest(pieces, numbers.number(period), start, numbers.same), start)
 
 
-def _up_to(groups, cuts, lasting, until, longest, numbers):
+def _up_to(groups, cuts, lasting, until, longest, numbers, work):
     """The segments up to a time, and further by the longest period of what repeats."""
     last = numbers.exact(until) + longest
-    if sum(last / gate.period for group, _ in lasting for gate in group.gates) > MOST:
-        raise PhysicsError("these loads repeat themselves too often to be followed for so long",
-                           "ask for an earlier instant")
-    cuts = {cut for cut in cuts if cut < last} | _repeated(lasting, last)
-    return _pieces(groups, cuts, last, 0, numbers)
+    breaks = float(sum(last / gate.period * len(gate.corners) for group, _ in lasting for gate in group.gates))
+    with task_of(work, breaks) as task:
+        cuts = {cut for cut in cuts if cut < last} | _repeated(lasting, last)
+        return _pieces(groups, cuts, last, 0, numbers, task)
 
 
-def _pieces(groups, cuts, last, since, numbers):
+def _pieces(groups, cuts, last, since, numbers, task=None):
     """The Segments between the instants at which anything changes, up to `last` (None: for ever); one starts at
     `since`."""
     cuts = _apart(cuts, numbers.same)
@@ -99,6 +98,8 @@ def _pieces(groups, cuts, last, since, numbers):
     blows, first = blows_of(groups, cuts, last, numbers), nearest(cuts, since)
     pieces = []
     for i, at in enumerate(places):
+        if task is not None:
+            task.step(i / len(places), 0.5)
         waves = _waves(groups, at, numbers)
         if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not all(map(_is_level, waves)):
             pieces.append(Segment(at.start, waves, tuple(blows.get(i, {}).items())))

@@ -4,12 +4,25 @@ On each segment a channel is f(τ) = Σ Re(c τᵏ e^{sτ}), τ = t − start: s
 and all their products. Counting from the start of the segment keeps a 5 ms pulse at t = 50 s exact.
 """
 
-from math import inf
+from math import ceil, inf
 from typing import NamedTuple
 
 from vibcli.errors import PhysicsError
+from vibcli.work import Work
 
-MOST = 100_000      # segments of a periodic forcing
+MOST = 100_000      # segments of a forcing that repeats for ever
+
+
+def task_of(work, count, before=None):
+    """The task of finding so many segments; PhysicsError where they are too many. before: until when they are not."""
+    work = work or Work()
+    if count > MOST * work.patience:
+        ask = "ask for an earlier instant" if before is None else f"ask for an instant before t = {0.99 * before:.3g} s"
+        more = f"; --patience {ceil(count / MOST)} allows as many" if count < inf else ""
+        most = f": {count:.6g} stretches of time, and {MOST * work.patience:.0f} are the most" if count < inf else ""
+        raise PhysicsError(f"what drives this scene repeats itself too often to be followed for so long{most}",
+                           ask + more)
+    return work.task("what drives the motion", MOST)
 
 
 class Wave(NamedTuple):
@@ -48,28 +61,29 @@ class Forcing:
         """The longest time after which something of it repeats for ever; None where nothing does."""
         return self.period
 
-    def segments(self, until):
-        """The segments that start before `until`."""
+    def segments(self, until, work=None):
+        """The segments that start before `until`; work: what counts them."""
         found = [piece for piece in self.pieces if piece.start < until or not piece.start]
         if self.period is None:
             return found
-        if (until - self.since) * len(self.pieces) > MOST * self.period:
-            raise PhysicsError("this periodic load repeats itself too often to be followed for so long",
-                               f"ask for an instant before t = {MOST * self.period / len(self.pieces):.3g} s")
         repeated = [piece for piece in self.pieces if piece.start >= self.since]
-        turns = 1
-        while self.since + turns * self.period < until:
-            shift = turns * self.period
-            found += [piece._replace(start=piece.start + shift) for piece in repeated if piece.start + shift < until]
-            turns += 1
+        count = max(0.0, until - self.since) * len(self.pieces) / self.period
+        turns, most = 1, MOST * (1 if work is None else work.patience)
+        with task_of(work, count, most * self.period / len(self.pieces)) as task:
+            while self.since + turns * self.period < until:
+                shift = turns * self.period
+                task.step(turns * len(repeated) / count, len(repeated) / 2)
+                found += [piece._replace(start=piece.start + shift) for piece in repeated
+                          if piece.start + shift < until]
+                turns += 1
         return found
 
 
 class Irregular:
     """Forcing that repeats for ever in parts, but has no period as a whole: known as far as it is asked for.
 
-    `build(until)`: its segments up to a time at least; `turn`: the longest period of a part; `refusal`: why what needs
-    all of it is not found.
+    `build(until, work)`: its segments up to a time at least; `turn`: the longest period of a part; `refusal`: why what
+    needs all of it is not found.
     """
 
     period, listed = None, False
@@ -77,8 +91,8 @@ class Irregular:
     def __init__(self, channels, build, turn, refusal):
         self.channels, self.build, self.turn, self.refusal = channels, build, turn, refusal
 
-    def segments(self, until):
+    def segments(self, until, work=None):
         """The segments that start before `until`; PhysicsError where that is infinite."""
         if until == inf:
             raise self.refusal
-        return [piece for piece in self.build(until) if piece.start < until or not piece.start]
+        return [piece for piece in self.build(until, work) if piece.start < until or not piece.start]

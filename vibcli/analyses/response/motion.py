@@ -112,9 +112,13 @@ class LinearMotion:
         if self._pieces is None or until > self._pieces.until:
             if self.forcing.listed:
                 until = math.inf
-            elif self._pieces is not None:
-                until = max(until, 2 * self._pieces.until)
-            self._pieces = Pieces(self, until)
+            further = until if self._pieces is None else max(until, 2 * self._pieces.until)
+            try:
+                self._pieces = Pieces(self, further)
+            except PhysicsError:
+                if further == until:
+                    raise
+                self._pieces = Pieces(self, until)
         return self._pieces
 
 
@@ -178,7 +182,8 @@ class Pieces:
     def __init__(self, motion, until):
         self.motion, self.until = motion, until
         forcing = motion.forcing
-        self.timeline = timeline = Timeline(forcing.channels, forcing.segments(math.nextafter(until, math.inf)))
+        pieces = forcing.segments(math.nextafter(until, math.inf), motion.work)
+        self.timeline = timeline = Timeline(forcing.channels, pieces)
         self.drives, self.states = drives(motion.blocks, timeline, len(motion.M) == 1), []
         jumps = timeline.impulses[:, :len(motion.M)]
         struck = np.flatnonzero(jumps.any(axis=1))

@@ -32,16 +32,17 @@ class Breaks:
         return min(self.times[i], until) if i < len(self.times) else until
 
 
-def breaks(scene, nodes, floats, until):
+def breaks(scene, nodes, floats, until, work):
     """The Breaks of expressions within 0 and `until`."""
     found, blows = {0.0}, {}
     for node in reachable(nodes):
         if node.mask == scene.time.mask and (node.name in BENT or node.name in node.table.records):
-            times = _exact(scene, node, floats, until, blows)
+            times = _exact(scene, node, floats, until, blows, work)
             found.update(_searched(scene, node, floats, until) if times is None else times)
-            if len(found) > MOST:
-                raise PhysicsError(f"what drives this scene jumps or bends more than {MOST} times until t = {until:.6g}"
-                                   " s", "ask for a shorter time")
+            if len(found) > MOST * work.patience:
+                raise PhysicsError(f"what drives this scene jumps or bends more than {MOST * work.patience} times until"
+                                   f" t = {until:.6g} s", f"ask for a shorter time; --patience {10 * work.patience:.0f}"
+                                   " allows ten times as many")
     times = sorted(time for time in found if 0 < time < until * (1 - CLOSE))
     kept = [time for time, before in zip(times, [0.0, *times], strict=False) if time - before > CLOSE * time]
     return Breaks(np.array(kept), {_nearest([0.0, *kept], time): sizes for time, sizes in sorted(blows.items())})
@@ -51,10 +52,10 @@ def _nearest(times, time):
     return min(times, key=lambda other: abs(other - time))
 
 
-def _exact(scene, node, floats, until, blows):
+def _exact(scene, node, floats, until, blows, work):
     """The breaks of one function of the time; None where they are not known in closed form."""
     try:
-        segments = forcing_of({0: node}, scene.time, floats).segments(until)
+        segments = forcing_of({0: node}, scene.time, floats).segments(until, work)
     except PhysicsError:
         return None
     for segment in segments:

@@ -54,7 +54,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     scene = equations_of(problem)
     system = System(scene, problem.floats, problem.scene.freedom.redundant)
     owners, bounds = scene.law_switches()
-    stops = breaks(scene, system.parts.nodes(), problem.floats, until)
+    stops = breaks(scene, system.parts.nodes(), problem.floats, until, problem.work)
     q, v = (x * (1 + EPSILON * second) for x in vectors(scene, places, speeds))
     with problem.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
