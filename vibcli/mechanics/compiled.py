@@ -71,7 +71,8 @@ class Source:
             if not base.mask:
                 factor *= Floats.power(self.constants[base], e)
             else:
-                (above if e > 0 else below).extend(_powers(self.slots[base], abs(e)))
+                bent = self.switches is not None and _never_negative(base)
+                (above if e > 0 else below).extend(_powers(self.slots[base], abs(e), bent))
         if len(above) + len(below) > LONGEST:
             above += [f"(1.0/{slot})" for slot in below]
             return "*".join([number(factor), *(f"({'*'.join(above[i:i + LONGEST])})"
@@ -128,17 +129,31 @@ def _signed(c, factors=""):
     return f"{'-' if c < 0 else '+'}{abs(c)!r}" + (f"*{factors}" if factors else "")
 
 
-def _powers(slot, exponent):
+def rooted(nodes):
+    """Is a root of |u|, or of what is u on one side alone, in them? It has no series at u = 0."""
+    return any(_never_negative(base) and e.denominator != 1 for node in reachable(nodes) if node.op == "product"
+               for base, e in node.args)
+
+
+def _never_negative(base):
+    """Is it |u|, or the part of u on one side? Smooth beyond its zero, where a step ends before the zero is found, it
+    is negative; its roots go on there as those of its size."""
+    return base.op == "call" and (base.name in ("abs", "ramp") or (
+        base.name == "max" and any(arg.is_zero for arg in base.args)))
+
+
+def _powers(slot, exponent, bent=False):
     """Factors of slot^exponent, exponent > 0."""
     if exponent.denominator == 1 and exponent <= 4:
         return [slot] * int(exponent)
     if exponent.denominator == 1:
         return [f"{slot}**{int(exponent)}"]
+    size = f"abs({slot})" if bent else slot
     if exponent == HALF:
-        return [f"sqrt({slot})"]
+        return [f"sqrt({size})"]
     if exponent.denominator == 2 and exponent <= 4:
-        return [slot] * int(exponent - HALF) + [f"sqrt({slot})"]
-    return [f"{slot}**{float(exponent)!r}"]
+        return [slot] * int(exponent - HALF) + [f"sqrt({size})"]
+    return [f"{size}**{float(exponent)!r}"]
 
 
 def function(head, lines, result, records=()):

@@ -7,6 +7,7 @@ from vibcli.analyses.trajectory.fast import fast_part
 from vibcli.analyses.trajectory.sizes import EPSILON, Sizes
 from vibcli.analyses.trajectory.window import Window, iterated, newton
 from vibcli.errors import PhysicsError
+from vibcli.mechanics.compiled import rooted
 from vibcli.work import Spent
 
 FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
@@ -22,6 +23,7 @@ STRAINED = 20               # Picard iterations: those of longer windows amplify
 UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
 PATIENCE = 3                # such windows before the scene counts as stiff
 LEAP, SETTLING = 2000.0, 8  # radians of what is stepped over in a window; windows until it has died out
+MOST_CUTS = 40              # of a window at a root
 CALM = 6                    # windows without a failure before they grow by much again
 
 
@@ -36,6 +38,7 @@ class March:
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
         self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
+        self.rooted = rooted(system.parts.nodes())
 
     def begin(self, limit, zero=()):
         """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
@@ -73,8 +76,11 @@ class March:
             if done is not None:
                 if tail <= 1:
                     break
-                if len(tails) >= 4 and tail > 0.25 * tails[-4]:    # it does not fall with the window: it is rounding
-                    self.sizes.noise = self.sizes.noise * max(tail, 1.0)
+                root = self.rooted and len(tails) < MOST_CUTS and self._at_a_root(H, done)
+                if root and self._no_blow(H, done):
+                    break
+                if not root and len(tails) >= 4 and tail > 0.25 * tails[-4]:    # it does not fall with the window:
+                    self.sizes.noise = self.sizes.noise * max(tail, 1.0)        # it is rounding
                     break
                 tails.append(tail)
             H *= 0.5 if done is None else 0.7
@@ -87,6 +93,21 @@ class March:
         if self.slow and not self.stiff:
             self._step_over(window, a[:, 0])
         return window
+
+    def _at_a_root(self, H, done):
+        """Does the argument of a switch vanish within a window, or where it begins, in a scene whose forces are roots
+        there? What is left of their series falls with the window, if slowly."""
+        steps = np.concatenate([[0.0], self.rule.c])
+        Q = self.q[:, None] + self.v[:, None] * (H * steps)
+        Q[:, 1:] += H * H * (done.A @ self.rule.V2)
+        V = np.repeat(self.v[:, None], len(steps), 1)
+        values = self.switching.values(self.t + H * steps, Q, V, self.g)
+        least, most = np.sort(values.T * np.asarray(self.g), axis=0)[[0, -1]]
+        return bool((least <= 1e-9 * most).any())
+
+    def _no_blow(self, H, done):
+        """Does what is left of the series of q̈ change no velocity?"""
+        return bool((H * self._series(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
 
     def _ahead(self, H, a):
         """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
@@ -179,7 +200,8 @@ class March:
         grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.0 if self.stiff else 1.03
         if not self.stiff:
             grown = min(grown, STRAINED / iterations)
-            strained = grown < 1.2 or (failed and not unresolved)
+            pace = STRAINED / iterations if self.rooted else grown  # near a root windows are short without strain
+            strained = pace < 1.2 or (failed and not unresolved)
             self.held = self.held + 1 if strained and used < UNUSED else 0
         self.H = grown * H if failed else max(self.H, grown * H) if grown > 1 else min(self.H, grown * H)
         if self.held >= PATIENCE and not self.stiff:
