@@ -45,7 +45,7 @@ ROOMS = {       # the files of a room: its tests, the quick ones first; the long
     "vibcli/mechanics": ("lagrange", "springs", "laws", "forces_along", "equilibrium", "nearest", "degenerate", "jumps",
                          "at_rest_with_friction", "sticking", "without_inertia", "left_out", "special_equilibria",
                          "states", "proof", "stages", "equilibria", "outputs", "massless", "constraints", "driven",
-                         "insight", "trials", "inverse_folds", "printed_digits", *EVERYTHING),
+                         "insight", "trials", "closed_forms", "inverse_folds", "printed_digits", *EVERYTHING),
     "vibcli/inverse": ("inverse_regimes", "inverse_folds", "inverse_in_letters", "inverse_margin", "inverse", "trials",
                        "bad", "responses_in_letters", "inverse_planted"),
     "vibcli/report/drawing": ("mode_pictures", "drawing"),
