@@ -7,6 +7,7 @@ import pytest
 from motions import problem
 
 from vibcli.analyses.trajectory.simulate import simulate
+from vibcli.errors import PhysicsError
 
 CARRIED = """
 motion: full
@@ -76,3 +77,8 @@ def test_an_impulse_counts_with_its_factor_at_its_instant(factor, value):
     t = np.linspace(0.31, 2.0, 30)
     x = simulate(one, 2.0, initial=one.given_start).at(t)[0][0]
     assert x == pytest.approx(2 * value / math.sqrt(90) * np.sin(math.sqrt(90) * (t - 0.3)), rel=1e-12, abs=1e-14)
+
+
+def test_energies_that_are_not_defined_where_a_drive_jumps_are_said_to_be_so():
+    with pytest.raises(PhysicsError, match="are not defined at an instant at which a function of the time in it jumps"):
+        events(CARRIED.format("sin(w*t)*square(w*t)"))

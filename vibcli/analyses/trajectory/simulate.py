@@ -107,6 +107,9 @@ def units_of(problem, names):
 
 
 def _unbalanced(energies):
+    if not np.isfinite(energies.error):
+        return PhysicsError("the energies of this motion are not defined at an instant at which a function of the time "
+                            "in it jumps", "write what drives it without jumps, as 1 - cos(w*t)")
     return PhysicsError(f"the energies of this motion balance to {energies.error:.2g} of the largest of them alone: it "
                         "is not known to the digits that are stated",
                         "follow it for a shorter time, or let what acts change less abruptly")
