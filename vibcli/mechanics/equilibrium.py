@@ -12,12 +12,12 @@ import math
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
 from vibcli.mechanics.evaluated import in_numbers
+from vibcli.mechanics.no_equilibrium import FAR, Undefined, unbounded, unfinished
 from vibcli.mechanics.rounded import may_vanish
 
 EPSILON = 2.0**-52
-JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
-STEPS, POLISH, FAR, FARTHEST, HUGE = 300, 12, 1e6, 1e60, 1e140
+STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
 
 
 class Equilibrium:
@@ -55,20 +55,20 @@ def find_equilibrium(problem, start):
     step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
     steps = 0
     while not search.flat(numbers):
-        search.blocked = False
+        search.blocked = search.undefined = False
         steps += 1
         if search.far(q):
-            raise search.unbounded(q)
+            raise unbounded(search, q)
         if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
-            raise search.unbounded(q) if problem.conservative else search.unfinished(q)
+            raise unbounded(search, q) if problem.conservative else unfinished(search, q, STEPS)
         q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
     q, numbers = search.polished(q, numbers)
     if not search.balanced(numbers) or search.faded(numbers):
-        raise search.unbounded(q)
+        raise unbounded(search, q)
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
 
@@ -86,7 +86,7 @@ class Search:
         self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
         self.first_radius = 0.5 if size else math.inf
         self.met = [0.0] * len(self.names)
-        self.here, self.blocked = dict(start), False
+        self.here, self.blocked, self.undefined = dict(start), False, False
 
     def vector(self, values):
         return self.np.array([values[name] for name in self.names], dtype=float)
@@ -111,15 +111,24 @@ class Search:
         if position is None:
             raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
                                "cannot close", "draw the scene nearer to its equilibrium")
-        self.here = position
         numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **position})
-        if not all(map(math.isfinite, numbers.residual)):
-            raise PhysicsError("the forces of this scene are not defined in a position that the search for its "
-                               "equilibrium passes", "draw the scene nearer to its equilibrium")
-        bend = self.np.abs(self.stiffness(numbers)) @ (self.np.abs(q) + KNOWN * self.scale)
+        stiffness = self.np.abs(self.stiffness(numbers))
+        if not (all(map(math.isfinite, numbers.residual)) and self.np.isfinite(stiffness).all()):
+            raise Undefined("the forces of this scene are not finite numbers at the place where the search for its "
+                            "equilibrium starts", "draw the scene elsewhere, or start elsewhere with `equilibrium:`")
+        self.here = position
+        bend = stiffness @ (self.np.abs(q) + KNOWN * self.scale)
         numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
         self.met = list(map(max, self.met, numbers.residual_size))
         return numbers
+
+    def defined(self, q):
+        """The Numbers of a position that is tried; None where they are not finite."""
+        try:
+            return self.at(q)
+        except Undefined:
+            self.undefined = True
+            return None
 
     def relative(self, numbers):
         """The residual relative to the largest terms met: at q = 0 the terms of a condition may all vanish."""
@@ -178,15 +187,17 @@ class Search:
             trial = q + self.scale * (vectors @ p)
             gained = before - self.energy(trial)
             noise = 64 * EPSILON * (abs(before) + abs(predicted))
-            if abs(gained) < HUGE and (gained >= 0.1 * predicted or predicted <= noise):
-                if predicted <= noise and not self._nearer(trial, numbers):
+            falls = abs(gained) < HUGE and (gained >= 0.1 * predicted or predicted <= noise)
+            after = self.defined(trial) if falls else None
+            if after is not None:
+                if predicted <= noise and not self.relative(after) < self.relative(numbers):
                     return q, numbers, radius, False
                 length = float(np.linalg.norm(p))
                 if gained > 0.75 * predicted and length > 0.9 * radius:
                     radius *= 2.0
                 elif math.isinf(radius) and gained < 0.5 * predicted:
                     radius = length
-                return trial, self.at(trial), radius, True
+                return trial, after, radius, True
             radius = 0.25 * min(radius, float(np.linalg.norm(p)))
         return q, numbers, radius, False
 
@@ -205,8 +216,8 @@ class Search:
             p = np.linalg.lstsq(K + size / dt * np.eye(len(q)), force, rcond=None)[0]
             longest = float(np.max(np.abs(p)))
             trial = q + self.scale * p * min(1.0, 0.5 / longest if longest else 1.0)
-            if self.named(trial) is not None:
-                after = self.at(trial)
+            after = self.defined(trial) if self.named(trial) is not None else None
+            if after is not None:
                 left = float(np.linalg.norm(np.array(after.residual) * self.scale))
                 ratio = float(np.linalg.norm(force)) / (left or 1e-300)
                 if ratio > 0.2:
@@ -217,47 +228,16 @@ class Search:
             dt *= 0.25
         return q, numbers, dt, False
 
-    def _nearer(self, trial, numbers):
-        return self.relative(self.at(trial)) < self.relative(numbers)
-
     def polished(self, q, numbers):
         """Newton steps as long as they lower the residual."""
         for _ in range(POLISH):
             trial, here = q + self.scale * self.newton(numbers), self.here
-            after = self.at(trial)
-            if self.relative(after) >= self.relative(numbers):
+            after = self.defined(trial)
+            if after is None or self.relative(after) >= self.relative(numbers):
                 self.here = here
                 break
             q, numbers = trial, after
         return q, numbers
-
-    def unbounded(self, q):
-        np = self.np
-        start = self.vector(self.problem.drawn_floats)
-        name = self.names[int(np.argmax(np.abs(q - start) / self.scale))]
-        if self.blocked:
-            place = ", ".join(f"{other} = {value:.6g}" for other, value in self.named_plainly(q).items())
-            return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
-                                f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, "
-                                "or draw the scene nearer to its equilibrium")
-        if self.scene.table.called.intersection(JUMPS) and np.all(np.abs(q) <= FAR * self.scale):
-            here = ", ".join(f"{other} = {value:.6g}" for other, value in self.named_plainly(q).items())
-            return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
-                                "that is smooth", "round the kink off, or follow the motion with motion: full")
-        place = "place that `equilibrium:` names" if self.problem.spec.get("equilibrium") else "drawn position"
-        return PhysicsError(f"no equilibrium is reached from the {place}: nothing holds '{name}', "
-                            "the potential energy keeps falling along it",
-                            "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
-                            self.problem.spec.coordinates[name].where)
-
-    def unfinished(self, q):
-        """Steps are out, though nothing has run off."""
-        place = ", ".join(f"{name} = {value:.6g}" for name, value in self.named_plainly(q).items())
-        if self.blocked or self.np.any(self.np.abs(q) > FAR * self.scale):
-            return self.unbounded(q)
-        return PhysicsError(
-            f"no equilibrium is reached from the drawn position in {STEPS} steps: the search has come to {place}",
-            "draw the scene nearer to its equilibrium, or say where it is with `equilibrium:`")
 
 
 def _tiny(values):

@@ -5,7 +5,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.elements import OscillatorElements
 from vibcli.mechanics.evaluated import in_numbers
 
-ROUNDED, NOTHING, FALLEN = 40, 1e-20, 1e-10
+ROUNDED, NOTHING, FALLEN, VANISHED = 40, 1e-20, 1e-10, 1e-6
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
@@ -58,17 +58,24 @@ def equilibrium_to(problem, values, arithmetic):
         numbers = in_numbers(problem.form, arithmetic, {**values, **position})
         left.append(max(map(abs, numbers.residual), default=mpmath.mpf(0)))
         before, step = step, _newton_step(numbers, mpmath)
+        if any(mpmath.im(change) for change in step):       # beyond an end of what is real
+            break
         for name, change in zip(names, step, strict=True):
             position[name] += change
         if max(map(abs, step)) <= mpmath.eps * 10 ** (GUARD - 3) * (1 + max(map(abs, position.values()))):
             return position
-    if left[-1] <= FALLEN * left[0]:
+    if left[-1] <= FALLEN * left[0] and not any(map(mpmath.im, step)):
         ratio = max(map(abs, step)) / max(map(abs, before))     # the steps are a geometric series
         raise Degenerate({**position, **{name: position[name] + change * ratio / (1 - ratio)
                                          for name, change in zip(names, step, strict=True)}})
     place = ", ".join(f"{name} = {problem.equilibrium.values[name]:.6g}" for name in names)
-    raise PhysicsError(f"near {place} the forces all but vanish, but no equilibrium is found there",
-                       "change the data by a little, or start elsewhere with `equilibrium:`")
+    drawn = {name: mpmath.mpf(value) for name, value in problem.drawn_floats.items()}
+    if left[0] <= VANISHED * max(in_numbers(problem.form, arithmetic, {**values, **drawn}).residual_size):
+        raise PhysicsError(f"near {place} the forces all but vanish, but no equilibrium is found there",
+                           "change the data by a little, or start elsewhere with `equilibrium:`")
+    raise PhysicsError(f"the search for the equilibrium ends near {place}, where the forces change without bound, and "
+                       "none is found there", "add the spring or support that carries the load, or start elsewhere "
+                       "with `equilibrium:`")
 
 
 def rests(problem, position):
