@@ -75,5 +75,5 @@ def _all_values(problem, rest, values):
     held = held_by_balance(problem, rest)
     numbers = in_numbers(rest.sharing(found), list(held.values()))
     if numbers is None:
-        raise refusals.none_found(System(problem), None)
+        raise refusals.not_held(System(problem))
     return {**found, **dict(zip(held, numbers, strict=True))}

@@ -76,6 +76,8 @@ class Trials:
                 if values is not None:
                     solution = tried(draw, System(draw), dict(zip(forms, values, strict=True)), forms)
                     self.held.setdefault(i, []).append((len(self.draws) - 1, solution))
+            except refusals.NotHeld:
+                self.failed[i] += 1
             except (PhysicsError, SpecError) as error:
                 self.failed[i] += 1
                 self.refusal = self.refusal or (error if len(self.solutions) == 1 else None)

@@ -64,6 +64,19 @@ def none_found(system, scan, proven=False):
                         if within else "ask for what lies in that range, or choose another parameter", where)
 
 
+class NotHeld(PhysicsError):
+    """The conditions do not hold where the scene comes to rest with the values that they ask for."""
+
+
+def not_held(system):
+    """No solution is left once those in letters are tried in the scene."""
+    if len(system.names) > 1:
+        error = _of_several(system, False)
+        return NotHeld(error.message, error.hint, error.where)
+    return NotHeld(f"no admissible value of {system.names[0]} was found that gives {texts(system.problem)}",
+                   "give its range with from and to, or choose another parameter", _where(system.problem))
+
+
 def _of_several(system, proven):
     """No common solution of several conditions."""
     names, where = listed(system.names), _where(system.problem)
@@ -80,15 +93,26 @@ def _stability(system, scan, proven):
     if system.ends:
         end = system.ends[0]
         unit = units.text(system.problem.spec.dimensions.of(system.names[0]))
-        sense = "up" if end.value > end.start else "down"
-        way = f" from {figure(end.start)} {sense} to {figure(end.value)} {unit}".rstrip()
-        goes = f"runs off without bound along '{end.runs}'" if end.runs else "ends: no equilibrium follows it beyond"
-        return f": the equilibrium is stable{way}, where it {goes}"
+        up = end.value > end.start
+        way = f" from {figure(_stable_since(scan, end, up))} {'up' if up else 'down'} to {figure(end.value)} {unit}"
+        goes = f"runs off without bound along '{end.runs}'" if end.runs else "is lost: none was found beyond"
+        return f": the equilibrium is stable{way.rstrip()}, where it {goes}"
     signs = {(h > 0) - (h < 0) for _, h in scan.defined()}
     if len(signs) > 1 or signs == {0}:
         return ""
     kind = "stable" if signs == {1} else "unstable"
     return f": the equilibrium is {kind} " + ("for all of them" if proven else _tried(system, scan))
+
+
+def _stable_since(scan, end, up):
+    """The value farthest from an End to which the equilibrium is stable at all that were tried, going back from it."""
+    since, places = end.start, scan.defined()
+    for x, h in reversed(places) if up else places:
+        if (x < end.start) if up else (x > end.start):
+            if not h > 0:
+                break
+            since = x
+    return since
 
 
 def _tried(system, scan):

@@ -41,6 +41,6 @@ def tried(problem, system, values, forms):
         pairs = balance(numeric)
         if any(c.word == BALANCE for c in system.conditions) and any(abs(misfit(pair, 0.0)) > HOLDS for pair in pairs):
             raise refusals.unbalanced(problem, numeric, pairs)
-        raise refusals.none_found(system, None)
+        raise refusals.not_held(system)
     limit = system.limit(in_order)
     return Solution(dict(zip(system.names, in_order, strict=True)), forms, residual, limit is not None and limit.fold)
