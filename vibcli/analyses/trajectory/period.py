@@ -21,6 +21,8 @@ from vibcli.mechanics.energies import effective_potential
 FIRST, MOST = 16, 1 << 15
 ACCURACY, ENOUGH, ROUNDING, EPS = 1e-14, 1e-9, 1e-14, 2.0**-52
 INNER, MOST_PARTS = 28, 64
+AT_REST = 4 * EPS
+RESTS = ("the scene is at rest: its motion has no period", "give it an `initial` state that is none of equilibrium")
 STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring would go
 FARTHER = 0.05                # of the way gone and of q, if more: near an unstable place a spring says little
 
@@ -40,6 +42,7 @@ def exact_period(scene, values, q, v):
         if energies.known_at(place):
             level, m = energies(place)
             speed = m * mpmath.mpf(v) ** 2 / 2
+            _require_motion(slope, float(place), float(speed))
             left, right = (_turn(slope, energies.gain, place, speed, side) for side in (-1, 1))
             _require_way(left, right)
             return period_between(energies, level + speed, left, _bottom(slope, left, right), right), ROUNDING
@@ -52,6 +55,7 @@ def _of_forces(slope, inertia, q, v):
         return float(_integrals(slope, np.array([start]), np.array([end - start]))[0])
 
     speed = 0.5 * inertia(np.array([q]))[0] * v * v
+    _require_motion(slope, q, float(speed))
     left, right = (_turn(slope, gain, q, speed, side) for side in (-1, 1))
     _require_way(left, right)
     found, change = _by_midpoints(slope, inertia, left, right)
@@ -68,9 +72,16 @@ def _bottom(slope, left, right):
     return middle
 
 
+def _require_motion(slope, q, speed):
+    """PhysicsError at rest in an equilibrium, as well as floats know the place of it."""
+    force = abs(float(slope(np.array([q]))[0]))
+    if not speed and force <= AT_REST * abs(q) * _stiffness(slope, q):
+        raise PhysicsError(*RESTS)
+
+
 def _require_way(left, right):
     if left == right:
-        raise PhysicsError("the scene is at rest: its motion has no period", "give it an `initial` state")
+        raise PhysicsError(*RESTS)
 
 
 def _known_to(slope, end, other):
@@ -138,7 +149,8 @@ def _turn(slope, gain, q, speed, side):
         if not math.isfinite(gained):
             break
     if high is None:
-        raise PhysicsError("this motion does not come back: nothing turns it round", "ask for x at a time")
+        raise PhysicsError("this motion does not come back: nothing turns it round",
+                           "ask for its value at a time")
     for _ in range(200):
         middle = (low + high) / 2
         if middle in (low, high):
@@ -168,11 +180,16 @@ def _not_beyond_a_top(slope, low, trial, side):
 
 def _scale(slope, q, speed):
     """A small part of how far the motion goes."""
-    step = 1e-6 * (abs(q) or 1.0)
-    stiffness = abs(float(np.diff(slope(np.array([q - step, q + step])))[0])) / (2 * step)
+    stiffness = _stiffness(slope, q)
     force = abs(float(slope(np.array([q]))[0]))
     far = math.sqrt(2 * speed / stiffness) if speed and stiffness else force / stiffness if stiffness else abs(q) or 1.0
     return 0.05 * far
+
+
+def _stiffness(slope, q):
+    """|V″|, by a difference."""
+    step = 1e-6 * (abs(q) or 1.0)
+    return abs(float(np.diff(slope(np.array([q - step, q + step])))[0])) / (2 * step)
 
 
 def _drops(slope, middle, reach, theta):
