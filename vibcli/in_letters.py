@@ -1,8 +1,10 @@
 """Stages of a Problem that keep its letters: matrices, equilibrium, energies, equations, closed forms."""
 
+from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
 
+from vibcli.errors import NotInLetters
 from vibcli.stage import Stage
 
 
@@ -26,12 +28,21 @@ class InLetters:
             from vibcli.scene.loops import drawn_values
 
             require_autonomous(self, drawn_values(self.scene))
+        self._require_held()
         found = matrices_in_letters(self.letters_form)
         if self.equilibrium_letters is not None:
             from vibcli.algebra.polynomials import factored as shorter
         else:
             from vibcli.algebra.quotient import shorter
         return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
+
+    def _require_held(self):
+        """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
+        if self.symbolic and self.is_linear and not self.balanced_as_drawn:
+            from vibcli.mechanics.symbolic import equilibrium_in_letters
+
+            with suppress(NotInLetters):
+                equilibrium_in_letters(self)
 
     @cached_property
     def linear_in_letters(self):

@@ -1,5 +1,6 @@
 """How constraints tie coordinates, the virtual work of what acts, and the reactions."""
 
+from vibcli.errors import NotInLetters, PhysicsError
 from vibcli.report import blocks
 from vibcli.report.abbreviate import abbreviated
 from vibcli.report.blocks import Name, Table, Words, line, maths, paragraph, section, separated
@@ -39,12 +40,30 @@ def virtual_work(problem, report):
     names = [plain.symbol(name) for name in scene.coordinates]
     shown, lengths = abbreviated(generalised_forces(scene), report.roots)
     lines = [line("δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names), hang=2)]
+    balanced = _balanced(problem)
     for name, node in zip(names, shown, strict=True):
-        rests = scene.constraints or node.is_zero or problem.sticking is not None
-        lines.append(line(f"Q_{name} = ", brief(node), "" if rests else " = 0"))
+        vanishes = balanced and not (scene.constraints or node.is_zero or problem.sticking is not None)
+        lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
-    yield from section(f"Virtual work of weights, springs and steady loads{driven}, at rest in equilibrium",
+    where = "at rest in equilibrium" if balanced else "at rest"
+    yield from section(f"Virtual work of weights, springs and steady loads{driven}, {where}",
                        blocks.equations(lines), *with_lengths(lengths))
+
+
+def _balanced(problem):
+    """Is there an equilibrium, as far as is known?"""
+    from vibcli.mechanics.symbolic import equilibrium_in_letters
+
+    try:
+        if problem.symbolic:
+            equilibrium_in_letters(problem)
+        else:
+            problem.equilibrium  # noqa: B018
+    except NotInLetters:
+        return True
+    except PhysicsError:
+        return False
+    return True
 
 
 def _unit(problem, signal):
