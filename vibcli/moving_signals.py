@@ -141,13 +141,15 @@ class ComposedSignal(Signal):
         return float(candidates[pick]), float(found[pick])
 
     def zeros(self, start, end, level=0.0):
-        """Instants at which the signal passes a level, each bisected."""
+        """Instants at which the signal passes a level, each bisected; a place from which it starts counts."""
         import numpy as np
 
         times = np.linspace(start, end, SAMPLES)
         values = self.values(times) - level
-        found = []
-        for i in np.flatnonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0):
+        above, found = values > 0, [] if values[0] else [start]
+        for i in np.flatnonzero(above[:-1] != above[1:]):
+            if not i and found:
+                continue
             low, high, sign = times[i], times[i + 1], values[i] > 0
             for _ in range(ROUNDS):
                 middle = 0.5 * (low + high)

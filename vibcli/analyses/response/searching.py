@@ -6,10 +6,11 @@ one are narrowed down, the others divided.
 
 import numpy as np
 
-from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, Cells, batches, first_cells, root, steps
+from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, Cells, batches, first_cells, root, steps, stretches
 from vibcli.errors import PhysicsError
 from vibcli.work import Spent
 
+CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
 
 def zeros(pieces, output, start, end, work):
     """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
@@ -45,8 +46,7 @@ class Search:
         if len(closest):
             self.found.append(_touching(self.timeline, self.y, self.slope, self.curvature, closest))
         times = _distinct(np.concatenate(self.found), 4 * EPSILON * max(abs(self.start), abs(self.end)))
-        until = _at_start(self.timeline, self.y, self.slope, self.start)
-        return times if until is None else np.append(self.start, times[times > until])
+        return _left_once(self.timeline, self.y, stretches(self.timeline, self.start, self.end), times)
 
     @property
     def reached(self):
@@ -89,12 +89,30 @@ def _jumps(timeline, y, cells):
     return [timeline.starts[cells.segment[follow + 1][before * after < 0]]]
 
 
-def _at_start(timeline, y, slope, start):
-    """Until when the output is but rounding away from a zero at the start; None where it does not start from zero."""
-    segment, tau = timeline.place(np.array([start]))
-    rounding = 4 * EPSILON * y.bound(segment, tau, tau)[0]
-    value, rate = abs(y.at(segment, tau)[0]), abs(slope.at(segment, tau)[0])
-    return start + 2 * rounding / rate if rounding and rate and value <= rounding else None
+def _left_once(timeline, y, whole, times):
+    """The times with one at most from each start of a segment on at which the output leaves zero, of whatever order,
+    until it is more than rounding; the first start always counts."""
+    zero = np.abs(y.at(whole.segment, whole.early)) <= 4 * EPSILON * y.bound(whole.segment, whole.early, whole.early)
+    whole, first = whole.where(zero), bool(len(zero)) and bool(zero[0])
+    away = _away(y, whole)
+    for k in np.flatnonzero(away):
+        left = timeline.starts[whole.segment[k]] + whole.early[k]
+        near = (times >= left) & (times <= left + away[k])
+        if near.any() or (first and k == 0):
+            times = np.append(times[~near], left)
+    return np.sort(times)
+
+
+def _away(y, whole):
+    """How long after the start of each stretch, at zero, the output is but rounding away from there; 0 where it
+    rests."""
+    fastest = max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
+    length = np.minimum(whole.width, 1 / fastest) if fastest else whole.width
+    segment, early = np.repeat(whole.segment, len(SOONER)), np.repeat(whole.early, len(SOONER))
+    tau = early + np.outer(length, SOONER).ravel()
+    rounding = 4 * EPSILON * y.bound(segment, early, tau)
+    clear = (np.abs(y.at(segment, tau)) > CLEAR * rounding).reshape(len(whole), len(SOONER))
+    return np.where(clear.any(axis=1), length * SOONER[clear.argmax(axis=1)], 0.0)
 
 
 def _touching(timeline, y, slope, curvature, cells):

@@ -13,21 +13,35 @@ POINTS = 40
 NOTHING = 1e-15         # of the largest coefficient
 ALIKE = 4e-15           # of the range of a signal
 EDGE = 1e-12            # how far beyond the ends of a window a root may be, by rounding
+CLEAR = 64              # roundings by which a signal has left a level
 SAME = 1e-11            # of a window: roots closer than this are one
 
 
 def passages(trajectory, signal, start, end, level=0.0):
-    """Instants in [start, end] at which a signal passes the level, ascending."""
-    found = []
-    for window, t, series in _series(trajectory, signal, start, end):
-        if np.abs(series).max(initial=0.0):
-            shifted = series - level * np.eye(1, len(series))[0]
-            found += [(t(x), window.end) for x in _roots(shifted)]
+    """Instants in [start, end] at which a signal passes the level, ascending; a place from which it starts counts."""
+    found, parts = [], list(_series(trajectory, signal, start, end))
+    begins = np.asarray(signal(np.array([window.start for window, _, _ in parts])), dtype=float) - level
+    for (window, t, series), begin in zip(parts, begins, strict=True):
+        size = np.abs(series).max(initial=0.0)
+        if not size:
+            continue
+        times = [float(t(x)) for x in _roots(series - level * np.eye(1, len(series))[0])]
+        if abs(begin) <= NOTHING * size:
+            away = window.start + _away(signal, level, window, size)
+            times = [window.start, *(time for time in times if time > away)]
+        found += [(time, window.end) for time in times]
     times = []
     for time, length in sorted(found):
         if start <= time <= end and (not times or time - times[-1] > SAME * length + 4e-16 * time):
             times.append(float(time))
     return times
+
+
+def _away(signal, level, window, size):
+    """How long after the start of a window a signal that starts at the level is but rounding away from it."""
+    sooner = window.end * 2.0 ** np.arange(-60, 1)
+    clear = np.abs(np.asarray(signal(window.start + sooner), dtype=float) - level) > CLEAR * NOTHING * size
+    return float(sooner[clear.argmax()]) if clear.any() else window.end
 
 
 def extreme(trajectory, signal, start, end, sense):
