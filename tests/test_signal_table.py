@@ -121,17 +121,17 @@ over            W W  n n n n  R R  n n  W B H Z  W W  0 f W  W n
 drift           W W  n n n n  G G  L L  W B H Z  W W  0 f W  W n
 rest            0 W  n n n n  R R  n O  W B H Z  W W  0 0 W  W n
 zero            0 W  n n n n  R R  n O  W B H Z  W W  0 0 W  W n
-wave            s s  n n n n  0 s  V V  K B s n  K K  s f K  s n
-wave:s          s s  n n n n  0 s  V V  S B s n  S S  s 0 S  s n
+wave            s s  n n n n  0 s  Y Y  K B s n  K K  s f K  s n
+wave:s          s s  n n n n  0 s  Y Y  S B s n  S S  s 0 S  s n
 wave:t          f f  n n n n  R R  n n  f B H n  f f  0 f f  f n
 wave:e          E E  n n n n  E E  n n  E E E Z  E E  E E E  E n
-wave:over       s s  n n n n  0 s  V V  K B s n  K K  s f K  s n
+wave:over       s s  n n n n  0 s  Y Y  K B s n  K K  s f K  s n
 wave:over:t     W W  n n n n  R R  n n  W B H Z  W W  0 f W  W n
-wave:undamped   s s  n n n n  0 s  V V  K B s n  K K  s f K  s n
+wave:undamped   s s  n n n n  0 s  Y Y  K B s n  K K  s f K  s n
 wave:undamped:t f f  n n n n  0 f  V V  0 B H n  D D  0 f f  f n
 wave:rest       0 N  n n n n  0 0  n O  K B P Z  K K  0 0 K  P n
-wave:place      s s  n n n n  0 s  V V  K B s n  K K  s 0 K  s n
-wave:apart      s s  n n n n  0 s  V V  K B s n  K K  s t K  s n
+wave:place      s s  n n n n  0 s  Y Y  K B s n  K K  s 0 K  s n
+wave:apart      s s  n n n n  0 s  Y Y  K B s n  K K  s t K  s n
 wave:composed   E E  n n n n  E E  E E  E E E n  E E  0 f E  E n
 square          q M  n n n n  0 q  Q Q  K B q n  K K  s f K  s n
 square:s        q M  n n n n  0 q  Q Q  S B q n  S S  s 0 S  s n
@@ -146,7 +146,8 @@ full:s          E E  E E E E  E E  E E  E E E E  E E  E E E  E E
 REFUSED = {
     "W": "does not vibrate freely", "K": "keep this signal in motion: it is no free vibration",
     "S": "a steady state is no free vibration", "R": "comes to rest: it has no period", "G": "drifts or grows",
-    "V": "keeps vibrating", "L": "drifts without end", "O": "ends where it starts", "B": "has no beats",
+    "V": "keeps vibrating", "Y": "loads oscillate without end",
+    "L": "drifts without end", "O": "ends where it starts", "B": "has no beats",
     "H": "no load that repeats itself drives", "Z": "passes through zero 0 times", "D": "does not die out",
     "E": "(composed of others|an envelope|that is integrated)", "N": "it holds no harmonics", "P": "is at rest",
     "M": "harmonics without end", "Q": "the load is periodic", "U": "free only from t = 0.5 s on",

@@ -50,8 +50,7 @@ def _verdict(draws, answer, case):
         except PhysicsError as error:
             if verdict is None:
                 verdict = Verdict(answer, False, remark="no such answer: " + error.message)
-                error.where = error.where or answer.asked.where
-                verdict.refusal = error
+                verdict.refusal = error.told(answer.asked.where)
             continue
         verdict, compared = found, compared + 1
         if not verdict.agrees or compared == draws.wanted:

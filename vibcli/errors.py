@@ -44,6 +44,13 @@ class PhysicsError(Exception):
         super().__init__(message)
         self.message, self.hint, self.where = message, hint, where
 
+    def told(self, where=None, hint=None):
+        """The same refusal at a place, if it has none, or with another hint: one that is kept is met at many."""
+        found = type(self).__new__(type(self), *self.args)
+        found.__dict__.update(self.__dict__)
+        found.where, found.hint = self.where or where, hint or self.hint
+        return found
+
 
 class Unknown(PhysicsError):
     """Of what is asked for a part is known, and stands: the rest is not."""

@@ -23,7 +23,7 @@ def measure_response(problem, tree):
         return value, max(ERROR, _doubt(problem, tree, value))
     except PhysicsError as error:
         if error.hint and "(x)" in error.hint:
-            error.hint = error.hint.replace("(x)", f"({_found(problem, tree)})")
+            raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from error
         raise
 
 

@@ -3,6 +3,7 @@ x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate
 
 from math import inf, pi
 
+from vibcli.analyses.forcing.segments import oscillates
 from vibcli.errors import PhysicsError
 
 TURN = 2 * pi
@@ -13,10 +14,7 @@ UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as n
 def kept_up(signal):
     """Do loads that oscillate without end drive the motion?"""
     forcing = signal.motion.forcing
-    if forcing.period is not None:
-        return True
-    return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient
-               for wave in forcing.segments(inf)[-1].waves)
+    return forcing.period is not None or oscillates(forcing)
 
 
 def free_parts(signal):
@@ -26,6 +24,7 @@ def free_parts(signal):
     if kept_up(signal):
         if signal.part == "steady":
             raise PhysicsError("a steady state is no free vibration: it does not die out", "ask for max(x)")
+        signal.motion.steady  # noqa: B018 - at resonance there is none, and so no part that is free
         raise PhysicsError("loads that oscillate without end keep this signal in motion: it is no free vibration",
                            "the part of it that is free is transient(x)")
     return formula(signal.motion, signal.output, -1)

@@ -42,6 +42,12 @@ class Segment(NamedTuple):
     impulses: tuple = ()
 
 
+def oscillates(forcing):
+    """Do loads that are no repeated pieces oscillate without end?"""
+    return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient
+               for wave in forcing.segments(inf)[-1].waves)
+
+
 class Forcing:
     """Segments in order of time, the first from 0 on; of periodic forcing those of the first period, repeated from
     `since` + `period` on (None: not periodic). `channels`: how many there are."""

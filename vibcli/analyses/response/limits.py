@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from vibcli.analyses.forcing.segments import oscillates
 from vibcli.analyses.response.terms import Terms
 from vibcli.errors import PhysicsError
 
@@ -30,12 +31,16 @@ def final(motion, output):
             _add(drift, factor, nodes, 0j)
             for node in {node for node in nodes if node and not node.real}:
                 _add(vibration.setdefault(_upward(node), {}), factor, nodes, node)
-    for found in vibration.values():
-        if any(_stays(*sums) for sums in found.values()):
-            raise PhysicsError("the motion keeps vibrating: it comes to no rest",
-                               hint="ask for max(x), min(x) or a value at a time, or add a damper")
+    if any(_stays(*sums) for found in vibration.values() for power, sums in found.items() if power):
+        raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
     if any(_stays(*sums) for power, sums in drift.items() if power):
         raise PhysicsError("the motion drifts without end: it comes to no rest", hint="ask for a value at a time")
+    if any(_stays(*sums) for found in vibration.values() for sums in found.values()):
+        if oscillates(motion.forcing):
+            raise PhysicsError("the loads oscillate without end: the motion comes to no rest",
+                               hint="ask for max(x), min(x) or a value at a time")
+        raise PhysicsError("the motion keeps vibrating: it comes to no rest",
+                           hint="ask for max(x), min(x) or a value at a time, or add a damper")
     return float(drift.get(0, (0.0,))[0])
 
 
