@@ -86,7 +86,9 @@ class FrequencyResponse:
 
     def _peak(self, number):
         if number > len(self.marked):
-            raise PhysicsError(f"this frequency response has {len(self.marked) or 'no'} peaks", "ask for one it has")
+            count = len(self.marked)
+            raise PhysicsError(f"this frequency response has {count or 'no'} peak{'s' * (count != 1)}",
+                               "ask for one that it has")
         return self.marked[number - 1]
 
     def places(self, low, high):

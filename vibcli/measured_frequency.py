@@ -1,6 +1,6 @@
 """Numbers of frequency responses: their values at a frequency, peaks, half-power points, fixed points."""
 
-from math import pi
+from math import isfinite, pi
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.meaning import lower, quantities_in
@@ -61,6 +61,8 @@ def _of_curve(find):
 
 def _peak(curve, number, attribute):
     Omega, value = _numbered(curve.peaks, number, "peak")
+    if attribute != "Omega" and not isfinite(value):
+        raise PhysicsError("an undamped peak has no bound", f"add damping, or ask for peak[{number}](…).Omega")
     return Omega if attribute == "Omega" else value
 
 

@@ -11,6 +11,7 @@ from vibcli.errors import PhysicsError
 from vibcli.mechanics.ground import on_the_ground
 from vibcli.mechanics.rows import combined, rate
 from vibcli.mechanics.signals import displacement
+from vibcli.signals import ENERGIES
 
 QUADRATIC = ("energy", "power")
 
@@ -31,6 +32,8 @@ def linear_row(problem, text):
 def _row(problem, text):
     opened, scene = problem.opened, problem.opened.scene
     name, _, part = text.partition(".")
+    if text in ENERGIES:
+        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
     if is_quadratic(text):
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear",
                            f"ask for {name}.force or {name}.stretch")

@@ -22,18 +22,21 @@ class Owned:
 
 def owned_forms(problem):
     """The Owned forms of a problem at its equilibrium, at the working precision of mpmath."""
-    if problem.scene.timed:
-        raise PhysicsError("energy shares are those of scenes whose motion is not driven",
-                           "leave the driven motion out")
-    scene, form = problem.scene, problem.drawn_form if problem.equilibrium.drawn else problem.form
+    scene, form = problem.scene.vibrating, problem.drawn_form if problem.equilibrium.drawn else problem.form
+    springs, dampers = scene.at_still("springs"), scene.at_still("dampers")
+    bent = _bent(scene, springs)
+    pairs = ((scene.inertias, form.inertias), (springs, form.springs), (dampers, form.dampers), (bent, form.curved))
+    if any(len(terms) != len(rows) for terms, rows in pairs):
+        raise PhysicsError("energies are not told apart where bodies, springs or loads move with what is driven",
+                           "ask for omega[i] and mode[i][q] alone")
     number = _numbers(problem, form)
     found = Owned()
     for parts, terms, rows in ((found.kinetic, scene.inertias, form.inertias),
-                               (found.potential, scene.springs, form.springs),
-                               (found.dissipation, scene.dampers, form.dampers)):
+                               (found.potential, springs, form.springs),
+                               (found.dissipation, dampers, form.dampers)):
         for term, row in zip(terms, rows, strict=True):
             _part(parts, term.owner)[0].append((number[row[0]], {i: number[node] for i, node in row[1].items()}))
-    for name, (force, curvature, _) in zip(_bent(scene), form.curved, strict=True):
+    for name, (force, curvature, _) in zip(bent, form.curved, strict=True):
         _enter(found.potential, name, {pair: number[force] * number[node] for pair, node in curvature.items()})
     for parts, matrices in ((found.kinetic, [form.M]), (found.potential, form.K), (found.dissipation, [form.C])):
         for matrix in matrices:
@@ -41,8 +44,8 @@ def owned_forms(problem):
     return found
 
 
-def _bent(scene):
-    return [f"tension of {term.owner}" for term in scene.springs] + [WEIGHTS] * len(scene.weights) + [
+def _bent(scene, springs):
+    return [f"tension of {term.owner}" for term in springs] + [WEIGHTS] * len(scene.weights) + [
         f"load {term.owner}" for term in scene.forces]
 
 

@@ -13,14 +13,13 @@ def displacement(scene, text):
     if text in scene.spec.coordinates:
         return scene.symbol(text)
     name, _, part = text.partition(".")
-    if part == "x" and name in scene.bodies and scene.bodies[name].frame is None:
-        return _along_the_axis(scene.bodies[name])
+    if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
+        return _lumped(scene.bodies[name], part)
     if part in ("x", "y"):
         drawn, place, _ = scene.place(Name(name, None))
         return place["xy".index(part)] - drawn["xy".index(part)]
     if part == "angle":
-        body = scene.bodies[name]
-        return body.frame.angle if body.frame is not None else body.lumped[1]
+        return scene.bodies[name].frame.angle
     if part == "stretch":
         kinds = "springs", "dampers", "laws"
         drawn, = scene.at_drawn(_stretch(scene, name, map(scene.undriven, kinds)))
@@ -28,10 +27,14 @@ def displacement(scene, text):
     return None
 
 
-def _along_the_axis(body):
+def _lumped(body, part):
+    """The displacement of a body without a place along its axis, or its turn about it."""
     kind, node = body.lumped
-    if kind == "turn":
+    if kind == "turn" and part != "angle":
         raise PhysicsError(f"'{body.name}' turns and has no place", f"ask for {body.name}.angle")
+    if kind != "turn" and part != "x":
+        raise PhysicsError(f"'{body.name}' moves along one axis and has no place: it has no {part}",
+                           f"ask for {body.name}.x, or say where it is drawn with `at: [x, y]`")
     return node
 
 
