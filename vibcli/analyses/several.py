@@ -1,9 +1,14 @@
 """Zeros of several functions of several positive or signed unknowns: damped Newton steps from many starting places.
 
-Positive unknowns are solved for in logarithms, so that products of powers are linear. The starts are those of a
-Halton sequence (Halton 1960) over a box; the search ends when further starts find nothing new.
+Positive unknowns are solved for in logarithms, so that products of powers are linear. The starts are, of two unknowns,
+the zeros of the functions as they are between the points of a grid over a box (linear on its triangles), then those of
+a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
 """
 
+from itertools import product
+
+GRID, BESIDE = 24, 0.25         # cells along a side of the box; how far beside its triangle such a zero may lie
+FACTORS = (-0.5, -0.2, 0.2, 0.5)
 STEPS, STARTS, IDLE, STEP, CLOSE = 40, 48, 16, 1e-7, 1e-6
 CONVERGED, LONGEST = 1e-13, 2.3
 PRIMES = (2, 3, 5, 7)
@@ -28,14 +33,54 @@ def common_zeros(function, place, dimensions):
     """[u], the distinct zeros found; `function(u)` gives a list of at least so many values, None where it is not
     defined; `place(p)` is the start at a point p of the unit cube."""
     found, idle = [], 0
+    for start in _crossings(function, place) if dimensions == 2 else ():
+        _add(found, newton(function, start))
     for point in halton(STARTS, dimensions):
-        u = newton(function, place(point))
-        new = u is not None and all(_distance(u, other) > CLOSE for other in found)
-        idle = 0 if new else idle + 1
-        found += [u] if new else []
+        idle = 0 if _add(found, newton(function, place(point))) else idle + 1
         if idle >= IDLE:
             break
+    for u in found:
+        for start in _across(function, u):
+            _add(found, newton(function, start))
     return found
+
+
+def _add(found, u):
+    """Keep a zero; is it new?"""
+    new = u is not None and all(_distance(u, other) > CLOSE for other in found)
+    found += [u] if new else []
+    return new
+
+
+def _across(function, u):
+    """Places to both sides of a zero in the direction in which the functions change least: of two zeros that are near
+    to meet, the other lies there."""
+    import numpy as np
+
+    slope = _jacobian(function, np.array(u), _values(function, u))
+    if slope is not None:
+        softest = np.linalg.svd(slope)[2][-1]
+        for factor in FACTORS:
+            yield u + factor * softest
+
+
+def _crossings(function, place):
+    """Where two functions that are linear on each triangle of a grid, as at its corners, vanish."""
+    import numpy as np
+
+    line = range(GRID + 1)
+    places = {(i, j): np.array(place([i / GRID, j / GRID])) for i, j in product(line, line)}
+    values = {key: _values(function, u) for key, u in places.items()}
+    for i, j in product(range(GRID), range(GRID)):
+        for corners in (((i, j), (i + 1, j), (i, j + 1)), ((i + 1, j + 1), (i + 1, j), (i, j + 1))):
+            found = [values[key] for key in corners]
+            if any(value is None or len(value) != 2 for value in found):
+                continue
+            rows = np.vstack([np.array(found).T, np.ones(3)])
+            if abs(np.linalg.det(rows)) > 1e-300:
+                shares = np.linalg.solve(rows, [0.0, 0.0, 1.0])
+                if shares.min() > -BESIDE:
+                    yield shares @ np.array([places[key] for key in corners])
 
 
 def _distance(a, b):
