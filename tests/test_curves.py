@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import warnings
 
 import pytest
 from scenes import problem
@@ -136,3 +137,59 @@ def test_a_motion_is_looked_at_as_long_as_the_manual_says(k, c, load, end):
     text += f"\ndampers: {{d: {{c: {c} N*s/m, between: [ground, b0]}}}}" * bool(c)
     text += f"\nforces: {{F: {{at: b0, force: 5 N*{load}}}}}" * bool(load) + "\ninitial: {x0': 1 m/s}"
     assert problem(text).motion.lasting() == pytest.approx(end, rel=1e-2 if c == 0.002 else 1e-12)
+
+
+@pytest.mark.parametrize(("force", "sign"), [
+    ("F/(1 - cos(W*t))", 1), ("F/(cos(W*t) - 1)", -1), ("-F*sin(W*t)", -1), ("F/(1 - step(t - 1 s)*cos(W*t)^2)", 1)])
+def test_a_load_that_is_not_defined_where_its_waves_are_one_is_an_input(call, force, sign):
+    code, out, _ = call("frf", "parameters: {m: 2 kg, k: 200 N/m, F: 3 N, W: 4 rad/s}\n"
+                        "bodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, b]}}\n"
+                        f"forces: {{f: {{at: b, force: {force}}}}}\n")
+    assert code == 0 and f"H = {'−' * (sign < 0)}1/(k − m·Ω²)" in out
+
+
+def test_a_force_without_a_value_at_the_start_is_refused_in_a_sentence(call):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        code, _, err = call("response", """
+parameters: {m: 2 kg, k: 200 N/m, F: 3 N, W: 4 rad/s}
+bodies: {b: {mass: m, slide: x}}
+springs: {s: {k: k, between: [ground, b]}}
+forces: {f: {at: b, force: F/(1 - cos(W*t))}}
+motion: full
+""", "--until", "1")
+    assert code == 4 and "not defined at t = 0 s" in err and "Warning" not in err
+
+
+def test_energies_without_a_value_are_refused_in_a_sentence(call):
+    code, _, err = call("response", """
+parameters: {m: 2 kg, k: 200 N/m, b: 1 mm}
+bodies: {b1: {mass: m, slide: x}}
+springs: {s: {law: k*b*tan(d/b), between: [ground, b1]}}
+initial: {x: 3 mm}
+motion: full
+""", "--until", "1")
+    assert code == 4 and "nan" not in err and "the energies of this motion are not defined" in err
+
+
+def test_a_free_motion_in_letters_is_that_of_its_coordinate(call):
+    scene = "parameters: {m: , k: }\nbodies: {b: {mass: m, slide: x}}\nsprings: {s: {k: k, between: [ground, b]}}\n"
+    assert call("response", scene, "--of", "x")[0] == 0
+    assert call("response", scene, "--of", "z")[0] == 3
+    code, _, err = call("response", scene, "--of", "x'")
+    assert code == 4 and "found of 'x' alone" in err
+
+
+@pytest.mark.parametrize("find", ["", "find: [{response: {until: 0.5 s}}]"])
+@pytest.mark.parametrize("command", ["animate", "response"])
+def test_a_full_motion_in_letters_asks_for_values(call, command, find):
+    scene = f"""
+parameters: {{m: , k: }}
+bodies: {{b: {{mass: m, slide: x}}}}
+springs: {{s: {{k: k, between: [ground, b]}}}}
+initial: {{x: 2 cm}}
+motion: full
+{find}
+"""
+    code, _, err = call(command, scene, *(["--response"] if command == "animate" else ["--plot"]))
+    assert code == 4 and "numbers" in err and "--set" in err

@@ -286,3 +286,18 @@ def test_a_motion_that_is_known_in_part_is_given_as_far_as_it_is_known(tmp_path,
         assert signal["argmax"] <= found["until"] and signal["argmin"] <= found["until"]
     assert run(["response", str(path), "--json", "--until", "2"]) == 0
     assert json.loads(capsys.readouterr().out)["response"]["unknown"] is None
+
+
+def test_digits_are_not_passed_over_in_letters(tmp_path, capsys):
+    file = tmp_path / "scene.yaml"
+    file.write_text(SYMBOLS, encoding="utf-8")
+    for options in ((), ("--json",)):
+        assert run(["solve", str(file), "--digits", "15", *options]) == 4
+        assert "--digits needs numbers" in capsys.readouterr().err
+
+
+def test_nothing_has_insight_without_inertia(tmp_path, capsys):
+    file = tmp_path / "scene.yaml"
+    file.write_text(SCENE.replace("m: 2 kg", "m: 0 kg").replace("x}", "x}, w: {slide: z}"), encoding="utf-8")
+    codes = [run(["solve", str(file), "--insight", *options]) for options in ((), ("--json",))]
+    assert len(set(codes)) == 1, capsys.readouterr()

@@ -17,6 +17,7 @@ from vibcli.algebra.meaning import lower
 from vibcli.algebra.parse import parse
 from vibcli.analyses.trajectory.period import exact_period
 from vibcli.analyses.trajectory.simulate import simulate
+from vibcli.cli import run
 from vibcli.errors import PhysicsError
 
 BLOCK = "bodies: {b: {mass: m, slide: x}}\n"
@@ -49,11 +50,31 @@ def test_antiderivatives_against_quadrature():
     assert swept >= 17
 
 
+CONTACTS = ["max(x, 0)^(3/2)", "ramp(x)^(3/2)", "step(x)*abs(x)^(3/2)", "step(x)*x*sqrt(abs(x))", "max(-x, 0)^(3/2)",
+            "max(x, 0)^(5/4)*abs(x)^(1/4)", "max(x, 0)*sqrt(max(x, 0))", "ramp(x)", "max(a*x + 2, 0)^(3/2)",
+            "max(x, 0)^(3/2) - max(-x, 0)^(3/2)"]
+
+
+@pytest.mark.parametrize("written", CONTACTS)
+def test_contacts_have_a_slope_on_both_sides_and_where_they_begin(written):
+    """By the difference quotient of the law; at 0 a Hertzian contact is not stiff."""
+    table = Table()
+    x, a = table.variable("x"), table.parameter("a")
+    law = lower(parse(written), table, lambda name, primes, tree: {"x": x, "a": a}[name])
+    slope = gradient(gradient(from_zero(law, x))[x])[x]
+    for place in (-3.1, -0.2, 0.7, 2.9):
+        left, right = (evaluate([law], Floats, {"x": place + step, "a": 1.3})[0] for step in (-1e-6, 1e-6))
+        found = evaluate([slope], Floats, {"x": place, "a": 1.3})[0]
+        assert found == pytest.approx((right - left) / 2e-6, rel=1e-8, abs=1e-12)
+    assert math.isfinite(evaluate([slope], Floats, {"x": 0.0, "a": 1.3})[0])
+
+
 @pytest.mark.parametrize("written", [
     "sign(x)*abs(x)^(1/3)", "x/abs(x)^(2/3)", "x*abs(x)^(-2/3)", "sign(x)*sqrt(abs(x))", "x/sqrt(abs(x))", "x^3/abs(x)",
     "sign(x)*abs(x)^(-1/3)", "abs(x)^(1/3)", "abs(x)", "x^2*sign(x)", "x*sign(x)", "sign(x)^2*x", "abs(x)^a*sign(x)",
     "x*abs(x)^(a - 1)", "sign(a*x + 2)*abs(a*x + 2)^(1/3)", "(a*x + 2)/abs(a*x + 2)^(2/3)", "abs(-x)^(1/3)*sign(x)",
-    "a*x + 3*x/abs(x)^(2/3)", "(x - 1)*abs(x - 1)^(3/2)"])
+    "a*x + 3*x/abs(x)^(2/3)", "(x - 1)*abs(x - 1)^(3/2)",
+    *(text for text in CONTACTS if "ramp" not in text and "step" not in text)])
 def test_powers_of_sizes_are_integrated_to_both_sides(written):
     """The energy is that of quadrature left and right of 0, and its slope is the law, at 0 too where that is finite."""
     table = Table()
@@ -212,3 +233,11 @@ def test_friction_that_locks_is_refused_without_hanging():
                     "forces: {f: {at: b, force: R*sign(x')}}\n")
     found = simulate(scene, 1.0, initial={"x": 0, "x'": 0})
     assert abs(found.at([1.0])[0][0, 0]) == pytest.approx(1.0, rel=1e-13)
+
+
+def test_the_modes_of_a_law_that_bends_are_printed(tmp_path, capsys):
+    file = tmp_path / "scene.yaml"
+    file.write_text("parameters: {m: 2 kg, k: 3e5 N/m^(3/2), g: 9.81 m/s^2}\ngravity: g\n"
+                    "bodies: {b: {mass: m, at: [0, 0], slide: {along: [0, -1], by: x}}}\n"
+                    "springs: {s: {law: k*sign(d)*abs(d)^(3/2), between: [[0, 0.3 m], b]}}\n")
+    assert run(["solve", str(file)]) == 0 and "95.2111" in capsys.readouterr().out

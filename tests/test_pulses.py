@@ -159,7 +159,8 @@ def test_stand_ins_keep_what_rewriting_uses(text, same):
     ("v*(ramp(t) - ramp(t - p))", True), ("v*t + Y*sin(W*t)", False), ("v*ramp(t - p)", False), ("W*t", False),
     ("Y*square(W*t) + Y*sawtooth(W*t)", True), ("Y*exp(-W*t)", True), ("Y*t/p*exp(-W*t)*sin(W*t)", True),
     ("Y*exp(W*t)", False), ("Y*t^2*step(t - p)", False), ("P*impulse(t)", False), ("Y*abs(sin(W*t))", True),
-    ("min(Y, v*ramp(t))", True), ("Y*(1 - exp(-W*t))", True)])
+    ("min(Y, v*ramp(t))", True), ("Y*(1 - exp(-W*t))", True),
+    ("Y/(1 - cos(W*t))", True), ("Y*t/(1 - sin(W*t)^2)", False), ("Y/(sin(W*t) - cos(W*t))", True)])
 def test_what_counts_as_a_small_displacement(text, bounded):
     node, time = expression(text)
     assert stays_bounded(node, time, {"Y": 0.01, "W": 30.0, "p": 0.2, "v": 3.0, "P": 2.0}) == bounded

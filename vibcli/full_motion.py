@@ -8,6 +8,7 @@ from vibcli.algebra.meaning import lower
 from vibcli.errors import PhysicsError
 from vibcli.full_signals import FullSignal
 from vibcli.motions import Motion
+from vibcli.parameters import require_values
 from vibcli.signals import is_reaction
 
 LOOK = 1.0          # seconds, to tell what rests for ever
@@ -81,6 +82,8 @@ class FullMotion(StatesInTime):
         try:
             until = self.until
         except PhysicsError:
+            if self._trajectory is None:
+                raise
             return self._trajectory.end
         return min(until, self.trajectory().end)
 
@@ -96,6 +99,8 @@ class FullMotion(StatesInTime):
     def lasting(self):
         from vibcli.analyses.duration import duration
 
+        if self.problem.symbolic:
+            require_values(self.problem.scene.parameters, "this")
         try:
             return duration(self.problem.modes, self.problem.damped, 0.0, [])
         except PhysicsError:

@@ -1,6 +1,7 @@
 """∫ f(x) dx of sums of what laws of springs and dampers are made of, by rules; None where no rule fits.
 
-    xⁿ, max(u, 0), ramp u and their products, u = a x + b:  u f/((n + 1) a), n being the degree of f in u
+    xⁿ, max(u, 0), min(u, 0) and their products, u = a x + b:  u f/((n + 1) a), n being the degree of f in u
+    what begins at u = 0, max(u, 0)ⁿ, ramp(u)ⁿ, step(u) |u|ⁿ:  max(u, 0)ⁿ⁺¹/((n + 1) a), whose slopes are defined at 0
     |u|ⁿ sign u:  |u|ⁿ⁺¹/((n + 1) a)     |u|ⁿ:  sign u |u|ⁿ⁺¹/((n + 1) a)
     sin u, cos u, tan u, exp u, sinh u, cosh u, tanh u:  F(u)/a            1/u:  log|u|/a
 """
@@ -93,6 +94,8 @@ def _homogeneous(factors, x):
         return power if odd or power is None else table.call("sign", u) * power
     if is_zero(degree + 1):
         return table.call("log", table.call("abs", u)) / _slope(u, x) if len(factors) == 1 else None
+    if _begins(factors, u):
+        return table.power(table.call("max", u, table.zero), degree + 1) / ((degree + 1) * _slope(u, x))
     return u * total / ((degree + 1) * _slope(u, x))
 
 
@@ -110,6 +113,22 @@ def _is_odd(factors, u):
         else:
             return None
     return odd if bent else None
+
+
+def _begins(factors, u):
+    """Is it nothing where u < 0, and the positive powers of u where u > 0?"""
+    begun = False
+    for base, e in factors:
+        if base.op == "call" and base.name == "power":
+            base, e = base.args[0], None
+        args = [arg for arg in base.args if not arg.is_zero] if base.op == "call" else []
+        if args == [u] and base.name in ("max", "ramp", "step"):
+            begun = True
+        elif base is not u and (args != [u] or base.name != "abs"):
+            return False
+        if e is not None and e < 0:
+            return False
+    return begun
 
 
 def _degree(base, x):

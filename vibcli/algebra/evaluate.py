@@ -51,7 +51,7 @@ def _recorded(node, arithmetic, u):
 
 
 def _sign(x):
-    return (x > 0) - (x < 0)
+    return 1 if x > 0 else -1 if x < 0 else 0       # truths of NumPy cannot be subtracted
 
 
 class Floats:

@@ -26,6 +26,8 @@ def folded(table, name, args):
     if name in _STARTS and args[0].op == "number":
         begun = args[0].coefficient > 0
         return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero
+    if name in ("max", "min") and all(arg.op == "number" for arg in args):
+        return table.number({"max": max, "min": min}[name](arg.coefficient for arg in args))
     if name in table.records and args[0].is_zero and table.records[name].times[0] >= 0:
         return table.zero
     if name in _ODD and _turns_positive(args[0]):

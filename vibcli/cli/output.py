@@ -117,6 +117,8 @@ def _print_json(found, output):
 def _data(problem, parts, normalise, digits, sections, wanted=None):
     from vibcli.report.results import energies_data, equations_data, matrices_data, sticking_data
 
+    if digits is not None:
+        _require_numbers(problem)
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if problem.chosen is not None:
         from vibcli.report.chosen import chosen_data
@@ -148,10 +150,19 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
             beside = word not in parts and problem.symbolic     # of letters `find` asks formulas, which texts have
             found[word] = None if beside else getattr(response_data, word + "_data")(problem, wanted or Wanted())
     if words := [word for word in sections if word in INSIGHT]:
-        from vibcli.report.insight_data import insight_data
-
-        found["insight"] = insight_data(problem, words)
+        found["insight"] = _insight(problem, words, sections)
     return found
+
+
+def _insight(problem, words, sections):
+    from vibcli.report.insight_data import insight_data
+
+    try:
+        return insight_data(problem, words)
+    except PhysicsError as error:
+        if not _without_slope(problem, error, sections):
+            raise
+        return None
 
 
 def _frequencies(problem, parts, normalise, digits, sections):
@@ -205,8 +216,7 @@ def _report(problem, sections, normalise, digits, pictures, wanted=None):
 def _digits(report, problem, digits):
     from vibcli.report.results import frequencies_data
 
-    if problem.symbolic:
-        raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
+    _require_numbers(problem)
     found = frequencies_data(problem, digits=digits)
     lines = []
     for mode in found["modes"]:
@@ -216,6 +226,11 @@ def _digits(report, problem, digits):
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
     report.sections += section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines))
+
+
+def _require_numbers(problem):
+    if problem.symbolic:
+        raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
 
 
 def _signed(text):

@@ -163,7 +163,11 @@ class Search:
 
     def hessian(self, numbers):
         """K in scaled coordinates."""
-        return self.stiffness(numbers) * self.np.outer(self.scale, self.scale)
+        K = self.stiffness(numbers)
+        if not self.np.all(self.np.isfinite(K)):
+            raise PhysicsError("the forces of this scene have no finite slope in a position that the search for its "
+                               "equilibrium passes", "draw the scene nearer to its equilibrium")
+        return K * self.np.outer(self.scale, self.scale)
 
     def stiffness(self, numbers):
         n = len(self.names)

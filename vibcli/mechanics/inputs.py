@@ -6,6 +6,7 @@ its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised 
 """
 
 from fractions import Fraction
+from math import isfinite
 from typing import NamedTuple
 
 from vibcli.algebra.calculus import substitute
@@ -111,13 +112,16 @@ def _line(problem, name, loads):
     nodes = [opened.scene.forces[k].weight for k in loads]
     if len(nodes) == 2 and not _fixed_line(problem, loads):
         raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
-    return _unit(evaluate(_amplitudes(opened.scene, nodes), Floats, opened.sample), name)
+    return _unit(_amplitudes(opened.scene, nodes, opened.sample), name)
 
 
-def _amplitudes(scene, nodes):
-    """The nodes with each function of the time as 1."""
-    waves = {part: scene.table.one for part in reachable(nodes) if part.op == "call" and part.mask & scene.time.mask}
-    return substitute(nodes, {**waves, scene.time: scene.table.one})
+def _amplitudes(scene, nodes, sample):
+    """The nodes with each function of the time as 1, or as near to it as they are defined: not so 1/(1 − cos Ωt)."""
+    calls = [part for part in reachable(nodes) if part.op == "call" and part.mask & scene.time.mask]
+    waves = {part: scene.table.parameter(f"wave {i}", positive=False) for i, part in enumerate((*calls, scene.time))}
+    nodes = substitute(nodes, waves)
+    found = (evaluate(nodes, Floats, sample | {wave.name: size for wave in waves.values()}) for size in (1.0, 0.9, 0.7))
+    return next((values for values in found if all(map(isfinite, values))), [0.0] * len(nodes))
 
 
 def _unit(vector, name):
@@ -144,7 +148,7 @@ def _driven(problem, text, found):
     moving = [evaluate(nodes, Floats, {**values, scene.time.name: t}) for t in INSTANTS]
     if exact or any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")
-    return Input(dict(zip(parts, _unit(evaluate(_amplitudes(scene, nodes), Floats, values), text), strict=True)))
+    return Input(dict(zip(parts, _unit(_amplitudes(scene, nodes, values), text), strict=True)))
 
 
 def _along_coordinate(problem, text, found):

@@ -19,12 +19,16 @@ def response_in_letters(problem, names):
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
-    driven = bool(problem.scene.timed and problem.excitation)
+    driven, names = bool(problem.scene.timed and problem.excitation), list(names)
     steady = _steady(problem, names) if driven else {}
     yield from _equilibrium(problem)
     for number, (name, found) in enumerate(steady.items(), 1):
         yield from _steady_section(problem, name, found, str(number) * (len(steady) > 1))
     if len(problem.scene.q) == 1:
+        name, = problem.scene.coordinates
+        if not driven and name not in names:
+            raise NotInLetters(f"a free motion in letters is found of '{name}' alone", "ask for it, or give numbers "
+                               "with --set")
         yield from _from_the_start(problem, steady)
     elif not driven:
         raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")

@@ -17,7 +17,8 @@ def stays_bounded(node, time, values):
     """`values`: {name: float} of all symbols but the time. An impulse is not bounded."""
     if any(part.name == "impulse" for part in reachable([node])):
         return False
-    waves = {part: node.table.one for part in reachable([node]) if part.name in ("sin", "cos")}
+    calls = [part for part in reachable([node]) if part.name in ("sin", "cos")]
+    waves = {part: node.table.parameter(f"wave {i}", positive=False) for i, part in enumerate(calls)}   # not 1: 1 − 1
     if not substitute([node], waves)[0].mask & time.mask:
         return True
     early, late = (max(abs(evaluate([node], Floats, {**values, time.name: start * x})[0]) for x in INSTANTS)

@@ -41,6 +41,7 @@ def known_motion(problem, until, initial=None):
     return found
 
 
+@np.errstate(all="ignore")      # what is not finite is refused with its instant
 def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     """The Trajectory of a problem in numbers up to t = `until` [s].
 
@@ -109,7 +110,8 @@ def units_of(problem, names):
 def _unbalanced(energies):
     if not np.isfinite(energies.error):
         return PhysicsError("the energies of this motion are not defined at an instant at which a function of the time "
-                            "in it jumps", "write what drives it without jumps, as 1 - cos(w*t)")
+                            "in it jumps, or in a position that it reaches", "write what drives it without jumps, as "
+                            "1 - cos(w*t), and look for roots and logarithms of what becomes negative")
     return PhysicsError(f"the energies of this motion balance to {energies.error:.2g} of the largest of them alone: it "
                         "is not known to the digits that are stated",
                         "follow it for a shorter time, or let what acts change less abruptly")
