@@ -8,18 +8,14 @@ import pytest
 from odd import compare, draw, mechanics, motion, shrink
 from odd.sweep import Sweep
 
-SCENES, MOST_REFUSED = 100, 0.25
-KINDS = {"slide", "pin", "roll", "move", "turn", "carrier", "rod", "disc", "ring", "rectangle", "ellipse",
-         "sector", "arch", "parts", "particle", "torsion", "law", "preload", "free_length", "stretch", "force",
-         "moment", "value", "unbalance", "rope", "gear", "link", "join", "gravity", "initial", "driven",
-         "follower", "equilibrium", "gap", "acts"}
+SCENES, FIRST, MOST_REFUSED = 100, 80, 0.15
+RARE = {"prescribed move", "prescribed roll", "full *.drive"}       # drawn, but few such scenes have frequencies
 
 
 @pytest.fixture(scope="module")
 def sweep(tmp_path_factory):
     found = Sweep(tmp_path_factory.mktemp("odd"))
-    for seed in range(1, SCENES + 1):
-        found.scene(seed)
+    found.representative(FIRST, SCENES)
     return found
 
 
@@ -30,7 +26,8 @@ def test_every_number_agrees(sweep):
 
 def test_few_are_refused_and_all_is_drawn(sweep):
     assert sweep.refused < MOST_REFUSED, sweep.refusals
-    assert set(sweep.holding) >= KINDS, KINDS - set(sweep.holding)
+    assert sweep.drawn <= SCENES
+    assert sweep.never <= RARE
 
 
 def test_no_code_is_shared():
@@ -63,7 +60,7 @@ def _small(**changed):
     (motion, "full_motion", lambda *args: [(1.0001 * q, v) for q, v in FULL(*args)])])
 def test_what_is_wrong_is_noticed(module, name, wrong, monkeypatch, tmp_path):
     path = tmp_path / "scene.yaml"
-    path.write_text(draw.drawn(SCENE).text(), encoding="utf-8")
+    draw.drawn(SCENE).write(path)
     assert not compare.compared(draw.drawn(SCENE), path, PARTS).differences
     monkeypatch.setattr(module, name, wrong)
     assert compare.compared(draw.drawn(SCENE), path, PARTS).differences

@@ -2,6 +2,7 @@
 
 import os
 import random
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -299,6 +300,33 @@ def test_what_carries_another_body_must_not_jump(text, jumps, tmp_path):
         omega, slopes = 20.0, (0.1 / 0.3, -0.1 / 0.7)
         wanted = -slopes[0] * np.sin(omega) / omega - (slopes[1] - slopes[0]) * np.sin(0.7 * omega) / omega
         assert verdict.found == pytest.approx(wanted, rel=1e-12)
+
+
+def test_full_motion_of_what_a_record_carries(beside):
+    """A block in a cart that moves as measured is struck at each sample, in small and full motion alike."""
+    path = beside()
+    values = []
+    for motion in ("small", "full"):
+        Path(path).write_text(f"{SHAKEN}motion: {motion}\n", encoding="utf-8")
+        values.append([verdict.found for verdict in check(problem(str(path)))])
+    assert values[1] == pytest.approx(values[0], rel=1e-8)
+    omega, late = 20.0, 0.139           # x'' + ω² x = −u'': blows at the changes of the slope of u
+    rates = np.diff([0, 0.2, -0.15, 0.1, 0])        # of the straight lines of a.csv
+    wanted = 0.01 * np.cos(0.7 * omega) - sum(rate * np.sin(omega * (0.7 - late - at)) / omega for rate, at in zip(
+        rates, (0, 0.1, 0.3, 0.4), strict=True))
+    assert values[0][0] == pytest.approx(wanted, rel=1e-9)
+
+
+SHAKEN = """records: {ag: {file: a.csv, unit: cm}}
+bodies:
+  cart: {mass: 3 kg, at: [0, 0], slide: {along: [1, 0], by: ag(t - 0.139 s)}}
+  block: {mass: 2 kg, at: [0, 1 m], slide: {along: [1, 0], by: x, carrier: cart}}
+points: {A: {body: cart, at: [-1 m, 1 m]}}
+springs: {s: {k: 800 N/m, between: [A, block]}}
+initial: {x: 1 cm}
+find: [{response: {until: 0.7 s}}]
+answers: {x(0.7 s): 1 m, T(0.7 s): 1 J}
+"""
 
 
 def test_what_is_read_is_said(beside, capsys):

@@ -2,17 +2,18 @@
 
 import ast
 import random
-from collections import namedtuple
+import re
+from collections import Counter, namedtuple
 
 import numpy as np
 
-from . import doors, mechanics, motion, other_doors, words
+from . import coverage, doors, friction, mechanics, motion, other_doors, signals, words
 from .figure import Figure
 
 Difference = namedtuple("Difference", "what expected found")
 EXACT, IN_TIME, IN_FULL = 1e-9, 1e-8, 1e-6
-FRF_EACH = 7
-TIMES, FULL_EACH, EQUATIONS_EACH = (0.11, 0.74), 21, 7
+FRF_EACH, SIGNALS = 7, 6
+TIMES, FULL_EACH, EQUATIONS_EACH = (0.11, 0.74), 23, 9
 
 
 class Comparison:
@@ -20,11 +21,16 @@ class Comparison:
 
     def __init__(self, text, path, command="solve"):
         self.text, self.path, self.differences, self.refusals, self.compared = text, path, [], [], 0
+        self.kinds = Counter()      # of what was compared
         self.instants = {}          # {full: {quantity: value}} of motions in time
-        self.data = doors.data(command, path)
-        self.figure = figure_of(text, self.data["coordinates"])
-        self.q = self._equilibrium()
-        self.small = mechanics.small(self.figure, self.q)
+        self.rubs = "friction:" in text
+        self.data = doors.data("solve" if self.rubs else command, path)
+        self.figure = figure_of(text, self.data["coordinates"], folder=path.parent)
+        if self.rubs:
+            self.q = [self.figure.drawn_values[name] for name in self.figure.independent]
+        else:
+            self.q = self._equilibrium()
+            self.small = mechanics.small(self.figure, self.q)
 
     def meet(self, what, expected, found, tolerance):
         self.compared += 1
@@ -97,10 +103,12 @@ class Comparison:
             known = {**self.figure.parameters, "t": t, **{
                 name + mark: value for mark, values in (("", q), ("__1", v), ("__2", a))
                 for name, value in zip(names, values, strict=True)}}
+            self.figure.held = friction.slipping(self.figure, state)
             ours = mechanics.residual(self.figure, state, t)
+            self.figure.held = {}
             rows.append([(ours[i], _difference(tree, known, self.figure)) for i, tree in enumerate(trees)])
             if not self.figure.drives and set(words.names(kinetic)) <= set(known):
-                T = mechanics.energies(self.figure, state)[0]
+                T = signals.energies(self.figure, state)["T"]
                 self.meet("T", T, words.value(kinetic, known, self.figure.literal), EXACT * abs(T))
         for i, name in enumerate(names):
             ours, theirs = (np.array([row[i][side] for row in rows], dtype=float) for side in (0, 1))
@@ -117,12 +125,12 @@ class Comparison:
         v0 = [self.figure.number(initial.get(name + "'", "0")) for name in names]
         return q0, v0
 
-    def in_time(self, times, full=False):
+    def in_time(self, times, dice, full=False):
         """Coordinates and velocities at instants."""
         names = self.figure.independent
         q0, v0 = self.start()
         if full:
-            found = motion.full_motion(self.figure, [*q0, *v0], times)
+            found = (friction if self.rubs else motion).full_motion(self.figure, [*q0, *v0], times)
         else:
             start = [*(a - b for a, b in zip(q0, self.q, strict=True)), *v0]
             found = motion.small_motion(self.figure, self.small, start, times)
@@ -136,32 +144,37 @@ class Comparison:
                  for quantity in ours}
         text = self.text
         if full:
-            text = text.replace("motion: full\n", "") + (
+            text = re.sub("motion: (full|small)\n", "", text) + (
                 f"motion: full\nfind: [{{response: {{until: {times[-1]} s}}}}]\n")
         self.instants[full] = {quantity: ours[quantity] for quantity in asked}
-        signals = self._signals(times[-1], *found[-1], full)
-        scale = max([largest, *map(abs, signals.values())])
-        asked |= {quantity: "1 N*m" if "torsion" in self._element(quantity) else "1 N" for quantity in signals}
-        for quantity, value in doors.values(text, asked).items():
+        told = self._signals(times[-1], *found[-1], full, dice)
+        asked |= {quantity: "1 " + signals.unit(self.figure, quantity.partition("(")[0]) for quantity in told}
+        for quantity, value in doors.values(text, asked, self.path).items():
             if isinstance(value, doors.Refusal):
-                raise value
-            size = largest if quantity in ours else scale
-            self.meet(("full " if full else "") + quantity, {**ours, **signals}[quantity], value,
+                self.refusals.append(value)
+                continue
+            self.kinds["full " * full + coverage.of_signal(quantity.partition("(")[0])] += 1
+            size = largest if quantity in ours else max(largest, abs(told[quantity]), self._force(quantity))
+            self.meet(("full " if full else "") + quantity, {**ours, **told}[quantity], value,
                       (IN_FULL if full else IN_TIME) * size)
 
-    def _signals(self, t, q, v, full):
-        """Forces of springs and dampers that are tied in the plane or on an axis."""
-        figure = self.figure
-        if any(drive.steady for drive in figure.drives):
+    def _signals(self, t, q, v, full, dice):
+        """Some of the signals at an instant, energies among them."""
+        if any(drive.steady for drive in self.figure.drives) and not full:
             return {}
-        u, u1, u2 = figure.driven(t)
-        about = None if full else mechanics.at_rest(figure, self.q)
-        found = mechanics.forces(figure, mechanics.State(list(q), list(v), [], u, u1, u2), about)
-        return {f"{name}({t} s)": force for name, force in found.items() if "stretch" not in self._element(name)}
+        found = signals.of_full(self.figure, q, v, t) if full else signals.of_small(self.figure, self.small, q, v, t)
+        self.forces = max([0.0, *(abs(value) for name, value in found.items()
+                                  if name.endswith(("force", "reaction.x", "reaction.y", "drive")))])
+        kinds = {}
+        for name in found:
+            if name not in self.figure.coordinates and name.rstrip("'") not in self.figure.coordinates:
+                kinds.setdefault(coverage.of_signal(name), []).append(name)
+        some = dice.sample(list(kinds), min(SIGNALS, len(kinds)))
+        return {f"{name}({t} s)": found[name] for name in (dice.choice(kinds[kind]) for kind in some)}
 
-    def _element(self, signal):
-        name = signal.partition(".")[0]
-        return {**self.figure.scene.get("springs", {}), **self.figure.scene.get("dampers", {})}[name]
+    def _force(self, quantity):
+        """The largest force, for those that are differences of others."""
+        return self.forces if re.search(r"reaction|drive|force|energy|V\(", quantity) else 0.0
 
     def frequency_responses(self, speeds):
         """frf[x, x] of each coordinate: what (K + iΩC − Ω²M)⁻¹ says."""
@@ -174,9 +187,10 @@ class Comparison:
                     quantity = f"{part}(frf[{name}, {name}]({W} rad/s))"
                     ours[quantity] = value
                     asked[quantity] = "1 m/N" if units[name] == "1 m" else "1 rad/N/m"
-            for quantity, value in doors.values(self.text, asked).items():
+            for quantity, value in doors.values(self.text, asked, self.path).items():
                 if isinstance(value, doors.Refusal):
                     raise value
+                self.kinds["frf"] += 1
                 self.meet(quantity, ours[quantity], value, IN_TIME * np.abs(inverse).max())
 
     def in_part(self, ask, *args, **options):
@@ -228,16 +242,21 @@ def compared(draft, path, seed):
     dice = random.Random(f"compare {seed}")
     with_equations = seed % EQUATIONS_EACH == 0
     found = Comparison(draft.text(), path, "solve" if with_equations else "frequencies")
-    found.matrices()
-    found.eigenvalues()
-    if with_equations:
+    if not found.rubs:
+        found.matrices()
+        found.eigenvalues()
+    if with_equations or found.rubs:
         found.equations(dice)
     full = draft.sections.get("motion") == "full"
     if not full:
-        found.in_part(found.in_time, TIMES)
+        found.in_part(found.in_time, TIMES, dice)
         if seed % FRF_EACH == 0:
             found.in_part(found.frequency_responses, (5.3,))
     if full or seed % FULL_EACH == 0:
-        found.in_part(found.in_time, TIMES[:2], full=True)
-    found.in_part(other_doors.ALL[seed % len(other_doors.ALL)], found)
+        found.in_part(found.in_time, TIMES[:2], dice, full=True)
+    if not found.rubs:
+        door = list(other_doors.ALL)[seed % len(other_doors.ALL)]
+        before = found.compared
+        found.in_part(other_doors.ALL[door], found)
+        found.kinds["door " + door] += found.compared > before
     return found

@@ -3,6 +3,7 @@
 import contextlib
 import io
 import json
+import re
 
 from vibcli.check import check
 from vibcli.cli import run
@@ -34,13 +35,23 @@ def data(*words):
     return json.loads(printed(*words, "--json"))
 
 
-def values(text, asked):
-    """{quantity: value or Refusal} of what `answers` can ask of a scene."""
+def schema():
+    """The JSON schema of scenes."""
+    return json.loads(printed("schema"))
+
+
+def words_of(topic):
+    """The words that a page of the manual explains."""
+    return re.findall(r"^  ([a-z]\w*)  +\S", printed("explain", topic), re.M)
+
+
+def values(text, asked, path):
+    """{quantity: value or Refusal} of what `answers` can ask of a scene, whose records lie beside `path`."""
     answers = "".join(f"  {quantity!r}: {{value: {unit}, rtol: 1 %}}\n".replace("'", '"') if "'" not in quantity
                       else f'  "{quantity}": {{value: {unit}, rtol: 1 %}}\n' for quantity, unit in asked.items())
-    node, diagnostics = read((text + "answers:\n" + answers).encode(), "scene.yaml")
+    node, diagnostics = read((text + "answers:\n" + answers).encode(), str(path))
     try:
-        verdicts = check(Problem(read_spec(node, "scene.yaml", diagnostics)))
+        verdicts = check(Problem(read_spec(node, str(path), diagnostics)))
     except (PhysicsError, SpecError) as error:
         raise Refusal(4, str(error)) from error
     return {quantity: Refusal(4, verdict.refusal.message) if verdict.refusal else verdict.found

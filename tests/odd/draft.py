@@ -8,9 +8,6 @@ UNITS = {"m": (("m", 1), ("cm", 100), ("mm", 1000)), "kg": (("kg", 1),), "N/m": 
          ("N/mm", 1e-3)), "N": (("N", 1),), "rad": (("rad", 1), ("deg", 57.29577951308232)),
          "s": (("s", 1), ("ms", 1e3))}
 
-KINDS = ("gap", "acts", "torsion", "law", "stretch", "preload", "free_length", "friction", "force", "moment", "value",
-         "unbalance", "carrier", "rope", "gear", "belt", "join", "link", "point", "equation")
-
 
 class Plain(yaml.SafeDumper):
     """Without anchors: what stands twice is written twice."""
@@ -22,10 +19,11 @@ class Plain(yaml.SafeDumper):
 class Draft:
     """`dice`: a seeded random.Random, by which alone all is drawn."""
 
-    def __init__(self, dice):
-        self.dice, self.parameters, self.counts = dice, {}, {}
+    def __init__(self, dice, seed):
+        self.dice, self.seed, self.parameters, self.counts = dice, seed, {}, {}
         self.bodies, self.points, self.surfaces = {}, {}, {}
         self.springs, self.dampers, self.forces, self.constraints = {}, {}, {}, {}
+        self.records, self.files = {}, {}
         self.sections = {}          # whatever else stands in the scene
         self.places = {}            # what springs and loads can act on: name -> (x, y) as drawn
         self.carriers = {}          # bodies in the plane, where they are drawn
@@ -70,22 +68,14 @@ class Draft:
                     "springs": self.springs, "dampers": self.dampers, "forces": self.forces,
                     "constraints": self.constraints}
         used = set(re.findall(r"\w+", str(sections)))
-        parameters = {name: value for name, value in self.parameters.items() if name in used}
+        parameters, records = ({name: value for name, value in given.items() if name in used}
+                               for given in (self.parameters, self.records))
+        sections = {"records": records, **sections}
         kept = {key: value for key, value in {"parameters": parameters, **sections}.items() if value or value == 0}
         return yaml.dump(kept, Dumper=Plain, sort_keys=False, default_flow_style=None, width=1000, allow_unicode=True)
 
-    def holds(self):
-        """The kinds of what stands in the scene, for counting."""
-        found = set()
-        for body in self.bodies.values():
-            found |= {key for key in ("slide", "pin", "roll", "move", "weld", "turn") if key in body}
-            found.add(body.get("shape", "parts" if "parts" in body else "particle"))
-            found |= {"driven" for motion in body.values() for text in [
-                motion.get("by", "") if isinstance(motion, dict) else motion] if "*t" in str(text)}
-            found |= {"carrier" for motion in body.values() if isinstance(motion, dict) and "carrier" in motion}
-        for section in ("springs", "dampers", "forces", "constraints"):
-            for words in getattr(self, section).values():
-                found |= {key for key in words if key in KINDS}
-        found |= {"follower" for force in self.forces.values() if "carrier" in force}
-        found |= {key for key in ("gravity", "initial", "equilibrium", "motion") if key in self.sections}
-        return found
+    def write(self, path):
+        """The scene as a file, its records beside it."""
+        path.write_text(self.text(), encoding="utf-8")
+        for name, text in self.files.items():
+            path.with_name(name).write_text(text, encoding="utf-8")

@@ -24,6 +24,9 @@ def chain(draft):
         x = draft.dice.choice(list(draft.coordinates))
         draft.springs[draft.new("s")] = {"k": draft.given("k", 50, 500, "N/m"),
                                          "stretch": f"{draft.some(0.2, 2)}*{x}"}
+    if draft.chance(0.2):
+        x = draft.dice.choice(list(draft.coordinates))
+        draft.dampers[draft.new("d")] = {"c": draft.given("c", 0.5, 9, "N*s/m"), "stretch": f"{draft.some(0.2, 2)}*{x}"}
     if draft.chance(0.3):
         _support(draft)
     if draft.chance(0.2):
@@ -69,6 +72,13 @@ def shaft(draft):
         before = draft.dice.choice(["ground", *draft.turning]) if i else "ground"
         draft.springs[draft.new("s")] = {"torsion": draft.given("q", 10, 300, "N*m/rad"), "between": [before, name]}
         draft.turning.append(name)
+    if draft.chance(0.25):
+        from .draw_loads import SMOOTH, wave
+
+        shaker = draft.new("shaker")
+        draft.bodies[shaker] = {"turn": wave(draft, "Y", 0.02, 0.1, "rad", SMOOTH)}
+        draft.springs[draft.new("s")] = {"torsion": draft.given("q", 10, 100, "N*m/rad"),
+                                         "between": [shaker, draft.dice.choice(draft.turning)]}
     if draft.chance(0.6):
         ends = draft.dice.sample(["ground", *draft.turning], 2)
         draft.dampers[draft.new("d")] = {"torsion": draft.given("b", 0.02, 2, "N*m*s"), "between": ends}

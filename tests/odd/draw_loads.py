@@ -1,8 +1,10 @@
 """What drives a scene, and where its motion starts."""
 
+from .draft import UNITS
 
-SMOOTH = "sin", "cos", "versine", "decay", "two"
-ALL = ("sin", "cos", "sum", "versine", "decay", "step", "ramp", "pulse", "square", "sawtooth", "impulse", "rectified")
+SMOOTH = "sin", "cos", "versine", "decay", "two", "record"
+ALL = ("sin", "cos", "sum", "versine", "decay", "step", "ramp", "pulse", "square", "sawtooth", "impulse", "rectified",
+       "half", "switched", "record", "record")
 
 
 def wave(draft, letter, low, high, unit, kinds=ALL):
@@ -13,6 +15,8 @@ def wave(draft, letter, low, high, unit, kinds=ALL):
     if " " in speed:
         speed = f"({speed})"
     kind = draft.dice.choice(kinds)
+    if kind == "record":
+        return record(draft, low, high, unit, size, kinds is SMOOTH)
     late = f"({draft.some(0.05, 0.4)} s)"
     span = f"({draft.some(0.1, 0.5)} s)"
     return {"sin": f"{size}*sin({speed}*t)", "cos": f"{size}*cos({speed}*t)",
@@ -22,8 +26,36 @@ def wave(draft, letter, low, high, unit, kinds=ALL):
             "ramp": f"{size}*(ramp(t - {late}) - ramp(t - {late} - {span}))/{span}",
             "pulse": f"{size}*sin(pi*t/{span})*(step(t) - step(t - {span}))",
             "square": f"{size}*square({speed}*t)", "sawtooth": f"{size}*sawtooth({speed}*t)",
-            "rectified": f"{size}*abs(sin({speed}*t))",
+            "rectified": f"{size}*abs(sin({speed}*t))", "half": f"{size}*max(0, sin({speed}*t))",
+            "switched": f"{size}*sign(t - {late})",
             "impulse": f"({draft.some(0.1, 1)} s)*{size}*impulse(t - {late})"}[kind]
+
+
+def record(draft, low, high, unit, size, smooth):
+    """A measured function, pure numbers or in a unit; of one that is smooth the ends are zero."""
+    name, draws = draft.new("ag"), draft.dice
+    written, factor = draws.choice((("", None), *UNITS.get(unit, ((unit, 1),))))
+    n, step = draws.randrange(4, 7), draws.choice((0.05, 0.08, 0.1))
+    values = [float(f"{draws.uniform(-1, 1) * (high * factor if factor else 1):.4g}") for _ in range(n)]
+    if smooth:
+        values[0] = values[-1] = 0.0
+    words = {"file": f"{name}_{draft.seed}.csv", **({"unit": written} if written else {})}
+    way = draws.choice(("plain", "named", "every", "blanks"))
+    gap, head = {"plain": ",", "named": ";", "every": ",", "blanks": " "}[way], []
+    times = [round(i * step * draws.uniform(0.6, 1) if i and way != "every" else i * step, 4) for i in range(n)]
+    times.sort()
+    if way == "every":
+        rows, words = [[value] for value in values], {**words, "every": f"{step} s"}
+    elif way == "named":
+        head, rows = ["clock", "other", "size"], [[1000 * t, i, x] for i, (t, x) in enumerate(zip(
+            times, values, strict=True))]
+        words |= {"time": "clock", "value": "size", "time_unit": "ms"}
+    else:
+        rows = [[t, x] for t, x in zip(times, values, strict=True)]
+    draft.files[words["file"]] = "\n".join(gap.join(map(str, row)) for row in [head, *rows] if row) + "\n"
+    draft.records[name] = words if len(words) > 1 or draft.chance(0.5) else words["file"]
+    call = f"{name}(t - ({draft.some(0.03, 0.2)} s))"
+    return call if written else f"{size}*{call}"
 
 
 def load(draft):
@@ -99,17 +131,17 @@ def _generalised(draft):
     draft.forces[draft.new("f")] = {"coordinate": name, "value": value}
 
 
-def start(draft, names, tied=()):
-    """Where a motion starts."""
+def start(draft, names, whole=False):
+    """Where a motion starts; `whole`: every coordinate is given."""
     initial = {}
     for name in names:
         length = draft.coordinates[name] == "m"
-        if draft.chance(0.6):
+        if whole or draft.chance(0.6):
             initial[name] = f"{draft.some(-0.08, 0.08)} {'m' if length else 'rad'}"
         if draft.chance(0.4):
             initial[name + "'"] = f"{draft.some(-0.5, 0.5)} {'m/s' if length else 'rad/s'}"
     if initial:
         draft.sections["initial"] = initial
-    if draft.chance(0.15) and "motion" not in draft.sections:
+    if draft.chance(0.05) and "motion" not in draft.sections:
         name = draft.dice.choice(names)
         draft.sections["equilibrium"] = {name: f"{draft.some(-0.02, 0.02)} {draft.coordinates[name]}"}

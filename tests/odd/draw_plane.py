@@ -11,7 +11,8 @@ def shape(draft, at):
                               "parts"))
     mass = {"mass": draft.given("m", 0.5, 4, "kg")}
     if kind == "particle":
-        return {**mass, "inertia": draft.given("J", 0.02, 0.3, "kg*m^2"), "at": draft.spot(*at)}
+        named = {"shape": "particle"} if draft.chance(0.4) else {}
+        return {**named, **mass, "inertia": draft.given("J", 0.02, 0.3, "kg*m^2"), "at": draft.spot(*at)}
     if kind == "lump":
         return {**mass, "gyration": draft.given("i", 0.1, 0.4, "m"), "at": draft.spot(*at)}
     if kind == "rod":
@@ -19,7 +20,7 @@ def shape(draft, at):
         return {"shape": "rod", **mass, "from": draft.spot(at[0] - dx, at[1] - dy),
                 "to": draft.spot(at[0] + dx, at[1] + dy)}
     if kind == "parts":
-        return {"parts": [part(draft, (at[0] + arrow(draft, 0.05, 0.3)[0], at[1] + 0.1 * i)) for i in range(
+        return {"parts": [part(draft, (at[0] + arrow(draft, 0.05, 0.3)[0], at[1] + 0.1 * i), i) for i in range(
             draft.dice.choice((2, 3)))]}
     if draft.chance(0.2):
         low, high, unit = (1, 4, "kg/m") if kind in ("ring", "arch") else (5, 20, "kg/m^2")
@@ -27,9 +28,17 @@ def shape(draft, at):
     return {"shape": kind, **mass, **sizes(draft, kind), "at": draft.spot(*at)}
 
 
-def part(draft, at):
+def part(draft, at, number):
+    """A piece; those after the first may be cut out of it, being light."""
+    if draft.chance(0.15):
+        return {"shape": "rod", "mass": draft.given("m", 0.5, 2, "kg"), "from": draft.spot(*at),
+                "to": draft.spot(at[0] + 0.3, at[1] + 0.1)}
     kind = draft.dice.choice(("particle", "disc", "ring", "rectangle", "ellipse", "sector", "arch"))
-    return {"shape": kind, "mass": draft.given("m", 0.5, 2, "kg"), **sizes(draft, kind), "at": draft.spot(*at)}
+    cut = {"cut": "true"} if number and draft.chance(0.3) else {}
+    mass = {"mass": draft.given("m", *((0.02, 0.05) if cut else (0.5, 2)), "kg")}
+    if kind in ("disc", "rectangle", "ellipse", "sector") and not cut and draft.chance(0.3):
+        mass = {"density": draft.given("sigma", 5, 20, "kg/m^2")}
+    return {"shape": kind, **mass, **cut, **sizes(draft, kind), "at": draft.spot(*at)}
 
 
 def sizes(draft, kind):
@@ -144,7 +153,9 @@ def move(draft, at, carrier):
 
 
 def weld(draft, at, carrier):
-    add(draft, at, {"weld": carrier})
+    name = add(draft, at, {"weld": carrier})
+    if draft.chance(0.5):
+        pin(draft, place_for(draft, name), name)
 
 
 def on_surface(draft, at, carrier):
@@ -203,8 +214,12 @@ def roll(draft, at, carrier):
     if round_ in ("sector", "arch"):
         body.update(half_angle=draft.given("alpha", 0.8, 2.5, "rad"), angle=draft.given("beta", 0.1, 3, "rad"))
     body["at"] = draft.spot(*at)
-    coordinate = draft.coordinate("m" if way == "travel" else "rad")
-    name = add(draft, at, {"roll": {"surface": surface, way: coordinate}}, body)
+    motion = {"surface": surface, way: draft.coordinate("m" if way == "travel" else "rad")}
+    if round_ == "disc" and draft.chance(0.4):          # a spool on a part of its own
+        del body["shape"], body["radius"]
+        body["inertia"] = draft.given("J", 0.02, 0.3, "kg*m^2")
+        motion["radius"] = f"{r} m"
+    name = add(draft, at, {"roll": motion}, body)
     draft.turning.append(name)
     tie(draft, name, e)
 

@@ -38,21 +38,37 @@ def hoist(draft):
     draft.carriers["block"] = (r, 0.2)
 
 
+WAYS = {"over": lambda x, y: [x, y], "right_of": lambda x, y: [y, x], "left_of": lambda x, y: [_minus(y), x],
+        "under": lambda x, y: [x, _minus(y)]}           # the same figure, mirrored or turned
+
+
+def _minus(text):
+    return text[1:] if text.startswith("-") else "0" if text == "0" else f"-{text}"
+
+
 def slanted_rope(draft):
     """A rope at an angle from a block on a rail over a pulley to a load: what it gives changes with the place."""
     r, x, phi, y = draft.some(0.05, 0.15), draft.coordinate("m"), draft.coordinate("rad"), draft.coordinate("m")
-    draft.sections["gravity"] = "9.81 m/s^2"
-    draft.bodies["block"] = {"mass": draft.given("m", 1, 4, "kg"), "at": ["0 m", "0 m"], "slide": x}
-    a = draft.given("a", 0.6, 1, "m")
+    side = draft.dice.choice(list(WAYS))
+    to, rail, fall = WAYS[side], WAYS[side]("1", "0"), WAYS[side]("0", "1")
+    draft.sections["gravity"] = to("0", "-9.81 m/s^2")
+    draft.bodies["block"] = {"mass": draft.given("m", 1, 4, "kg"), "at": ["0 m", "0 m"],
+                             "slide": x if rail == ["1", "0"] else {"along": rail, "by": x}}
+    a, h = draft.given("a", 0.6, 1, "m"), draft.given("h", 0.3, 0.8, "m")
     draft.bodies["wheel"] = {"shape": "disc", "mass": draft.given("m", 0.5, 2, "kg"), "radius": f"{r} m",
-                             "at": [a, draft.given("h", 0.3, 0.8, "m")], "pin": phi}
-    draft.bodies["load"] = {"mass": draft.given("m", 0.5, 2, "kg"), "at": [f"{a} + ({r} m)", "-0.2 m"],
-                            "slide": {"along": ["0", "1"], "by": y}}
-    draft.constraints["rope"] = {"rope": ["block", {"over": "wheel"}, "load"]}
+                             "at": to(f"({a})", f"({h})"), "pin": phi}
+    draft.bodies["load"] = {"mass": draft.given("m", 0.5, 2, "kg"), "at": to(f"(({a}) + ({r} m))", "-0.2 m"),
+                            "slide": {"along": fall, "by": y}}
+    stop = {side: "wheel"}
+    if draft.chance(0.5):
+        del draft.bodies["wheel"]["shape"], draft.bodies["wheel"]["radius"]
+        draft.bodies["wheel"]["inertia"] = draft.given("J", 0.01, 0.1, "kg*m^2")
+        stop["radius"] = f"{r} m"
+    draft.constraints["rope"] = {"rope": ["block", stop, "load"]}
     draft.carriers["block"], draft.places["block"] = (0.0, 0.0), (0.0, 0.0)
     draft.turning.append("wheel")
     draft.tied |= {phi, y}
-    tie(draft, "block", (1, 0))
+    tie(draft, "block", tuple(map(float, rail)))
 
 
 def crank(draft):
@@ -142,7 +158,8 @@ def equated(draft):
     else:
         right = f"{draft.some(0.5, 2)}*{x}"
         right += " + " + wave(draft, "Y", 0.005, 0.03, "m", ("sin", "versine", "decay")) if draft.chance(0.5) else ""
-    draft.constraints["tied"] = f"{y} = {right}"
+    tie_ = f"{y} = {right}"
+    draft.constraints["tied"] = {"equation": tie_} if draft.chance(0.4) else tie_
     draft.tied.add(y)
 
 
@@ -176,8 +193,15 @@ def shaken(draft):
     from .draw_loads import SMOOTH, wave
     from .draw_plane import pin, place_for
 
-    draft.bodies["cart"] = {"mass": draft.given("m", 1, 4, "kg"), "at": ["0 m", "0 m"], "slide": {
-        "along": draft.dice.choice((["1", "0"], ["0.6", "0.8"])), "by": wave(draft, "Y", 0.005, 0.03, "m", SMOOTH)}}
+    by, way = wave(draft, "Y", 0.005, 0.03, "m", SMOOTH), draft.dice.choice(("slide", "slide", "move", "roll"))
+    draft.bodies["cart"] = {"mass": draft.given("m", 1, 4, "kg"), "at": ["0 m", "0 m"]}
+    if way == "slide":
+        draft.bodies["cart"]["slide"] = {"along": draft.dice.choice((["1", "0"], ["0.6", "0.8"])), "by": by}
+    elif way == "move":
+        draft.bodies["cart"]["move"] = [by, "0", wave(draft, "Y", 0.01, 0.05, "rad", SMOOTH)]
+    else:
+        draft.surfaces["floor"] = {"line": [["0 m", "-0.2 m"], ["1 m", "-0.2 m"]]}
+        draft.bodies["cart"].update(shape="ring", radius="0.2 m", roll={"surface": "floor", "travel": by})
     if draft.chance(0.5):
         draft.sections["gravity"] = draft.given("g", 9.7, 9.9, "m/s^2")
     draft.carriers["cart"] = 0.0, 0.0

@@ -7,14 +7,14 @@ a spring beside its stretch, a force beside the displacement along it.
 import ast
 from collections import namedtuple
 
-import mpmath
 import numpy as np
 import yaml
 
-from . import jets, ties, words
+from . import jets, ties, words, written
 from .bodies import body_of
 from .places import Bodies, length
 from .scene_text import displacements, merged
+from .texts import Texts, floating
 
 Body = namedtuple("Body", "mass centre J circle radius lumped")
 Drive = namedtuple("Drive", "terms steady")
@@ -22,70 +22,19 @@ Parts = namedtuple("Parts", "inertias weights springs dampers loads known bodies
 MOTIONS = ("slide", "pin", "roll", "move", "turn")
 
 
-def floating(above, below, pi):
-    return above / below * float(np.pi) ** pi if pi else above / below
+class Figure(Texts):
+    """A scene in numbers. `given`: texts of parameters instead of those of the file; `folder`: that of its records."""
 
-
-def precise(above, below, pi):
-    return mpmath.mpf(above) / below * mpmath.pi**pi
-
-
-class Figure:
-    """A scene in numbers. `given`: texts of parameters that the file leaves open; `literal`: what numbers are."""
-
-    def __init__(self, text, case=None, given=(), literal=floating):
-        self.scene = merged(yaml.load(text, yaml.BaseLoader), case)
-        self.literal, self.trees, self.parameters = literal, {}, {}
-        self.functions = {**words.FUNCTIONS, "impulse": lambda x: 0}
-        self.pi = literal(1, 1, 1)
-        written = {name: v.get("value") if isinstance(v, dict) else v
-                   for name, v in self.scene.get("parameters", {}).items()}
-        self.written = {**written, **dict(given)}
-        for name in self.written:
-            self._parameter(name)
+    def __init__(self, text, case=None, given=(), literal=floating, folder=None):
+        super().__init__(merged(yaml.load(text, yaml.BaseLoader), case), given, literal, folder)
+        self.gives = {}             # {body: number of the first variable} where supports give way
+        self.held = {}              # {damper: force of its dry friction}
         self._coordinates()
         self._bodies()
         self.rest = dict.fromkeys(self.independent, self.literal(0, 1, 0))
         self.drawn_values = {name: self.drawn_at.get(name, self.literal(0, 1, 0)) for name in self.coordinates}
         self._laws()
-
-    # reading
-
-    def tree(self, text):
-        text = str(text)
-        if text not in self.trees:
-            self.trees[text] = words.read(text)
-        return self.trees[text]
-
-    def _parameter(self, name):
-        if name not in self.parameters:
-            tree = self.tree(self.written[name])
-            for other in words.names(tree):
-                if other in self.written:
-                    self._parameter(other)
-            self.parameters[name] = words.value(tree, self.parameters, self.literal)
-        return self.parameters[name]
-
-    def number(self, text):
-        return words.value(self.tree(text), self.parameters, self.literal)
-
-    def value(self, text, known, functions=None):
-        """The value of a text, or of a list of signed terms."""
-        terms = text if isinstance(text, list) else [(1, self.tree(text))]
-        return sum(sign * words.value(tree, known, self.literal, functions or self.functions) for sign, tree in terms)
-
-    def terms_of(self, text):
-        """(terms without the time, terms that hold it) of an expression."""
-        parts = [], []
-        for sign, tree in words.terms(self.tree(text)):
-            parts["t" in words.names(tree)].append((sign, tree))
-        return parts
-
-    def place(self, pair):
-        return tuple(self.number(text) for text in pair)
-
-    def curve(self, surface, x):
-        return words.value(self.tree(surface["curve"]), {**self.parameters, surface["in"]: x}, self.literal)
+        self.written_V, self.given = written.read(self)
 
     def _coordinates(self):
         """Names in the order of `coordinates`, else of the file; what holds the time alone is a drive."""
@@ -121,14 +70,8 @@ class Figure:
 
     def _is_steady(self, terms):
         """Does it grow with the time for ever?"""
-        rates = [self.of_time(terms, self.literal(t, 7, 0)) for t in (1, 5)]
-        return rates[0][1] == rates[1][1] != 0 and rates[0][2] == rates[1][2] == 0
-
-    def of_time(self, terms, t):
-        """A sum of functions of the time with its first two rates."""
-        (now,) = jets.variables([t])
-        total = sum(sign * words.value(tree, {**self.parameters, "t": now}, self.literal) for sign, tree in terms)
-        return (total.v, total.g[0], total.h[0, 0]) if isinstance(total, jets.Jet) else (total, 0 * t, 0 * t)
+        rates = [self.of_time(terms, self.literal(t, 7, 0)) for t in (1, 5, 4000)]
+        return len({rate for _, rate, _ in rates}) == 1 and rates[0][1] != 0
 
     def driven(self, t):
         """The drives at an instant: lists of values, rates and second rates."""
@@ -148,6 +91,16 @@ class Figure:
                     as_drawn = words.value(tree, {**self.parameters, **self.drawn_values}, self.literal)
                 total = total + sign * (now - as_drawn if as_drawn else now)
         return total
+
+    def driver(self, body):
+        """The number of the drive that alone prescribes how a body slides or turns."""
+        words_ = self.scene["bodies"][body]
+        for kind in ("slide", "pin", "turn"):
+            for text in displacements(kind, words_.get(kind)):
+                others, drive = self.split[str(text)]
+                if drive is not None and not others:
+                    return drive
+        return None
 
     def whole(self, text, known):
         """A side of an equation, its constants included."""
@@ -184,6 +137,9 @@ class Figure:
         scene, self.drawn_lengths = self.scene, {}
         self.spring_laws = {name: self._spring(words_) for name, words_ in scene.get("springs", {}).items()}
         self.damper_laws = {name: self._damper(words_) for name, words_ in scene.get("dampers", {}).items()}
+        self.frictions = {name: tuple(self.number(words_[key if key in words_ else "friction"])
+                                      for key in ("friction", "breakaway"))
+                          for name, words_ in scene.get("dampers", {}).items() if "friction" in words_}
         self.statics = {name: 0 for name, words_ in scene.get("springs", {}).items()
                         if words_.get("preload") == "static"}
         for name, words_ in {**scene.get("springs", {}), **scene.get("dampers", {})}.items():
@@ -212,13 +168,21 @@ class Figure:
         if "law" in words_:
             tree = self.tree(words_["law"])
             return lambda v: words.value(tree, {**self.parameters, "v": v}, self.literal)
-        c = self.number(words_.get("c", words_.get("torsion", "0")))
+        c = self.number(words_.get("c", words_.get("torsion", "0") if words_.get("torsion") != "true" else "0"))
         return lambda v: c * v
 
+    def slack(self, name):
+        """How far a spring is stretched as drawn."""
+        free = self.scene["springs"][name].get("free_length")
+        return 0 if free is None else self.drawn_lengths[name] - self.number(free)
+
+    def bends(self, name):
+        """The stretches at which the tension of a spring bends."""
+        gap = self.number(self.scene["springs"][name].get("gap", "0"))
+        return [side * gap - self.slack(name) for side in (1, -1)]
+
     def tension(self, name, stretch):
-        words_, slack = self.scene["springs"][name], 0
-        if "free_length" in words_:
-            slack = self.drawn_lengths[name] - self.number(words_["free_length"])
+        words_, slack = self.scene["springs"][name], self.slack(name)
         preload = words_.get("preload", "0")
         force = self.statics[name] if preload == "static" else self.number(preload)
         return self.spring_laws[name](stretch + slack) + force
@@ -226,7 +190,8 @@ class Figure:
     # jets
 
     def known(self, z, guess=None):
-        """The jets of all coordinates and, by number, of the drives; those tied are found by Newton's method."""
+        """The jets of all coordinates and, by number, of the drives and gives; those tied are found by Newton's method.
+        """
         at = jets.variables(np.array(z))
         n = len(self.independent)
         known = {**dict(zip(self.independent, at[:n], strict=True)), **dict(enumerate(at[n:]))}

@@ -104,6 +104,12 @@ exp = _function(lambda m, v: m.exp(v), lambda m, v, f: f, lambda m, v, f: f)
 sqrt = _function(lambda m, v: m.sqrt(v), lambda m, v, f: 1 / (2 * f), lambda m, v, f: -1 / (4 * f * v))
 atan = _function(lambda m, v: m.atan(v), lambda m, v, f: 1 / (1 + v * v), lambda m, v, f: -2 * v / (1 + v * v) ** 2)
 tanh = _function(lambda m, v: m.tanh(v), lambda m, v, f: 1 - f * f, lambda m, v, f: -2 * f * (1 - f * f))
+tan = _function(lambda m, v: m.tan(v), lambda m, v, f: 1 + f * f, lambda m, v, f: 2 * f * (1 + f * f))
+asin = _function(lambda m, v: m.asin(v), lambda m, v, f: (1 - v * v) ** -0.5, lambda m, v, f: v * (1 - v * v) ** -1.5)
+acos = _function(lambda m, v: m.acos(v), lambda m, v, f: -(1 - v * v) ** -0.5, lambda m, v, f: -v * (1 - v * v) ** -1.5)
+sinh = _function(lambda m, v: m.sinh(v), lambda m, v, f: m.cosh(v), lambda m, v, f: f)
+cosh = _function(lambda m, v: m.cosh(v), lambda m, v, f: m.sinh(v), lambda m, v, f: f)
+log = _function(lambda m, v: m.log(v), lambda m, v, f: 1 / v, lambda m, v, f: -1 / (v * v))
 magnitude = _function(lambda m, v: v * _sign(v), lambda m, v, f: _sign(v), lambda m, v, f: 0)
 sign = _function(lambda m, v: _sign(v), lambda m, v, f: 0, lambda m, v, f: 0)
 step = _function(lambda m, v: 1 if real(v) >= 0 else 0, lambda m, v, f: 0, lambda m, v, f: 0)
@@ -125,8 +131,10 @@ def angle(x, y):
     return atan(y / x)
 
 
-def polar(x, y):
-    """The angle of a vector as drawn, a number."""
+def atan2(y, x):
+    """The angle of a vector."""
+    if real(x) > 0:
+        return atan(y / x)
     return _of(real(x)).atan2(real(y), real(x))
 
 

@@ -8,7 +8,7 @@ from collections import namedtuple
 import mpmath
 import numpy as np
 
-from . import jets
+from . import jets, written
 
 STEP = 1e-30
 State = namedtuple("State", "q v a u u1 u2")
@@ -22,15 +22,20 @@ def rest(figure):
     return [zero] * len(found), found, [zero] * len(found)
 
 
-def residual(figure, state, t=None, damped=True, parts=None):
-    """What is left of the equations in a state; loads of the time act where `t` is given."""
-    n = len(state.q)
+def residual(figure, state, t=None, damped=True, parts=None, rows=None):
+    """What is left of the equations in a state; loads of the time act where `t` is given.
+
+    `rows`: of how many variables, where those of drives and of supports that give way are asked for as well: what is
+    left is the force along them.
+    """
+    n = rows or len(state.q)
     parts = parts or figure.parts([*state.q, *state.u])
     rates = np.array([*state.v, *state.u1])
     second = np.array([*state.a, *state.u2])
     left = 0 * rates[:n]
     for w, jet in parts.inertias:
         left = left + w * (jet.g @ second + rates @ (jet.h @ rates)) * jet.g[:n]
+    left = left + written.forces(figure, state, parts.known, n, damped)
     for force, jet in parts.weights:
         left = left - force * jet.g[:n]
     for name, jet in parts.springs.items():
@@ -39,7 +44,7 @@ def residual(figure, state, t=None, damped=True, parts=None):
     if damped:
         for name, jet in parts.dampers.items():
             if isinstance(jet, jets.Jet):
-                left = left + figure.damper_laws[name](jet.g @ rates) * jet.g[:n]
+                left = left + (figure.damper_laws[name](jet.g @ rates) + figure.held.get(name, 0)) * jet.g[:n]
     for force, jet in loads(figure, parts, rates, t, damped):
         left = left - force * jet.g[:n]
     return left
@@ -140,31 +145,9 @@ def accelerations(figure, t, q, v, guess=None):
     zero = [0.0] * n
     state = State(list(q), list(v), zero, u, u1, u2)
     parts = figure.parts([*q, *u], guess)
-    mass = sum(w * np.outer(jet.g[:n], jet.g[:n]) for w, jet in parts.inertias)
-    return np.linalg.solve(mass, -residual(figure, state, t, parts=parts))
+    return np.linalg.solve(mass(figure, parts, n), -residual(figure, state, t, parts=parts))
 
 
-def energies(figure, state, guess=None):
-    """(T, V, Φ) in a state, V counted from the drawn position."""
-    parts = figure.parts([*state.q, *state.u], guess)
-    rates = np.array([*state.v, *state.u1])
-    kinetic = sum(w * (jet.g @ rates) ** 2 for w, jet in parts.inertias) / 2
-    dissipated = sum(figure.damper_laws[name](rate) * rate for name, rate in (
-        (name, jet.g @ rates) for name, jet in parts.dampers.items() if isinstance(jet, jets.Jet))) / 2
-    return kinetic, None, dissipated
-
-
-def forces(figure, state, about=None):
-    """{signal: force or moment} of springs and dampers in a state; `about`: linear in what changes from that rest."""
-    base = about or state
-    parts, found = figure.parts([*base.q, *base.u]), {}
-    change = np.array([*state.q, *state.u]) - np.array([*base.q, *base.u])
-    rates = np.array([*state.v, *state.u1])
-    for name, jet in parts.springs.items():
-        if isinstance(jet, jets.Jet):
-            slope = figure.tension(name, jet.v + 1j * STEP).imag / STEP if about else 0.0
-            found[f"{name}.force"] = figure.tension(name, jet.v) + slope * (jet.g @ change)
-    for name, jet in parts.dampers.items():
-        if isinstance(jet, jets.Jet):
-            found[f"{name}.force"] = figure.damper_laws[name](jet.g @ rates)
-    return found
+def mass(figure, parts, n):
+    """The matrix of q'' in the full equations."""
+    return sum((w * np.outer(jet.g[:n], jet.g[:n]) for w, jet in parts.inertias), figure.given.get("M", 0))

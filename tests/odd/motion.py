@@ -6,8 +6,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from . import jets, words
-from .mechanics import accelerations, at_rest
+from .mechanics import accelerations, at_rest, mass
 
+BEFORE = 1e-12                  # [s]; a step has its value to the right of it
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(14)
 
 
@@ -15,13 +16,18 @@ def breaks(figure, until):
     """The instants at which loads and drives may jump."""
     found = {0.0, until}
     for tree in of_time(figure):
-        for name in ("step", "ramp", "impulse"):
+        for name in ("step", "ramp", "impulse", "sign"):
             for (argument,) in words.calls(tree, name):
                 start, rate, _ = figure.of_time([(1, argument)], 0.0)
                 if rate:
                     found.add(-start / rate)
+        for name, record in figure.records.items():
+            for (argument,) in words.calls(tree, name):
+                start, rate, _ = figure.of_time([(1, argument)], 0.0)
+                found |= {(sample - start) / rate for sample in record.times}
         waves = [arguments for name in ("square", "sawtooth") for arguments in words.calls(tree, name)]
-        waves += [inner for (argument,) in words.calls(tree, "abs") for inner in words.calls(argument, "sin")]
+        waves += [inner for name in ("abs", "max") for arguments in words.calls(tree, name)
+                  for inner in words.calls(arguments[-1], "sin")]
         for (argument,) in waves:
             start, rate, _ = figure.of_time([(1, argument)], 0.0)
             if rate:
@@ -54,7 +60,10 @@ def small_motion(figure, small, start, times):
     def load(t):
         return np.concatenate([np.zeros(n), inverse @ _load(figure, small, along, t)])
 
-    state = state + _blow(figure, inverse, along, 0.0)
+    def blow(t):
+        return _blow(figure, inverse, along, t) - np.concatenate([np.zeros(n), inverse @ small.Mu @ jumps(figure, t)])
+
+    state = state + blow(0.0)
     for end in sorted(set(at)):
         pieces = max(1, int(np.ceil((end - t) * fast / 2)))
         h = (end - t) / pieces
@@ -66,10 +75,15 @@ def small_motion(figure, small, start, times):
                 state = whole @ state + np.einsum("k,kij,kj->i", WEIGHTS * h / 2, within, at_nodes)
         t = end
         if t > 0:
-            state = state + _blow(figure, inverse, along, t)
+            state = state + blow(t)
         if end in times:
             found.append(state.copy())
     return [(np.array(small.q) + x[:n], x[n:]) for x in found]
+
+
+def load_of_time(figure, small, t):
+    """Q(t) of small motions."""
+    return _load(figure, small, _along(figure, figure.parts([*small.q, *at_rest(figure, small.q).u])), t)
 
 
 def exponential(A):
@@ -144,14 +158,27 @@ def _strength(figure, tree, t):
     return values[1] - values[0]
 
 
-def _struck(figure, state, t):
+def struck(figure, state, t):
     """The same of the full equations in a state."""
     n = len(figure.independent)
-    if not any(words.calls(tree, "impulse") for tree in of_time(figure)):
+    if not figure.records and not any(words.calls(tree, "impulse") for tree in of_time(figure)):
         return 0 * state
     parts = figure.parts([*state[:n], *figure.driven(t)[0]])
-    mass = sum(w * np.outer(jet.g[:n], jet.g[:n]) for w, jet in parts.inertias)
-    return _blow(figure, np.linalg.inv(mass), _along(figure, parts), t)
+    inverse = np.linalg.inv(mass(figure, parts, n))
+    carried = sum((w * np.outer(jet.g[:n], jet.g[n:]) for w, jet in parts.inertias), np.zeros((n, len(figure.drives))))
+    return _blow(figure, inverse, _along(figure, parts), t) - np.concatenate([
+        np.zeros(n), inverse @ carried @ jumps(figure, t)])
+
+
+def jumps(figure, t):
+    """The jumps of the speeds of drives at the samples of records."""
+    after = figure.driven(t)[1]
+    for record in figure.records.values():
+        record.side = -1
+    before = figure.driven(t)[1]
+    for record in figure.records.values():
+        record.side = 1
+    return np.subtract(after, before)
 
 
 def full_motion(figure, start, times, rtol=1e-9):
@@ -168,10 +195,9 @@ def full_motion(figure, start, times, rtol=1e-9):
 
     stops = sorted({*breaks(figure, times[-1]), *times})
     for begin, end in pairwise(stops):
-        inner = 1e-15 * max(1.0, end)       # a step has its value to the right of it
-        solved = solve_ivp(rates, (begin, end - inner), state, "DOP853", rtol=rtol, atol=1e-12)
+        solved = solve_ivp(rates, (begin, end - BEFORE), state, "DOP853", rtol=rtol, atol=1e-12)
         state = solved.y[:, -1]
-        state = state + _struck(figure, state, end)
+        state = state + struck(figure, state, end)
         if end in times:
             found.append((state[:n].copy(), state[n:].copy()))
     return found

@@ -6,7 +6,9 @@ import mpmath
 import yaml
 
 from . import doors, mechanics
-from .figure import Figure, precise
+from .figure import Figure
+from .in_letters import closed_forms
+from .texts import precise
 
 NUMBER = re.compile(r"(?<![\w.^{])-?\d+\.?\d*(?:[eE][-+]?\d+)?(?:\s*(?:\\cdot|·)\s*10\s*\^?\{?([-⁻⁰¹²³⁴⁵⁶⁷⁸⁹\d]+)\}?)?")
 SMALL_DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -104,11 +106,12 @@ def cases(comparison):
 def digits(comparison):
     """Natural frequencies to twenty digits, against the same mechanics in numbers of fifty."""
     small = comparison.small
-    if comparison.figure.statics or abs(small.C - small.drag).max() > 1e-9 or len(comparison.q) > 3:
-        return          # no gyroscopic terms, no preloads found in floats
+    gyroscopic = max(abs(small.C - small.drag).max(), abs(small.C - small.C.T).max()) > 1e-9
+    if comparison.figure.statics or gyroscopic or len(comparison.q) > 3:
+        return          # no preloads found in floats
     told = doors.data("frequencies", comparison.path, "--digits", 20)
     with mpmath.workdps(50):
-        figure = Figure(comparison.text, literal=precise)
+        figure = Figure(comparison.text, literal=precise, folder=comparison.path.parent)
         figure.independent = comparison.figure.independent
         q = mechanics.equilibrium(figure, [mpmath.mpf(float(x)) for x in comparison.q], 1e-40)
         small = mechanics.small(figure, q)
@@ -120,4 +123,5 @@ def digits(comparison):
                 comparison.meet(f"digits: omega[{mode['index']}]", near, omega, 1e-19 * omega)
 
 
-ALL = report("text"), report("markdown"), report("latex"), letters, digits, cases
+ALL = {"text": report("text"), "markdown": report("markdown"), "latex": report("latex"), "--set": letters,
+       "--digits": digits, "cases": cases, "closed forms": closed_forms}

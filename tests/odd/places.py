@@ -47,8 +47,25 @@ class Bodies:
 
     def __getitem__(self, name):
         if name not in self.found:
-            self.found[name] = self._displacement(name, self.figure.scene["bodies"][name])
+            own = self._displacement(name, self.figure.scene["bodies"][name])
+            self.found[name] = self._given_way(name, own)
         return self.found[name]
+
+    def _given_way(self, name, own):
+        """Let go by what supports it: moved further, along x and y and about its pin or centre (Figure.gives)."""
+        first = self.figure.gives.get(name)
+        if first not in self.known:
+            return own
+        x, y, angle = (self.known[first + i] for i in range(3))
+        words, at = self.figure.scene["bodies"][name], self.figure.bodies[name].centre
+        if "pin" in words:
+            motion = words["pin"]
+            at = motion.get("at", at) if isinstance(motion, dict) else at
+            at = self.figure.drawn(at) if isinstance(at, str) else self.figure.place(at) if isinstance(at, list) else at
+        elif "roll" in words:
+            at = self.figure.bodies[name].circle
+        px, py = own(at)
+        return about((px, py), angle, (px + x, py + y)).after(own)
 
     def place(self, end):
         """Where a named point or body, or the place [x, y], is."""

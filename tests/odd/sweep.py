@@ -13,7 +13,9 @@ from tempfile import TemporaryDirectory
 if __package__ in (None, ""):
     sys.path[0:0] = [str(Path(__file__).parents[1]), str(Path(__file__).parents[2])]
 
+from odd import other_doors
 from odd.compare import compared
+from odd.coverage import ASKED, Catalogue
 from odd.doors import Refusal
 from odd.draw import drawn
 
@@ -23,6 +25,8 @@ class Sweep:
 
     def __init__(self, folder):
         self.folder, self.drawn, self.numbers = Path(folder), 0, 0
+        self.catalogue = Catalogue()
+        self.expected = self.catalogue.kinds | ASKED | {f"door {door}" for door in other_doors.ALL}
         self.refusals, self.holding, self.disagreements = Counter(), Counter(), []
 
     def scene(self, seed):
@@ -30,7 +34,7 @@ class Sweep:
         self.drawn += 1
         draft = drawn(seed)
         path = self.folder / f"scene_{seed}.yaml"
-        path.write_text(draft.text(), encoding="utf-8")
+        draft.write(path)
         try:
             found = compared(draft, path, seed)
         except Refusal as refusal:
@@ -38,14 +42,29 @@ class Sweep:
             if refusal.code == 101:
                 self.disagreements.append((seed, [sentence(refusal)]))
             return
-        except (ArithmeticError, KeyError, ValueError) as error:
-            self.disagreements.append((seed, [f"not understood here: {error!r}"]))
+        except (ArithmeticError, LookupError, TypeError, ValueError) as error:
+            self.disagreements.append((seed, [f"not understood, here or there: {error!r}"]))
             return
         self.numbers += found.compared
         self.refusals.update(f"(in part) {sentence(refusal)}" for refusal in found.refusals)
-        self.holding.update(draft.holds())
+        self.holding.update(self.catalogue.of_scene(found.text) + found.kinds)
         if found.differences:
             self.disagreements.append((seed, found.differences))
+
+    @property
+    def never(self):
+        """What the language has and no answered scene held, and what was not compared."""
+        return self.expected - set(self.holding)
+
+    def representative(self, count, most):
+        """Scenes of the first seeds; the last ones, up to a number, are such as hold what none before them does."""
+        for seed in range(1, count + 1):
+            self.scene(seed)
+        seed = count
+        while self.drawn < most and self.never:
+            seed += 1
+            if self.never & set(self.catalogue.of_scene(drawn(seed).text())):
+                self.scene(seed)
 
     @property
     def refused(self):
@@ -65,6 +84,7 @@ def report(sweep):
     print(f"{sweep.drawn} scenes drawn, {sweep.drawn - round(sweep.refused * sweep.drawn)} answered, "
           f"{sweep.numbers} numbers compared, {100 * sweep.refused:.1f} % refused")
     print("answered scenes hold", ", ".join(f"{n} {words}" for words, n in sweep.holding.most_common()))
+    print("never held or compared:", ", ".join(sorted(sweep.never)) or "nothing")
     for words, n in sweep.refusals.most_common():
         print(f"refused {n:5}  {words}")
     for seed, differences in sweep.disagreements:

@@ -13,8 +13,9 @@ UNIT = r"[A-Za-z%]+(?:\^\d+)?"
 NUMBER = re.compile(rf"(?<![\w.])(\d+\.?\d*(?:[eE][-+]?\d+)?)(?:\s+({UNIT}(?:[*/]{UNIT})*))?")
 FUNCTIONS = {"sin": jets.sin, "cos": jets.cos, "exp": jets.exp, "sqrt": jets.sqrt, "abs": jets.magnitude,
              "sign": jets.sign, "step": jets.step, "ramp": jets.ramp, "square": jets.square,
-             "sawtooth": jets.sawtooth, "tanh": jets.tanh, "atan": jets.atan, "max": jets.larger, "min": jets.smaller,
-             "atan2": lambda y, x: jets.polar(x, y)}
+             "sawtooth": jets.sawtooth, "tanh": jets.tanh, "atan": jets.atan, "tan": jets.tan, "asin": jets.asin,
+             "acos": jets.acos, "sinh": jets.sinh, "cosh": jets.cosh, "log": jets.log, "max": jets.larger,
+             "min": jets.smaller, "atan2": jets.atan2}
 
 
 def _literal(match):

@@ -18,7 +18,7 @@ ELEMENT = Element(
 
 def build(record, scene):
     """Add the entries of the matrices to the scene, after checking shape and symmetry."""
-    n = len(scene.coordinates)
+    n = len(scene.spec.coordinates)         # a scene that is opened has further ones, after these
     for key, rows in record.values.items():
         wrong = next((i for i, row in enumerate(rows) if len(row) != n), None)
         if len(rows) != n or wrong is not None:

@@ -38,7 +38,7 @@ def gyroscopic(scene, i):
     if "C" not in scene.matrices:
         return scene.table.zero
     C = scene.matrices["C"]
-    return scene.table.sum(*(((C[i][j] - C[j][i]) * v, HALF) for j, v in enumerate(scene.v)))
+    return scene.table.sum(*(((C[i][j] - C[j][i]) * v, HALF) for j, v in enumerate(scene.v[:len(C)]) if i < len(C)))
 
 
 def full_equations(scene):

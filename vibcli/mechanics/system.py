@@ -116,9 +116,9 @@ class System:
         return found
 
     def gaps(self, t, q, v):
-        """(G, Ġ) of shapes (m, instants)."""
+        """(G, Ġ) of shapes (m, instants), which no switch changes."""
         found = np.empty((2 * self.m, q.shape[1]))
-        for k, value in enumerate(self._closing(t, q, v)):
+        for k, value in enumerate(self._closing(t, q, v, (1.0,) * len(self._slots))):
             found[k] = value
         return found[:self.m], found[self.m:]
 

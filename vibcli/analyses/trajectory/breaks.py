@@ -59,9 +59,14 @@ def _exact(scene, node, floats, until, blows, work):
     except PhysicsError:
         return None
     for segment in segments:
-        for _, size in segment.impulses if node.name == "impulse" else ():
+        for _, size in segment.impulses if _strikes(node) else ():
             blows.setdefault(segment.start, {})[node] = size
     return [segment.start for segment in segments]
+
+
+def _strikes(node):
+    """Does it hold impulses by itself? Of records the rates do: the second one where their slope jumps."""
+    return node.name == "impulse" or (node.name in node.table.records and len(node.args) > 1)
 
 
 def _searched(scene, node, floats, until):

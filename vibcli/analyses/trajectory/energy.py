@@ -7,6 +7,8 @@ from vibcli.analyses.trajectory.result import POINTS, Balance
 from vibcli.mechanics.compiled import Compiled
 from vibcli.mechanics.powers import powers
 
+BESIDE = 1e-14      # relative: an instant is left by more than the rounding of t − t1
+
 
 def balance(system, switching, windows, ends, struck):
     """The Balance over all windows, each of which may have been cut short; ends: the states (q, q̇) there; struck:
@@ -53,10 +55,10 @@ def _at_ends(system, flow, times, states):
     """T + V at the ends of windows, just before and just after each of these instants: what is prescribed may jump."""
     compiled = Compiled(system.scene, system.floats, None, [flow.energy])
     q, v = (np.column_stack([state[i] for state in states]) for i in (0, 1))
-    after = np.array(np.broadcast_to(compiled(times, q, v)[0], times.shape))
+    after = np.array(np.broadcast_to(compiled(times * (1 + BESIDE), q, v)[0], times.shape))
     if not flow.driven:
         return after, after
-    before = np.array(np.broadcast_to(compiled(np.nextafter(times, -np.inf), q, v)[0], times.shape))
+    before = np.array(np.broadcast_to(compiled(times * (1 - BESIDE), q, v)[0], times.shape))
     before[0] = after[0]
     return before, after
 
@@ -64,7 +66,8 @@ def _at_ends(system, flow, times, states):
 def _gained(system, flow, instant, place, before, after):
     """What an impulse adds to T + V."""
     compiled = Compiled(system.scene, system.floats, None, [flow.energy])
-    found = compiled(np.full(2, instant), np.column_stack([place] * 2), np.column_stack([before, after]))[0]
+    times = np.full(2, instant * (1 + BESIDE))
+    found = compiled(times, np.column_stack([place] * 2), np.column_stack([before, after]))[0]
     return np.diff(np.broadcast_to(found, 2))[0]
 
 

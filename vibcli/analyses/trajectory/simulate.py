@@ -31,6 +31,8 @@ MOST_AT_ONCE = 20       # events at one instant
 def known_motion(problem, until, initial=None):
     """The Trajectory that `simulate` gives, as far as a second solution shares it."""
     found = simulate(problem, until, initial=initial)
+    if not found.end > 0:
+        raise found.unknown(0.0)
     second = simulate(problem, found.end, initial=initial, second=True)
     found.shared = Shared(found, second, units_of(problem, found.names))
     horizon = found.shared.horizon
