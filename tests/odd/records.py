@@ -1,5 +1,6 @@
 """Measured functions of the time: columns of numbers in a file beside the scene, straight between the samples."""
 
+import math
 import re
 from bisect import bisect_right
 from pathlib import Path
@@ -56,4 +57,4 @@ def _in(entry, values):
 
 
 def _size(text):
-    return words.value(words.read(text), {}, lambda above, below, pi: above / below)
+    return words.value(words.read(text), {}, lambda above, below, pi: above / below * math.pi**pi)
