@@ -34,9 +34,9 @@ def _record(problem, name, samples):
 
 
 def coordinates(problem, _):
-    items = []
+    items, moves = [], _moves(problem)
     for name in problem.scene.coordinates:
-        about = problem.spec.coordinates[name].get("about") or _moves(problem, name)
+        about = problem.spec.coordinates[name].get("about") or moves.get(name, "")
         items.append(Definition((maths(Name(name)), f" [{unit(problem.dimension(name))}]"), about))
     n = len(items)
     yield from section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
@@ -48,12 +48,14 @@ def unit(dimension):
     return "rad" if dimension == {} else units.text(dimension)
 
 
-def _moves(problem, name):
-    """What a coordinate moves, where the file does not say: the first body whose motion is that coordinate."""
-    for body_name, record in (problem.spec.get("bodies") or {}).items():
+def _moves(problem):
+    """{coordinate: what it moves}, where the file does not say: the first body whose motion is that coordinate."""
+    found = {}
+    for body, record in (problem.spec.get("bodies") or {}).items():
         for key, words in MOVES.items():
             motion = record.get(key)
-            values = motion.values.values() if hasattr(motion, "values") else (motion,)
-            if any(getattr(value, "text", None) == name for value in values):
-                return f"{words} of {body_name}"
-    return ""
+            for value in motion.values.values() if hasattr(motion, "values") else (motion,):
+                text = getattr(value, "text", None)
+                if text is not None:
+                    found.setdefault(text, f"{words} of {body}")
+    return found
