@@ -7,6 +7,7 @@ import click
 import pytest
 from scenes import problem
 
+from vibcli.analyses.forcing import segments
 from vibcli.analyses.response import cells, largest, searching
 from vibcli.analyses.trajectory import march, simulate
 from vibcli.cli import COMMANDS, progress, run
@@ -199,3 +200,25 @@ def test_the_patience_that_many_digits_ask_for_is_enough(tmp_path):
         scene.work.patience = patience - 1
         with pytest.raises(click.UsageError):
             require_quick(scene, digits)
+
+
+OFTEN = "bodies: {b: {mass: 1 kg, slide: x}}\nsprings: {s: {k: 100 N/m, between: [ground, b]}}\ndampers: " \
+    "{d: {c: 1 N*s/m, between: [ground, b]}}\nforces: {f: {coordinate: x, value: %s}}\n" \
+    "find: [{response: {until: 1 s}}]\n"
+
+
+@pytest.mark.parametrize("motion", ["small", "full"])
+@pytest.mark.parametrize("load", [
+    "(1 N)*square((100 rad/s)*t)*(step(t) - step(t - 5 s))", "(1 N)*square((100 rad/s)*t)",
+    "(1 N)*(square((100 rad/s)*t) + square((141.42135623730951 rad/s)*t))"])
+def test_what_jumps_too_often_is_refused_with_what_is_enough(scene, capsys, monkeypatch, motion, load):
+    file = scene(OFTEN % load + f"motion: {motion}\n")
+    ask = ["response", file, "--at", "0.9", "--patience"]
+    assert run([*ask, "1"]) == 0
+    whole = capsys.readouterr().out
+    monkeypatch.setattr(segments, "MOST", 10)
+    assert run([*ask, "1"]) == 4
+    err = capsys.readouterr().err
+    assert "jumps or bends too often" in err and "stretches of time, and 10 are the most" in err
+    assert run([*ask, re.search(r"--patience (\d+) allows twice", err)[1]]) == 0
+    assert capsys.readouterr().out == whole

@@ -129,7 +129,8 @@ class SmallMotion(Motion):
 
         n = len(self.matrices[0])
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain)
+        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain,
+                          work=self.problem.work)
 
     def moved(self, direct=()):
         """The LinearMotion under the excitation."""

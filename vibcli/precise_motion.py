@@ -31,7 +31,7 @@ def precise_value(problem, name, primes, time, digits):
         rest = equilibrium_to(problem, values, arithmetic) if not problem.equilibrium.drawn else drawn(problem, values)
         q, v = start(problem, values, rest)
         nodes = problem.excitation if scene.timed else {}
-        forcing = forcing_of(nodes, scene.time, values, n, precise=True)
+        forcing = forcing_of(nodes, scene.time, values, n, precise=True, work=problem.work)
         damping = [[C.get((j, k), 0) + G.get((j, k), 0) for k in range(n)] for j in range(n)]
         found = value_of(_full(M, n), damping, _full(K, n), forcing, [q[each] - rest[each] for each in names],
                          [v[each] for each in names], Output(q={i: 1}), time, digits + GUARD // 2, primes)

@@ -55,7 +55,7 @@ PATIENCE = [
          "and is looked for at 20000 positions more."),
         ("largest values, passages", "500000 steps of a search through a motion of small oscillations, each a "
          "thousand values of one of the exponentials that it is made of. What is found by then is told."),
-        ("loads that repeat", "100000 stretches of time from one jump or bend to the next."),
+        ("loads with jumps and bends", "100000 stretches of time from one jump or bend to the next."),
         ("modes", "10000 steps, each a million products of whole numbers, which some hundreds of coordinates with "
          "dampers need."),
         ("--digits, shares", "600 such steps, as estimated from the number of coordinates and digits alone; 200 for "

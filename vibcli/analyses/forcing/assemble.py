@@ -11,6 +11,7 @@ from vibcli.analyses.forcing.sums import added, convolved, shifted
 from vibcli.errors import PhysicsError
 
 NEAR = 1e-6
+SHORTER = "let it change less often, or for a shorter time"
 BEFORE = Fraction(-1)       # the instant from which a term counts that always does
 
 
@@ -45,24 +46,27 @@ class Group:
                 yield low, high
 
 
-def assembled(sums, channels, numbers):
-    """The Forcing of {channel: Sum}."""
+def assembled(sums, channels, numbers, work=None):
+    """The Forcing of {channel: Sum}; work: what counts its segments."""
     terms = {}
     for channel, total in sums.items():
         for (T, gates, wave), p in total.items():
             terms.setdefault((channel, gates, wave), []).append((T, p))
     groups = [Group(*key, found, numbers) for key, found in terms.items()]
     try:
-        return _forcing(groups, channels, numbers)
+        return _forcing(groups, channels, numbers, work)
     except OverflowError:
         raise PhysicsError("what drives this scene grows or changes beyond what can be computed",
                            "look for growing exponentials, and for waves that are very fast") from None
 
 
-def _forcing(groups, channels, numbers):
-    cuts, lasting = _cuts(groups)
-    if not any(group.gates for group, _ in lasting):
-        return Forcing(channels, _pieces(groups, cuts, None, 0, numbers))
+def _forcing(groups, channels, numbers, work):
+    spans = [(group, *span) for group in groups for span in group.spans()]
+    count = sum(gate.count(low, high) for group, low, high in spans if high is not None for gate in group.gates)
+    with task_of(work, count, SHORTER) as task:
+        cuts, lasting = _cuts(spans)
+        if not any(group.gates for group, _ in lasting):
+            return Forcing(channels, _pieces(groups, cuts, None, 0, numbers, task))
     try:
         period = common_period([group for group, _ in lasting], numbers)
     except PhysicsError as refusal:
@@ -70,10 +74,13 @@ def _forcing(groups, channels, numbers):
         return Irregular(channels, lambda until, work: _up_to(groups, cuts, lasting, until, longest, numbers, work),
                          numbers.number(longest), refusal)
     settled = max(cuts)
-    breaks = _repeated(lasting, settled + 2 * period)
-    since = min(instant for instant in breaks if instant >= settled)
-    cuts.update(instant for instant in breaks if instant < since + period)
-    pieces = _pieces(groups, cuts, since + period, since, numbers)
+    last = settled + 2 * period
+    count += sum(gate.count(low, last) for group, low in lasting for gate in group.gates)
+    with task_of(work, count, SHORTER) as task:
+        breaks = _repeated(lasting, last)
+        since = min(instant for instant in breaks if instant >= settled)
+        cuts.update(instant for instant in breaks if instant < since + period)
+        pieces = _pieces(groups, cuts, since + period, since, numbers, task)
     start = min((piece.start for piece in pieces), key=lambda start: abs(start - numbers.number(since)))
     return Forcing(channels, *shortest(pieces, numbers.number(period), start, numbers.same), start)
 
@@ -81,8 +88,8 @@ def _forcing(groups, channels, numbers):
 def _up_to(groups, cuts, lasting, until, longest, numbers, work):
     """The segments up to a time, and further by the longest period of what repeats."""
     last = numbers.exact(until) + longest
-    breaks = float(sum(last / gate.period * len(gate.corners) for group, _ in lasting for gate in group.gates))
-    with task_of(work, breaks) as task:
+    count = len(cuts) + sum(gate.count(0, last) for group, _ in lasting for gate in group.gates)
+    with task_of(work, count) as task:
         cuts = {cut for cut in cuts if cut < last} | _repeated(lasting, last)
         return _pieces(groups, cuts, last, 0, numbers, task)
 
@@ -115,18 +122,17 @@ def _is_level(wave):
     return not (wave.power or wave.exponent)
 
 
-def _cuts(groups):
+def _cuts(spans):
     """(instants at which anything changes, apart from what repeats for ever; [(group, its start)] of what lasts)."""
     cuts, lasting = {Fraction(0)}, []
-    for group in groups:
-        for low, high in group.spans():
-            cuts.add(low)
-            if high is None:
-                lasting.append((group, low))
-                continue
-            cuts.add(high)
-            for gate in group.gates:
-                cuts.update(gate.breaks(low, high))
+    for group, low, high in spans:
+        cuts.add(low)
+        if high is None:
+            lasting.append((group, low))
+            continue
+        cuts.add(high)
+        for gate in group.gates:
+            cuts.update(gate.breaks(low, high))
     return cuts, lasting
 
 

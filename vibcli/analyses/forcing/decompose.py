@@ -14,15 +14,16 @@ FULL = "`motion: full` integrates the equations as they are"
 LARGEST = 60        # whole powers that are multiplied out
 
 
-def forcing_of(nodes, time, values, channels=None, precise=False, write=repr):
+def forcing_of(nodes, time, values, channels=None, precise=False, write=repr, work=None):
     """The Forcing of {channel: expression of the time}; `values`: {name: number} of all other symbols.
 
-    `precise`: in mpmath numbers at the working precision, else in floats. `write` says an expression in a message.
+    `precise`: in mpmath numbers at the working precision, else in floats. `write` says an expression in a message;
+    `work` counts.
     PhysicsError where an expression is no piecewise sum of polynomials times exponentials and sines.
     """
     numbers = multiprecise() if precise else Floating
     sums = dict(zip(nodes, sums_of(list(nodes.values()), time, values, numbers, write), strict=True))
-    return assembled(sums, max(nodes, default=-1) + 1 if channels is None else channels, numbers)
+    return assembled(sums, max(nodes, default=-1) + 1 if channels is None else channels, numbers, work)
 
 
 def sums_of(nodes, time, values, numbers, write=repr):

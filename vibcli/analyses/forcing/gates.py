@@ -9,8 +9,6 @@ from fractions import Fraction
 from math import ceil, floor
 from typing import NamedTuple
 
-MOST = 500_000      # breaks
-
 
 class Place(NamedTuple):
     """A segment: its start, and an instant within it, as numbers of the arithmetic and exactly."""
@@ -37,10 +35,12 @@ class Periodic(NamedTuple):
     def period(self):
         return 1 / self.a
 
+    def count(self, low, high):
+        """About how many breaks there are."""
+        return (high - low) * self.a * len(self.corners)
+
     def _instants(self, low, high):
         first, last = floor(self.a * low + self.b), ceil(self.a * high + self.b)
-        if (last - first) * len(self.corners) > MOST:
-            raise OverflowError
         found = [((turn + corner - self.b) / self.a, j) for turn in range(first - 1, last + 1)
                  for j, corner in enumerate(self.corners)]
         return [pair for pair in found if low <= pair[0] <= high]
@@ -68,6 +68,9 @@ class Blow(NamedTuple):
     size: Fraction
 
     period = None
+
+    def count(self, low, high):
+        return 1
 
     def breaks(self, low, high):
         return [self.end] if low <= self.end <= high else []

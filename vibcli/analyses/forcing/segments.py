@@ -10,18 +10,20 @@ from typing import NamedTuple
 from vibcli.errors import PhysicsError
 from vibcli.work import Work
 
-MOST = 100_000      # segments of a forcing that repeats for ever
+MOST = 100_000      # segments
 
 
-def task_of(work, count, before=None):
-    """The task of finding so many segments; PhysicsError where they are too many. before: until when they are not."""
-    work = work or Work()
+class TooOften(PhysicsError):
+    """There are more segments than may be followed."""
+
+
+def task_of(work, count, ask="ask for an earlier instant"):
+    """The task of finding so many segments; TooOften where they are too many. ask: what helps then."""
+    work, count = work or Work(), float(count)
     if count > MOST * work.patience:
-        ask = "ask for an earlier instant" if before is None else f"ask for an instant before t = {0.99 * before:.3g} s"
-        more = f"; --patience {ceil(count / MOST)} allows as many" if count < inf else ""
+        more = f"; --patience {ceil(2 * count / MOST)} allows twice as many" if count < inf else ""
         most = f": {count:.6g} stretches of time, and {MOST * work.patience:.0f} are the most" if count < inf else ""
-        raise PhysicsError(f"what drives this scene repeats itself too often to be followed for so long{most}",
-                           ask + more)
+        raise TooOften(f"what drives this scene jumps or bends too often to be followed for so long{most}", ask + more)
     return work.task("what drives the motion", MOST)
 
 
@@ -75,7 +77,8 @@ class Forcing:
         repeated = [piece for piece in self.pieces if piece.start >= self.since]
         count = max(0.0, until - self.since) * len(self.pieces) / self.period
         turns, most = 1, MOST * (1 if work is None else work.patience)
-        with task_of(work, count, most * self.period / len(self.pieces)) as task:
+        before = 0.99 * most * self.period / len(self.pieces)
+        with task_of(work, count, f"ask for an instant before t = {float(before):.3g} s") as task:
             while self.since + turns * self.period < until:
                 shift = turns * self.period
                 task.step(turns * len(repeated) / count, len(repeated) / 2)

@@ -10,6 +10,7 @@ from vibcli.algebra.evaluate import evaluate
 from vibcli.algebra.expression import reachable
 from vibcli.algebra.pulses import PULSES
 from vibcli.analyses.forcing.decompose import forcing_of
+from vibcli.analyses.forcing.segments import TooOften
 from vibcli.errors import PhysicsError
 
 SAMPLES, ROUNDS = 20_001, 80
@@ -45,17 +46,21 @@ def breaks(scene, nodes, floats, until, work):
                                    " allows ten times as many")
     times = sorted(time for time in found if 0 < time < until * (1 - CLOSE))
     kept = [time for time, before in zip(times, [0.0, *times], strict=False) if time - before > CLOSE * time]
-    return Breaks(np.array(kept), {_nearest([0.0, *kept], time): sizes for time, sizes in sorted(blows.items())})
+    places = np.array([0.0, *kept])
+    return Breaks(places[1:], {_nearest(places, time): sizes for time, sizes in sorted(blows.items())})
 
 
 def _nearest(times, time):
-    return min(times, key=lambda other: abs(other - time))
+    i = int(np.searchsorted(times[1:], time))
+    return float(min(times[i:i + 2], key=lambda other: abs(other - time)))
 
 
 def _exact(scene, node, floats, until, blows, work):
     """The breaks of one function of the time; None where they are not known in closed form."""
     try:
-        segments = forcing_of({0: node}, scene.time, floats).segments(until, work)
+        segments = forcing_of({0: node}, scene.time, floats, work=work).segments(until, work)
+    except TooOften:
+        raise
     except PhysicsError:
         return None
     for segment in segments:
