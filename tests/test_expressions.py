@@ -96,6 +96,8 @@ def test_values_that_fold(table):
     assert table.call("exp", zero) is one
     assert table.call("log", one) is zero
     assert table.call("sign", zero) is zero
+    for x in (Fraction(1, 10), 7, Fraction(-3, 2)):
+        assert table.call("sign", table.number(x)) is table.number(1 if x > 0 else -1)
     assert table.call("sin", -table.variable("x")) is -table.call("sin", table.variable("x"))
     assert table.call("cos", -table.variable("x")) is table.call("cos", table.variable("x"))
     assert table.call("acos", zero).op == "call"

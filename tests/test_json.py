@@ -101,6 +101,20 @@ def test_responses(ask):
     assert wave["phase"] == pytest.approx(-cmath.phase(H), rel=1e-12)
 
 
+@pytest.mark.parametrize("until", ["0.74", "0.3", "1.1", "2"])
+def test_the_last_instant_of_a_full_motion_has_a_value(ask, capsys, tmp_path, until):
+    """Its end is a float, and the instants that are asked for are exact."""
+    text = ("parameters: {m: 2 kg, k: 100 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
+            "springs: {s: {law: 'k*d + (10 N/m^3)*d^3', between: [ground, b]}}\nmotion: full\ninitial: {x: 0.1 m}\n"
+            f"find: [{{response: {{until: {until} s}}}}]\n")
+    data, = ask(text, "response", "--at", until)["response"]["signals"]
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    assert run(["response", str(path), "--at", until]) == 0
+    printed = capsys.readouterr().out.split("Values")[1].splitlines()[2].split()[-1].replace("−", "-")
+    assert float(printed) == pytest.approx(data["at"][0]["value"], rel=1e-9)
+
+
 def test_values_at_instants(ask):
     data, = ask(SCENE + "initial: {y': 0.1 m/s}\n", "response", "--of", "x + y", "--at", "0.5", "--at", "80 ms",
                 "--until", "0.1")["response"]["signals"]

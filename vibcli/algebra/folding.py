@@ -9,7 +9,7 @@ from fractions import Fraction
 from vibcli.algebra.rationals import HALF, ONE, ZERO
 
 _EXACT = {"sin": (0, 0), "cos": (0, 1), "tan": (0, 0), "asin": (0, 0), "atan": (0, 0), "sinh": (0, 0), "cosh": (0, 1),
-          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0), "sign": (0, 0),
+          "tanh": (0, 0), "exp": (0, 1), "log": (1, 0), "abs": (0, 0),
           "square": (0, 0), "sawtooth": (0, -1)}
 _ODD = {"sin", "tan", "asin", "atan", "sinh", "tanh", "sign"}
 _EVEN = {"cos", "cosh", "abs"}
@@ -23,6 +23,8 @@ def folded(table, name, args):
     value = _EXACT.get(name)
     if value is not None and args[0].op == "number" and args[0].coefficient == value[0] and len(args) == 1:
         return table.number(value[1])
+    if name == "sign" and args[0].op == "number":
+        return table.number((args[0].coefficient > 0) - (args[0].coefficient < 0))
     if name in _STARTS and args[0].op == "number":
         begun = args[0].coefficient > 0
         return {"step": table.one, "ramp": args[0]}.get(name, table.zero) if begun else table.zero

@@ -42,7 +42,7 @@ def _values(problem, one, wanted, known):
     def value(t):
         import numpy as np
 
-        if t > known:
+        if float(t) > known:
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
