@@ -74,9 +74,9 @@ def known_until(motion, wanted):
 def _at_instants(problem, asked, wanted, known):
     """The values at the instants asked for, those up to `known`."""
     if wanted.at:
-        rows = tuple((f"{one.label} [{one.unit}]", *(value_at(problem, one, t, wanted.digits) if float(t) <= known else "–"
-                                                     for _, t in wanted.at))
-                     for one in asked)
+        rows = tuple((f"{one.label} [{one.unit}]", *(
+            value_at(problem, one, t, wanted.digits) if float(t) <= known else "–" for _, t in wanted.at))
+            for one in asked)
         yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
 
