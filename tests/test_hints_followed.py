@@ -50,6 +50,19 @@ def test_many_are_followed():
     assert len(FOLLOWED) > 20
 
 
+def test_units_without_their_brackets_are_understood(tmp_path, capsys):
+    """Each value is replaced by that which its hint says."""
+    file = tmp_path / "scene.yaml"
+    source = (BAD[0].parent / "unit_in_brackets.yaml").read_text(encoding="utf-8")
+    rows = source.split("\n")
+    for place, _, hint in expected(BAD[0].parent / "unit_in_brackets.yaml")[2]:
+        line = int(place.split(":")[0]) - 1
+        rows[line] = rows[line].split(":")[0] + ": " + hint.partition("write ")[2]
+    file.write_text("\n".join(rows), encoding="utf-8")
+    run(["solve", str(file)])
+    assert "unknown name" not in capsys.readouterr().err
+
+
 QUANTITIES = [name + "[1]" for name, asked in ASKED.items() if asked.unit not in (None, "", "1")
               and tuple(asked.indices) == ("mode",)]
 

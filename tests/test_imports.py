@@ -25,7 +25,7 @@ ROOMS = (
     ("algebra", ("algebra",)),
     ("fields", ("reading", "fields", "named_place")),
     ("elements", ("elements",)),
-    ("spec", ("signals", "recorded", "fit", "counting", "naming", "consistent", "asking", "asking_signals",
+    ("spec", ("signals", "recorded", "unit_brackets", "fit", "counting", "naming", "consistent", "asking", "asking_signals",
               "choosing", "parameters", "spec")),
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),

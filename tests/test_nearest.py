@@ -130,3 +130,15 @@ def test_letters_mean_the_same_as_numbers(name, start):
         for pair in {*letters, *exact}:
             entry = evaluate([letters[pair]], Floats, numbers.floats)[0] if pair in letters else 0.0
             assert entry == pytest.approx(exact.get(pair, 0.0), rel=1e-11, abs=1e-11)
+
+
+@pytest.mark.parametrize(("kind", "told"), [("text", "Δφ₁ = "), ("html", "<mi>Δ</mi><msub><mi>φ</mi>"),
+                                            ("latex", r"\Delta \varphi_{1} = "),
+                                            ("markdown", r"\Delta \varphi _ {1} =")])
+def test_the_way_from_the_start_is_written_in_letters(kind, told, tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    path.write_text("parameters: {m: 1 kg, a: 1 J, b: 4 J}\ncoordinates: [phi1]\nequilibrium: {phi1: 0.25}\n"
+                    "energies: {T: m*(1 m)^2*phi1'^2/2, V: a*phi1 + b*phi1^2}\n")
+    assert run(["solve", str(path), "--format", kind]) == 0
+    out = capsys.readouterr().out
+    assert told in out and "Δphi" not in out

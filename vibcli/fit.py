@@ -2,7 +2,7 @@
 
 import re
 
-from vibcli import units
+from vibcli import unit_brackets, units
 from vibcli.algebra.meaning import (
     ALL_NUMBERS,
     ANY,
@@ -39,8 +39,9 @@ def check(spec, reader, expression, names, expected, local=None):
             spec.used.add(name)
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
-            reader.report(expression.scalar.place(start, end - start), *_unknown(spec, name, names, any(
-                expression is motion for motion in reader.motions)))
+            reader.report(expression.scalar.place(start, end - start),
+                          *(_bracketed(expression, name, start) or _unknown(spec, name, names, any(
+                              expression is motion for motion in reader.motions))))
     _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
@@ -161,6 +162,14 @@ def _primes(spec, reader, expression, name, primes, start, end):
                       "loads depend on coordinates and velocities, constraints on positions")
     elif reader.sound and id(expression) not in spec.velocities:
         reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
+
+
+def _bracketed(expression, name, start):
+    """Of a unit in brackets, 2 N*(s/m): what is wrong and what to write; None of another name."""
+    text = unit_brackets.opened(expression.text, start) if name in units.UNITS else None
+    if text is None:
+        return None
+    return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"
 
 
 def _unknown(spec, name, names, moves):

@@ -83,7 +83,7 @@ def _from_start(problem):
     if found.start is None:
         return None
     def told(values, sign=""):
-        return separated(maths(Name(sign + name), " = ", *measured(values[name], problem.dimension(name)))
+        return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.dimension(name)))
                          for name in problem.scene.coordinates)
 
     return paragraph("the nearest found to the start ", *told(found.start), ", from there ",
