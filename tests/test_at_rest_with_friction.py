@@ -126,3 +126,27 @@ def test_motions_end_within_the_span(seed):
     end = found.motion.reaching(9.0).at([9.0])
     assert whole is not bool(pendulum)
     assert low - 1e-9 <= end[0][0, 0] <= high + 1e-9 and abs(end[1][0, 0]) < 1e-12
+
+
+HELD = """
+motion: full
+parameters: {m: 2 kg, R: 8 N}
+bodies: {b: {mass: m, slide: x}}
+forces: {f: {at: b, force: FORCE}}
+dampers: {d: {friction: R, between: [ground, b]}}
+INITIAL
+"""
+
+
+@pytest.mark.parametrize(("force", "holds"), [("5 N", True), ("8 N", True), ("-8 N", True), ("8.001 N", False),
+                                              ("5 N + 9 N*step(t - 1 s)", True)])
+def test_a_motion_starts_as_drawn_where_friction_alone_holds_the_scene(force, holds, ask):
+    """Else the hint says what helps: a start under `initial`."""
+    text = HELD.replace("FORCE", force)
+    code, out, err = ask(text.replace("INITIAL", ""), "response", "--until", "2", "--at", "0.9")
+    assert code == (0 if holds else 4)
+    if holds:
+        assert "from x(0) = 0 m" in out and "T + V at the start  0" in out
+    else:
+        assert "without friction no equilibrium" in err and "under `initial`: x" in err
+        assert ask(text.replace("INITIAL", "initial: {x: 0 m}"), "response", "--until", "2")[0] == 0

@@ -8,6 +8,7 @@ from scenes import problem, problem_of, value
 
 from vibcli.algebra import normal
 from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.analyses.trajectory.simulate import simulate
 from vibcli.cli import run
 from vibcli.errors import PhysicsError
 from vibcli.report.results import numeric_drive
@@ -280,3 +281,23 @@ def test_a_constant_that_drives_stands_without_a_factor_one(capsys, tmp_path):
                     "  S: {at: [0, 0], slide: 0.02 m*(1 - cos(3 rad/s*t))}\n")
     assert run(["equations", str(path)]) == 0
     assert "ẍ + 80·x = 1.6 − 1.6·cos(3·t)\n" in capsys.readouterr().out
+
+
+CORNERS = """
+motion: full
+parameters: {{Y: 0.1 m, w: {{value: 3 rad/s, unused: allowed}}}}
+bodies:
+  cart: {{mass: 1 kg, at: [0, 0], slide: {{along: [1, 0], by: "Y*({})"}}}}
+  b: {{mass: 2 kg, at: [1 m, 0], slide: {{along: [1, 0], by: x{}}}}}
+springs: {{s: {{k: 80 N/m, between: [cart, b]}}}}
+dampers: {{d: {{{}, between: [cart, b]}}}}
+initial: {{x: 0}}
+"""
+
+
+@pytest.mark.parametrize("damper", ["c: 3 N*s/m", "friction: 1 N"])
+@pytest.mark.parametrize("carrier", ["", ", carrier: cart"])
+@pytest.mark.parametrize("drive", ["abs(sin(w*t))", "1 + abs(sin(w*t) - 0.3)", "abs(cos(w*t)) + sin(w*t)"])
+def test_energies_balance_where_a_drive_turns_at_another_speed(drive, carrier, damper):
+    found = simulate(problem(CORNERS.format(drive, carrier, damper)), 3.0, initial={"x": 0.0})
+    assert found.end == 3.0 and found.balance.error < 1e-13 and found.balance.driving[-1]

@@ -13,7 +13,7 @@ from vibcli.mechanics.symbolic import equilibrium_in_letters
 def given_start(problem):
     """{coordinate, or velocity x': value} of `initial`, and of the equilibrium under a force that lets go."""
     record = problem.spec.get("initial")
-    found = dict(problem.before.equilibrium.values) if problem.before is not None else {}
+    found = dict(at_rest(problem.before)) if problem.before is not None else {}
     for key, expression in record.values.items() if record is not None else ():
         if key == RELEASED:
             continue
@@ -31,9 +31,26 @@ def given_start(problem):
 def start(problem):
     """({coordinate: value}, {coordinate: velocity}) at t = 0 of the independent coordinates."""
     given, names = problem.given_start, problem.scene.coordinates
-    rest = given if all(name in given for name in names) else problem.equilibrium.values
+    rest = given if all(name in given for name in names) else at_rest(problem)
     return ({name: given.get(name, rest[name]) for name in names},
             {name: given.get(name + "'", 0.0) for name in names})
+
+
+def at_rest(problem):
+    """{coordinate: value} where a motion starts at rest: in the equilibrium without friction; where none is reached, as
+    drawn, if friction holds the scene there."""
+    from vibcli.mechanics.sticking import holds
+
+    try:
+        return problem.equilibrium.values
+    except PhysicsError as error:
+        if problem.sticking is None:
+            raise
+        if not holds(problem, problem.sticking, problem.drawn_floats):
+            raise PhysicsError(f"without friction {error.message}; friction does not hold it as drawn either",
+                               "give the start of every coordinate under `initial`: "
+                               + ", ".join(problem.scene.coordinates), error.where) from None
+        return problem.drawn_floats
 
 
 def start_in_letters(problem):

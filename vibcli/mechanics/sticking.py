@@ -15,6 +15,7 @@ from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
 
 STEPS, ROUNDS, REACH = 400, 60, 4.0     # REACH: sizes of the figure, radians
+SWEEPS, BALANCED = 500, 1e-12           # of the descent; of the forces
 
 
 class Span(NamedTuple):
@@ -94,6 +95,33 @@ def _row(scene, name, b, held, parts, bounds):
         (sigma, a), = held.items()
         within = textbook(bounds[sigma] * scene.table.call("abs", a))
     return Row(name, b, held, within)
+
+
+def holds(problem, found, place):
+    """Does friction hold the scene at rest at a place {coordinate: value}: is b + A σ = 0 with |σ| ≤ σ₀? The sum of
+    squares is descended along one σ after the other."""
+    import numpy as np
+
+    names, bounds = list(found.bounds), list(found.bounds.values())
+    zero = problem.scene.table.zero
+    nodes = [*bounds, *(row.b for row in found.rows),
+             *(row.held.get(sigma, zero) for row in found.rows for sigma in names)]
+    values = np.array(evaluate(nodes, Floats, {**problem.floats, problem.scene.time.name: 0.0, **place}), dtype=float)
+    count = len(names)
+    b = values[count:count + len(found.rows)]
+    A = values[count + len(found.rows):].reshape(len(b), count) * values[:count]
+    if not np.isfinite(values).all():
+        return False
+    size = np.abs(b) + np.abs(A).sum(axis=1)
+    b, A = b / np.where(size > 0, size, 1.0), A / np.where(size > 0, size, 1.0)[:, None]
+    sigma = np.clip(np.linalg.lstsq(A, -b, rcond=None)[0], -1.0, 1.0)
+    for _ in range(SWEEPS):
+        for k in range(count):
+            if A[:, k].any():
+                sigma[k] = np.clip(sigma[k] - A[:, k] @ (b + A @ sigma) / (A[:, k] @ A[:, k]), -1.0, 1.0)
+        if np.abs(b + A @ sigma).max(initial=0.0) <= BALANCED:
+            return True
+    return False
 
 
 def span(problem, found):

@@ -37,6 +37,10 @@ def breaks(scene, nodes, floats, until, work):
     """The Breaks of expressions within 0 and `until`."""
     found, blows = {0.0}, {}
     for node in reachable(nodes):
+        if node.mask == scene.time.mask and node.name in ("square", "sawtooth") and len(node.args) > 1:
+            raise PhysicsError(f"what jumps as {node.name} strikes this scene again and again: the energies of this "
+                               "motion are not defined at an instant at which a function of the time in it jumps",
+                               "write what drives it without jumps, as abs(sin(w*t)) or 1 - cos(w*t)")
         if node.mask == scene.time.mask and (node.name in BENT or node.name in node.table.records):
             times = _exact(scene, node, floats, until, blows, work)
             found.update(_searched(scene, node, floats, until) if times is None else times)

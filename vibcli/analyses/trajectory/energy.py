@@ -9,10 +9,13 @@ from vibcli.mechanics.powers import powers
 
 BESIDE = 1e-14      # relative: an instant is left by more than the rounding of t − t1
 
+SOON, ROUNDINGS = 1e-6, 64      # of a window, of its last instant: how far inside it its end is looked at from
 
-def balance(system, switching, windows, ends, struck):
+
+def balance(system, switching, windows, ends, struck, corners=()):
     """The Balance over all windows, each of which may have been cut short; ends: the states (q, q̇) there; struck:
-    [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads, or of what drives the scene."""
+    [(instant, q, q̇ before, q̇ after)] of impulses, whose work is that of loads, or of what drives the scene; corners:
+    instants at which that jumps or bends."""
     r, flow = rule(POINTS), powers(system.scene, system.parts.gaps)
     points = [_at_points(window, r) for window in windows]
     q, v, a = (np.concatenate([part[i] for part in points], axis=1) for i in range(3))
@@ -24,10 +27,10 @@ def balance(system, switching, windows, ends, struck):
                           for rate in rates)
     times = np.array([windows[0].start, *(window.start + window.end for window in windows)])
     states = [(windows[0].q, windows[0].v), *ends]
-    energy, after = _at_ends(system, flow, times, states)
+    energy, after = _at_ends(system, flow, windows, times, states, corners)
     blows = np.concatenate([[0.0], np.cumsum(after - energy)[:-1]])    # of what is prescribed and jumps
     for instant, *state in struck:
-        if instant > windows[0].start:
+        if instant > windows[0].start and not flow.driven:
             blows = blows + _gained(system, flow, instant, *state) * (times > instant * (1 + 1e-14))
     loads, drive = (loads, drive + blows) if flow.driven else (loads + blows, drive)
     gap = energy - energy[0] - loads + lost - drive
@@ -51,16 +54,31 @@ def _rates(system, flow, t, q, v, a, senses):
     return [*values[:3], drive]
 
 
-def _at_ends(system, flow, times, states):
-    """T + V at the ends of windows, just before and just after each of these instants: what is prescribed may jump."""
+def _at_ends(system, flow, windows, times, states, corners):
+    """T + V at the ends of windows, just before and just after each of these instants: what is prescribed may jump, or
+    turn at another speed, at one of the `corners`. There they are the limits from either side, what strikes there
+    included."""
     compiled = Compiled(system.scene, system.floats, None, [flow.energy])
     q, v = (np.column_stack([state[i] for state in states]) for i in (0, 1))
-    after = np.array(np.broadcast_to(compiled(times * (1 + BESIDE), q, v)[0], times.shape))
+    after = np.array(np.broadcast_to(compiled(times, q, v)[0], times.shape))
     if not flow.driven:
         return after, after
-    before = np.array(np.broadcast_to(compiled(times * (1 - BESIDE), q, v)[0], times.shape))
-    before[0] = after[0]
+    before = after.copy()
+    starts = [window.start for window in windows]
+    for i in [*np.flatnonzero(np.isin(starts, [starts[0], *corners])), len(windows)]:
+        if i < len(windows):
+            after[i] = _limit(compiled, windows[i], 0.0, 1.0)
+        before[i] = _limit(compiled, windows[i - 1], windows[i - 1].end, -1.0) if i else after[0]
+    after[-1] = before[-1]
     return before, after
+
+
+def _limit(compiled, window, end, sense):
+    """An energy at the end of a window by the parabola through three instants within it."""
+    step = max(SOON * window.end, ROUNDINGS * np.spacing(window.start + window.end))
+    tau = end + sense * step * np.array([1.0, 2.0, 3.0])
+    q, v, _ = window.states(tau)
+    return float(np.array([3.0, -3.0, 1.0]) @ np.broadcast_to(compiled(window.start + tau, q, v)[0], 3))
 
 
 def _gained(system, flow, instant, place, before, after):

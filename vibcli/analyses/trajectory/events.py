@@ -8,6 +8,7 @@ from vibcli.analyses.trajectory.collocation import rule
 
 ROUNDS = 100
 NEAR = 4 * 2.0**-52
+WITHIN = 1e-10         # of a window
 
 
 @lru_cache
@@ -17,13 +18,17 @@ def _places(points):
     return c, rule(points).basis(2 * c - 1)
 
 
-def first_event(switching, window, slack):
+def first_event(switching, window, slack, breaks=False):
     """(instant after the window's start, numbers of the switches that change there), (None, ()) where none does.
 
-    slack: how far each argument may be on the wrong side, by rounding."""
+    slack: how far each argument may be on the wrong side, by rounding; breaks: may what is prescribed turn at another
+    speed where the window ends? There it is looked at from within."""
     c, P = _places(window.rule.points)
     tau = c * window.length
     q, v, _ = window.summed(tau, P)
+    if breaks:
+        tau = tau.copy()
+        tau[-1] -= max(WITHIN * window.length, 64 * np.spacing(window.start + window.length))
     room = _room(switching, window, window.start + tau, q, v) + slack[:, None]
     wrong = room < 0
     if not wrong.any():

@@ -96,7 +96,10 @@ class March:
 
     def _at_a_root(self, H, done):
         """Does the argument of a switch vanish within a window, or where it begins, in a scene whose forces are roots
-        there? What is left of their series falls with the window, if slowly."""
+        there? What is left of their series falls with the window, if slowly. Where there are no switches the root is of
+        the time alone, and a break."""
+        if not self.switching.count:
+            return True
         steps = np.concatenate([[0.0], self.rule.c])
         Q = self.q[:, None] + self.v[:, None] * (H * steps)
         Q[:, 1:] += H * H * (done.A @ self.rule.V2)

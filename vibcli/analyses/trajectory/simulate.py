@@ -74,7 +74,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
         found = Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
         found.fast, found.rests = march.fast, rests
         return found
-    energies = balance(system, march.switching, march.windows, march.ends, march.struck)
+    energies = balance(system, march.switching, march.windows, march.ends, march.struck, stops.times)
     if not energies.error <= BALANCED:
         rounding, gap = _rounding(problem, march, energies), energies.gap
         if not gap <= rounding:
@@ -150,7 +150,7 @@ def _marched(march, stops, events):
     while march.t < until:
         limit = stops.after(march.t, until)
         window = march.advance(limit)
-        instant, which = _event(march, window)
+        instant, which = _event(march, window, limit)
         march.finish(window, instant)
         if instant is None:
             at_once = 0
@@ -169,11 +169,12 @@ def _marched(march, stops, events):
         events += _named(march, before)
 
 
-def _event(march, window):
+def _event(march, window, limit):
     if not march.switching.count:
         return None, ()
+    breaks = limit - (window.start + window.length) <= 1e-15 * limit
     slack = 1e-12 * march.switching.sizes(window.start, window.q, window.v, window.g)
-    return first_event(march.switching, window, slack)
+    return first_event(march.switching, window, slack, breaks)
 
 
 def _strike(march, stops, events):

@@ -1,9 +1,10 @@
-"""Where a motion starts: what is given, and for the rest the equilibrium, at rest."""
+"""Where a motion starts: what is given, and for the rest where the scene is at rest."""
 
 import numpy as np
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.errors import PhysicsError
+from vibcli.mechanics.start import at_rest
 
 
 def start(problem, initial):
@@ -25,7 +26,7 @@ def start(problem, initial):
 
 def _rest(problem):
     try:
-        return problem.equilibrium.values
+        return at_rest(problem)
     except PhysicsError as error:
         error.hint = "give the start of every coordinate under `initial`: " + ", ".join(problem.scene.coordinates)
         raise
