@@ -17,8 +17,8 @@ class Equations:
     """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
     name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
     {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
-    linear: left sides of their equations, drive: {i: Q(t)} of their right sides, left_out: {i: what of loads in time
-    their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
+    linear: left sides of their equations, drive: {i: Q(t)} of their right sides, left_out: {i: products
+    that their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
 
     __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "left_out", "linear", "multipliers",
                  "names", "refusal")

@@ -1,4 +1,4 @@
-"""What small oscillations leave out of loads in time: products of them and of the coordinates.
+"""What small oscillations leave out: products of the coordinates and of loads in time or driven displacements.
 
 A load F(t) with the virtual work F δs drives by Qᵢ = F ∂s/∂qᵢ. On a curved path this changes with the place, and the
 full equations hold also
@@ -34,12 +34,20 @@ def left_out(problem):
                     pair = number[q], number[other]
                     parts.setdefault(pair, []).append([part * second for part in load])
                     sizes.setdefault(pair, []).extend((sum(load[1:], load[0]), row) for row in slopes.values())
-    found = {}
+    found = {i: [(node, ONE) for node in products] for i, products in _driven(problem).items()}
     for (i, j), terms in parts.items():
         node = _at(scene, place, terms)
         if not node.is_zero and not _rounding(problem, node, sizes[i, j], place, j):
             found.setdefault(i, []).append((node * problem.scene.q[j], ONE))
     return {i: scene.table.sum(*terms) for i, terms in sorted(found.items())}
+
+
+def _driven(problem):
+    if problem.scene.resting is problem.scene:
+        return {}
+    from vibcli.mechanics.driven_products import driven_products
+
+    return driven_products(problem)
 
 
 def _in_time(scene, term):

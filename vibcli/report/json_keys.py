@@ -59,8 +59,8 @@ KEYS = {
     "equations[].latex": "the same in LaTeX",
     "equations[].linear_text": "the equation of small oscillations, the coordinates counted from equilibrium",
     "equations[].linear_latex": "the same in LaTeX",
-    "equations[].left_out": "what its left side lacks, products of loads in time and the coordinates, as text; null "
-                            "where there are none",
+    "equations[].left_out": "what its left side lacks, products of the coordinates and of loads in time or driven "
+                            "displacements, as text; null where there are none",
     "matrices": "of M q'' + (C + G) q' + K q = 0: lists of rows, null where absent",
     "matrices.M": "mass matrix",
     "matrices.C": "damping matrix, symmetric",

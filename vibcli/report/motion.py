@@ -51,11 +51,11 @@ def equations(problem, report):
 
 
 def _left_out(problem, found):
-    """What of loads in time the equations above do not hold."""
+    """What of loads in time and of driven displacements the equations above do not hold."""
     if not found.left_out:
         return None
     told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in found.left_out.items())
-    return paragraph("left out of the left side, as products of the loads in time and the coordinates: ", *told,
+    return paragraph("left out of the left side, as products of the coordinates and what drives them: ", *told,
                      "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
 
 
