@@ -91,8 +91,8 @@ def _loads(problem, text, found):
 def _carried(problem, record, name, terms):
     """The direction of a load, as it is written in the axes of the body that carries it."""
     scene, sample = problem.opened.scene, problem.opened.sample
-    written = _amplitudes(scene, [scene.lower(part) for part in record["force"]])
-    line = [scene.table.number(Fraction(x)) for x in _unit(evaluate(written, Floats, sample), name)]
+    written = _amplitudes(scene, [scene.lower(part) for part in record["force"]], sample)
+    line = [scene.table.number(Fraction(x)) for x in _unit(written, name)]
     nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
     start = evaluate(list(nodes.values()), Floats, {**sample, scene.time.name: 0.0})
     return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
