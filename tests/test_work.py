@@ -7,8 +7,11 @@ import click
 import pytest
 from scenes import problem
 
+from vibcli import curves
+from vibcli import problem as modes
 from vibcli.analyses.forcing import segments
-from vibcli.analyses.response import cells, largest, searching
+from vibcli.analyses.letters import characteristic, several
+from vibcli.analyses.response import cells, largest, motion, searching
 from vibcli.analyses.trajectory import march, simulate
 from vibcli.cli import COMMANDS, progress, run
 from vibcli.cli.common import require_quick
@@ -222,3 +225,48 @@ def test_what_jumps_too_often_is_refused_with_what_is_enough(scene, capsys, monk
     assert "jumps or bends too often" in err and "stretches of time, and 10 are the most" in err
     assert run([*ask, re.search(r"--patience (\d+) allows twice", err)[1]]) == 0
     assert capsys.readouterr().out == whole
+
+
+LETTERS = """parameters: {m: {unit: kg}, M: {unit: kg}, k: {unit: N/m}, K: {unit: N/m}}
+bodies: {b: {mass: m, slide: x}, c: {mass: M, slide: y}}
+springs: {s: {k: k, between: [ground, b]}, s2: {k: K, between: [b, c]}}
+"""
+
+
+@pytest.mark.parametrize("command", ["solve", "frequencies"])
+def test_closed_forms_that_are_given_up_are_said_to_be(scene, capsys, monkeypatch, command):
+    file = scene(LETTERS)
+    assert run([command, file]) == 0
+    whole = capsys.readouterr().out
+    monkeypatch.setattr(several, "CALLS", 1)
+    monkeypatch.setattr(characteristic, "CALLS", 1)
+    assert run([command, file]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "before the search was given up; --patience 10 lets" in said
+    assert run([command, file, "--patience", "1000000"]) == 0
+    assert capsys.readouterr().out == whole
+
+
+DRIVEN = """bodies: {b: {mass: 1 kg, slide: x}, c: {mass: 1 kg, slide: y}}
+springs: {s: {k: 100 N/m, between: [ground, b]}, s2: {k: 37 N/m, between: [b, c]}}
+dampers: {d: {c: 1 N*s/m, between: [b, c]}}
+forces: {f: {coordinate: x, value: (1 N)*square((20 rad/s)*t)}}
+find: [{frequency_response: {of: [x], to: f}}, {response: {until: 2 s}}]
+"""
+
+
+@pytest.mark.parametrize(("room", "command"), [
+    (motion, ["response", "--at", "1.5"]), (motion, ["animate", "--response", "-o", "a.html"]),
+    (motion, ["check"]), (curves, ["frf"]), (curves, ["frf", "--save", "a.csv"]), (modes, ["solve"]),
+    (modes, ["frequencies"]), (modes, ["draw", "--mode", "1", "-o", "a.svg"]), (modes, ["animate", "-o", "a.html"])],
+    ids=lambda part: str(part)[-20:])
+def test_each_command_stops_at_its_limit_and_goes_on_with_patience(tmp_path, monkeypatch, capsys, room, command):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "scene.yaml").write_text(DRIVEN + "answers: {'x(1 s)': 1 m}\n" * (command == ["check"]))
+    monkeypatch.setattr(room, "MOST", 1e-7)
+    name, *options = command
+    assert run([name, "scene.yaml", *options]) == 4
+    out, err = capsys.readouterr()
+    assert re.search(r"(the motion|the search|the curve).* is given up after 0 steps", out + err)
+    assert "--patience 10 allows" in out + err
+    assert run([name, "scene.yaml", *options, "--patience", "1000000"]) == (name == "check")

@@ -65,7 +65,9 @@ class FrequencyResponse:
         """(Ω₁, Ω₂) about a peak, counted from 1."""
         from vibcli.analyses.frequency.peaks import half_power
 
-        return half_power(self.transfer, self._peak(number), self.extremes)
+        peak = self._peak(number)
+        with self.problem.work.task("the search for half-power points", MOST):
+            return half_power(self.transfer, peak, self.extremes)
 
     def quality(self, number):
         """Q of a peak, counted from 1."""
@@ -81,7 +83,8 @@ class FrequencyResponse:
             if self.signal.startswith(f"{damper}."):
                 raise PhysicsError(f"'{self.signal}' is not there without the damper", "ask for another signal")
             free = transfer(without_damper(self.problem, damper), self.signal, self.driver)
-            self._fixed[damper] = fixed_points(free, self.transfer)
+            with self.problem.work.task("the search for fixed points", MOST):
+                self._fixed[damper] = fixed_points(free, self.transfer)
         return self._fixed[damper]
 
     def _peak(self, number):
@@ -95,7 +98,8 @@ class FrequencyResponse:
         """Frequencies of a range, dense where the curve bends."""
         from vibcli.analyses.frequency.grid import adaptive
 
-        return adaptive(self.transfer, low, high, True, self.extremes)[0]
+        with self.problem.work.task("the curve of H", MOST):
+            return adaptive(self.transfer, low, high, True, self.extremes)[0]
 
     def values(self, Omega):
         """H at frequencies; NaN where an undamped mode has no bound."""
@@ -103,7 +107,8 @@ class FrequencyResponse:
 
         from vibcli.analyses.frequency.response import sampled
 
-        values, resonant = sampled(self.transfer, Omega)
+        with self.problem.work.task("the curve of H", MOST):
+            values, resonant = sampled(self.transfer, Omega)
         return np.where(resonant, np.nan, values)
 
     @cached_property

@@ -34,7 +34,8 @@ class InLetters:
             from vibcli.algebra.polynomials import factored as shorter
         else:
             from vibcli.algebra.quotient import shorter
-        return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
+        with self.work.task("the matrices in letters"):
+            return tuple({pair: shorter(node) for pair, node in matrix.items()} for matrix in found)
 
     def _require_held(self):
         """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
@@ -65,7 +66,8 @@ class InLetters:
             return None
         from vibcli.mechanics.settled import settled
 
-        return settled(self)
+        with self.work.task("the search for the equilibrium in letters"):
+            return settled(self)
 
     @cached_property
     def start_in_letters(self):
@@ -134,4 +136,5 @@ class InLetters:
         """Natural frequencies and modes in letters, by SymPy."""
         from vibcli.analyses.closed import closed_forms
 
-        return closed_forms(self)
+        with self.work.task("the search for closed forms"):
+            return closed_forms(self)

@@ -20,6 +20,11 @@ def counted(steps):
         task.step(None, steps)
 
 
+def under_way():
+    """The task that is under way; None where there is none."""
+    return _innermost.get()
+
+
 class Spent(Exception):
     """A task has reached its limit. No PhysicsError: a search that takes those of single places for an answer must not
     take this one. Where its task ends it becomes one, if nobody has kept what was found."""
@@ -30,13 +35,13 @@ class Spent(Exception):
 
 
 class Work:
-    """patience: the factor of all limits; tell(what, part, bounded): shows on a terminal how far the outermost task
-    has come, what=None that it has ended."""
+    """patience: the factor of all limits; cut: was a closed form given up at its limit? tell(what, part, bounded):
+    shows on a terminal how far the outermost task has come, what=None that it has ended."""
 
-    __slots__ = ("open", "patience", "tell")
+    __slots__ = ("cut", "open", "patience", "tell")
 
     def __init__(self, patience=1, tell=None):
-        self.patience, self.tell, self.open = patience, tell, []
+        self.patience, self.tell, self.open, self.cut = patience, tell, [], False
 
     @contextmanager
     def task(self, what, limit=inf):
@@ -79,6 +84,10 @@ class Task:
                 raise Spent(task)
             if task is self:
                 break
+        self.tell(part)
+
+    def tell(self, part=None):
+        """Show how far it has come."""
         tell = self.work.tell
         if tell is not None:
             outer = self.work.open[0]
@@ -91,3 +100,8 @@ class Task:
 
     def hint(self):
         return f"--patience {10 * self.work.patience:.0f} allows ten times as many"
+
+
+def longer(work):
+    """How a search for a closed form that was given up goes on."""
+    return f"--patience {10 * work.patience} lets computer algebra go on for ten times as long"

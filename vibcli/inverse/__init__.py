@@ -32,7 +32,8 @@ def settled(problem, thorough=False):
     if problem.letters:
         from vibcli.inverse.all_letters import solved
 
-        return solved(problem, rest)
+        with problem.work.task("the search for closed forms"):
+            return solved(problem, rest)
     return _in_numbers(problem, rest, thorough)
 
 

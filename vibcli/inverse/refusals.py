@@ -8,6 +8,7 @@ from vibcli.errors import PhysicsError, SpecError
 from vibcli.inverse.system import misfit
 from vibcli.report.figures import figure
 from vibcli.report.notation import plain
+from vibcli.work import longer
 
 
 def undetermined(problem, tried=None):
@@ -196,9 +197,9 @@ def _valued(problem, name, value):
 
 
 def no_closed_form(problem):
+    hint = "give the other parameters values in the file or with --set: then it is found in numbers"
     return PhysicsError(f"no closed form of {listed(problem.spec.choices)} was found",
-                        "give the other parameters values in the file or with --set: then it is found in numbers",
-                        _where(problem))
+                        f"{hint}; {longer(problem.work)}" if problem.work.cut else hint, _where(problem))
 
 
 def never_in_letters(problem):

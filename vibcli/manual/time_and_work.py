@@ -57,11 +57,13 @@ PATIENCE = [
         ("largest values, passages", "500000 steps of a search through a motion of small oscillations, each a "
          "thousand values of one of the exponentials that it is made of. What is found by then is told."),
         ("loads with jumps and bends", "100000 stretches of time from one jump or bend to the next."),
+        ("motions under such loads", "20000 steps, each a thousand of these stretches of one of the exponentials."),
+        ("peaks, curves of H", "10000 steps, each a million products."),
         ("modes", "10000 steps, each a million products of whole numbers, which some hundreds of coordinates with "
          "dampers need."),
         ("--digits, shares", "600 such steps, as estimated from the number of coordinates and digits alone; 200 for "
          "shares, sensitivities and estimates."),
     ],
-    "Closed forms are given up after some millions of calls of functions within computer algebra, whatever N: numbers "
-    "are given instead.",
+    "Closed forms are given up after some millions of calls of functions within computer algebra, and N times as many "
+    "with `--patience N`; that they were is said.",
 ]

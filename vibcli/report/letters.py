@@ -5,6 +5,7 @@ from vibcli.algebra.grouping import letters
 from vibcli.algebra.rationals import ONE
 from vibcli.report.blocks import Either, Factor, Name, Terms, Words, equations, line, maths, paragraph, separated
 from vibcli.report.notation import plain
+from vibcli.work import longer
 
 LONGEST = 100           # letters of an expression, above which it is not read
 OMEGA = "ω"
@@ -35,7 +36,7 @@ def _limit(part):
 
 def frequency_blocks(problem, forms):
     """What the section of natural frequencies says."""
-    told = [NONE]
+    told = [no_form(problem)]
     if forms is not None:
         told = []
         yield equations(_modes(forms.modes))
@@ -50,6 +51,14 @@ def frequency_blocks(problem, forms):
     if problem.matrices_in_letters[1] and not damped:
         told.append("the damped modes are found in numbers only; give the parameters values with --set")
     yield from (paragraph(text, hang=4) for text in told)
+
+
+def no_form(problem):
+    """That there is no closed form, and whether the search for it was given up."""
+    if problem.work.cut:
+        return f"no closed form was found before the search was given up; {longer(problem.work)}; or give the " \
+            "parameters values with --set"
+    return NONE
 
 
 def _modes(modes):
@@ -135,7 +144,7 @@ def _ratios(damped):
             done |= {other.index for other in same}
 
 
-def shape_blocks(names, forms):
+def shape_blocks(problem, names, forms):
     """What the section of mode shapes says."""
     lines, done = [], set()
     for mode in forms.modes:
@@ -151,7 +160,7 @@ def shape_blocks(names, forms):
             parts += _with(same)
         label = Words(f"mode{'s' * (len(same) > 1)} {', '.join(str(other.index) for other in same)}")
         lines.append(line(*parts, label=label, hang=None))
-    return [equations(lines) or paragraph(NONE, hang=None)]
+    return [equations(lines) or paragraph(no_form(problem), hang=None)]
 
 
 def turned(value):

@@ -64,7 +64,7 @@ def modes(problem, report):
 
         if problem.closed_forms is not None:
             yield from section("Mode shapes (the first coordinate that moves is 1)",
-                               *shape_blocks(names, problem.closed_forms))
+                               *shape_blocks(problem, names, problem.closed_forms))
         return
     if problem.modes:
         yield from _shapes(problem, report, problem.modes, f"Mode shapes ({WORDS[report.normalise]})")

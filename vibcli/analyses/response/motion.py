@@ -16,6 +16,8 @@ from vibcli.analyses.response.timeline import Timeline
 from vibcli.errors import PhysicsError
 from vibcli.work import Work
 
+MOST, STRETCHES = 20_000, 1000      # steps, each so many stretches of time of one exponential
+
 
 def linear_motion(M, C, K, forcing, q0, v0, modes=None, work=None):
     """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
@@ -190,8 +192,10 @@ class Pieces:
         if motion.system is not None and (jumps @ motion.system.follow).any():
             raise PhysicsError("a blow falls on what neither inertia nor a damper holds back: it would be displaced "
                                "without bound", hint="give it an inertia or a damper, or let the blow last")
-        with np.errstate(over="ignore", invalid="ignore"):
-            for block, found in zip(motion.blocks, self.drives, strict=True):
+        marching = motion.work.task("the motion from one jump or bend of its loads to the next", MOST)
+        with marching as task, np.errstate(over="ignore", invalid="ignore"):
+            for number, (block, found) in enumerate(zip(motion.blocks, self.drives, strict=True)):
+                task.step(number / len(motion.blocks), len(timeline.starts) * len(block.B)**2 / STRETCHES)
                 step, added = ends(block, found, timeline)
                 added[struck] += jumps[struck] @ block.W.T
                 self.states.append(marched(step, added, block.P @ motion.q0 + block.R @ motion.v0))
