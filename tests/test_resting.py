@@ -105,6 +105,24 @@ def test_a_block_that_rests_beside_what_is_driven_does_not_hide_its_motion():
     assert max(found.lengths) < 1.0
 
 
+@pytest.mark.parametrize("until", [20.0, 60.0])
+def test_windows_resolve_what_is_driven_and_felt_by_nothing(until):
+    found = known_motion(problem(CRANK), until)
+    t = found.balance.times[-1]
+    dissipated = 2 * (0.9 * 40) ** 2 * (t / 2 + math.sin(2 * 40 * t) / (4 * 40))
+    assert found.end == until and found.balance.dissipated[-1] == pytest.approx(dissipated, rel=1e-9)
+    moving = known_motion(problem(CRANK + "initial: {x: 0.1 m}\n"), 20.0, {"x": 0.1})
+    assert moving.balance.error < 1e-11
+    assert moving.at([20.0])[0][0, 0] == pytest.approx(0.1 * math.cos(20 * math.sqrt(90)), rel=1e-9)
+
+
+@pytest.mark.parametrize("drive", ["abs(sin(w*t))", "sawtooth(w*t)*sin(w*t)^2", "(w*t - 4)*step(w*t - 4)"])
+def test_windows_end_where_what_is_felt_by_nothing_turns_at_another_speed(drive):
+    text = CRANK.replace("0.1*k*0.1 m^2/N*sin(w*t)", f'"0.1*k*0.1 m^2/N*({drive})"')
+    found = known_motion(problem(text + "initial: {x: 0.1 m}\n"), 3.0, {"x": 0.1})
+    assert found.end == 3.0 and found.balance.error < 1e-11
+
+
 def test_what_rests_costs_no_step_and_is_told(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(simulating, "MOST_STEPS", 0)
     path = tmp_path / "rests.yaml"

@@ -3,6 +3,7 @@
 import numpy as np
 
 from vibcli.analyses.trajectory.collocation import rule
+from vibcli.analyses.trajectory.driven import Driven
 from vibcli.analyses.trajectory.fast import fast_part
 from vibcli.analyses.trajectory.sizes import EPSILON, Sizes
 from vibcli.analyses.trajectory.window import Window, iterated, newton
@@ -38,7 +39,7 @@ class March:
         self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
         self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
         self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
-        self.rooted = rooted(system.parts.nodes())
+        self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
 
     def begin(self, limit, zero=()):
         """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
@@ -66,7 +67,8 @@ class March:
         if not np.isfinite(a).all():
             raise self.undefined()
         left = limit - self.t
-        H = wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
+        wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
+        H = self.driven.resolved(self.t, wanted, self.rule)
         begins = self.guess is None
         guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
         tails = []

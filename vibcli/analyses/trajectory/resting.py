@@ -7,6 +7,7 @@ integration follows, would move it. From the first instant at which what holds t
 import numpy as np
 
 from vibcli.analyses.trajectory.blows import blow
+from vibcli.analyses.trajectory.driven import driven_places
 from vibcli.analyses.trajectory.window import Window
 from vibcli.mechanics.compiled import Compiled
 
@@ -36,12 +37,9 @@ def stay(march, stops, in_equilibrium):
 def _of_time(system):
     """What holds the time: in the equations, in the places of bodies and points, and in loads on what is driven."""
     scene = system.scene
-    frames = [body.frame for body in scene.bodies.values() if body.frame is not None]
-    places = [node for frame in frames for node in (*frame.place, frame.angle)]
-    places += [body.lumped[1] for body in scene.bodies.values() if body.lumped is not None]
-    places += [node for _, place in scene.points.values() for node in place]
     loads = [node for term in scene.forces for node in term[:3] if node is not None]
-    nodes = dict.fromkeys([*system.parts.nodes(), *system.parts.gaps, *places, *loads, *scene.energies.values()])
+    nodes = dict.fromkeys([*system.parts.nodes(), *system.parts.gaps, *driven_places(scene), *loads,
+                           *scene.energies.values()])
     return [node for node in nodes if node.mask & scene.time.mask]
 
 

@@ -8,6 +8,7 @@ from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.analyses.trajectory.blows import blow
 from vibcli.analyses.trajectory.breaks import breaks
 from vibcli.analyses.trajectory.drift import drift
+from vibcli.analyses.trajectory.driven import driven_places
 from vibcli.analyses.trajectory.energy import balance
 from vibcli.analyses.trajectory.events import first_event
 from vibcli.analyses.trajectory.march import FIRST, SECOND, March
@@ -57,7 +58,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
     scene = equations_of(problem)
     system = System(scene, problem.floats, problem.scene.freedom.redundant)
     owners, bounds = scene.law_switches()
-    stops = breaks(scene, system.parts.nodes(), problem.floats, until, problem.work)
+    stops = breaks(scene, [*system.parts.nodes(), *driven_places(scene)], problem.floats, until, problem.work)
     q, v = (x * (1 + EPSILON * second) for x in vectors(scene, places, speeds))
     with problem.work.task("the integration" + " once more" * second, MOST_STEPS * (1 + second)) as task:
         march = March(system, Switching(system, bounds, owners), q, v, rtol, until, task, SECOND if second else FIRST)
