@@ -184,8 +184,9 @@ def test_what_is_told_is_what_the_full_equation_has(name, tmp_path, capsys, monk
     assert bool(found.equations.left_out) == any_left
     path = tmp_path / "scene.yaml"
     path.write_text(text)
-    assert run(["equations", str(path)]) == 0
-    assert ("left out of the left side" in capsys.readouterr().out) == any_left
+    for command in ("equations", "response"):
+        assert run([command, str(path)]) == 0
+        assert ("left out of the left side" in capsys.readouterr().out) == any_left
     assert run(["equations", str(path), "--json"]) == 0
     entries = json.loads(capsys.readouterr().out)["equations"]
     assert any(entry["left_out"] for entry in entries) == any_left

@@ -106,6 +106,15 @@ class InLetters:
                 found[i] = found.get(i, scene.table.zero) + node
         return found
 
+    @cached_property
+    def left_out(self):
+        """{i: products that the left side of equation i of the small oscillations lacks}."""
+        if not self.scene.timed:
+            return {}
+        from vibcli.mechanics.left_out import left_out
+
+        return left_out(self)
+
     @property
     def excitation_place(self):
         """{symbol: node} of the position about which loads in time act."""

@@ -81,10 +81,8 @@ def equations(problem):
     try:
         _require_slope(problem)
         if scene.timed:
-            from vibcli.mechanics.left_out import left_out
-
             found.drive = problem.excitation
-            found.left_out = left_out(problem)
+            found.left_out = problem.left_out
         found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
         if found.in_letters:
             found.M, found.C, found.G, found.K = problem.matrices_in_letters

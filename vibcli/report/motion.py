@@ -47,14 +47,14 @@ def equations(problem, report):
     yield from section(
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
-        blocks.equations(_in_numbers(problem, found)) if numbers else None, _left_out(problem, found))
+        blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
 
 
-def _left_out(problem, found):
-    """What of loads in time and of driven displacements the equations above do not hold."""
-    if not found.left_out:
+def left_out(problem):
+    """What of loads in time and of driven displacements the equations of small oscillations do not hold."""
+    if not problem.left_out:
         return None
-    told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in found.left_out.items())
+    told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in problem.left_out.items())
     return paragraph("left out of the left side, as products of the coordinates and what drives them: ", *told,
                      "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
 

@@ -33,7 +33,7 @@ def response(problem, report):
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
-        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else None)
+        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else ())
     if motion.KIND == "full":
         yield from _integration(motion.trajectory())
     elif motion.KIND == "small":
@@ -110,15 +110,17 @@ def _start(problem, motion, drive):
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
     force = let_go(problem.spec)
     parts += [f", where {force} lets go"] if force else []
-    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), drive)
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), *drive)
 
 
 def _drive(problem, motion):
-    """What stands on the right of M q̈ + C q̇ + K q = Q(t)."""
+    """What stands on the right of M q̈ + C q̇ + K q = Q(t), and what of it the left side lacks."""
+    from vibcli.report.motion import left_out
+
     if len(motion.drive) > MOST_LINES:
-        return paragraph(f"driven at {len(motion.drive)} coordinates")
+        return paragraph(f"driven at {len(motion.drive)} coordinates"), None
     return blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
-                            for i, node in motion.drive.items())
+                            for i, node in motion.drive.items()), left_out(problem)
 
 
 def _integration(trajectory):
