@@ -30,7 +30,7 @@ ROOMS = (
     ("scene", ("scene",)),
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
-    ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals",
+    ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals", "sampled",
                  "full_motion", "full_signals", "prescribed", "measured_signals",
                  "measured_frequency", "curves", "read_off", "kept_up",
                  "precise_motion", "on_request", "problem", "measured", "inverse", "draws", "check")),

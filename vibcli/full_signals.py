@@ -99,8 +99,21 @@ class PrescribedSignal(FullSignal):
 
     KIND = "a motion that is prescribed"
 
-    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+    extreme, zeros, period = ComposedSignal.extreme, ComposedSignal.zeros, None
     error, error_of_time = Signal.error, Signal.error_of_time
+
+    def along(self, end):
+        """The Composition of the time alone; KeyError where places follow from loops, or forces from the equations."""
+        from vibcli.analyses.response.composition import Composition
+
+        problem = self.motion.problem
+        if self.forces or problem.scene.loops is not None:
+            raise KeyError("loops")
+        return Composition(self.node, {}, problem.floats, problem.scene.time.name, require_finite, end)
+
+    @property
+    def work(self):
+        return self.motion.problem.work
 
     def _with_senses(self, trajectory, times, values):
         return self.node

@@ -96,6 +96,11 @@ def check_start(problem, motion):
                                record.place(key))
 
 
+def _jumps(node, symbols):
+    """Does a function stand in the node that has no slope but where it jumps, of one of these symbols?"""
+    return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
+
+
 class SmallMotion(Motion):
     """Small oscillations about the equilibrium, exact in time."""
 
@@ -181,8 +186,8 @@ class SmallMotion(Motion):
         if node in parts:
             return self._one(parts[node])
         slopes = gradient(node)
-        if any(slope.mask for slope in slopes.values()) or not all(isinstance(part[0], Output)
-                                                                  for part in parts.values()):
+        if (any(slope.mask for slope in slopes.values()) or _jumps(node, parts)
+                or not all(isinstance(part[0], Output) for part in parts.values())):
             return self._composed(node, parts)
         used = [symbol for symbol in parts if symbol in slopes]
         values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
@@ -226,7 +231,7 @@ class SmallMotion(Motion):
             free = {q: self.signal(("name", 0, 0, q, 0)) for q in scene.coordinates}
             closing = Closing(scene.loops, self.problem.at_rest, free)
         return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
-                              self.problem.floats, scene.time, closing)
+                              self.problem.floats, scene.time, closing, self.problem.work)
 
     def _at_states(self, parts, node):
         """The same with the coordinates and their rates replaced by symbols of their signals."""

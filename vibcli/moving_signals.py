@@ -5,8 +5,7 @@ from functools import cached_property
 
 from vibcli.algebra.evaluate import evaluate
 from vibcli.errors import PhysicsError
-
-SAMPLES, ROUNDS = 4001, 60
+from vibcli.work import Work
 
 
 def require_finite(values, times):
@@ -24,7 +23,7 @@ def require_finite(values, times):
 class Signal:
     """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
 
-    KIND = "a signal"
+    KIND, period = "a signal", None
 
     def error(self, t):
         """How far its value at an instant may be off; 0 where that is rounding."""
@@ -57,8 +56,24 @@ class LinearSignal(Signal):
     def values(self, times, order=0):
         return self.motion.values(self.output, times, order)
 
+    def along(self, end):
+        from vibcli.analyses.response.composition import Leaf
+
+        return Leaf(self.motion.pieces(end), self.output)
+
+    @cached_property
+    def period(self):
+        """After which the steady state repeats itself, None where it does not; of others, None."""
+        from vibcli.kept_up import TURN, fundamental
+
+        try:
+            return TURN / fundamental(self) if self.part == "steady" else None
+        except PhysicsError:
+            return None
+
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        end = min(end, start + (self.period or end))      # later ones are the same but for rounding
         return self.motion.extreme(self.output, start, end, "max" if sense > 0 else "min")
 
     def zeros(self, start, end):
@@ -107,8 +122,9 @@ class ComposedSignal(Signal):
 
     KIND = "a signal composed of others"
 
-    def __init__(self, node, signals, floats, time, closing=None):
+    def __init__(self, node, signals, floats, time, closing=None, work=None):
         self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
+        self.work = work or Work()
 
     def values(self, times, order=0):
         from vibcli.algebra.arrays import Arrays
@@ -124,38 +140,41 @@ class ComposedSignal(Signal):
             found = evaluate([self.node], Arrays, values)[0]
         return require_finite(np.broadcast_to(found, np.shape(times)), times)
 
+    def along(self, end):
+        """The Composition of the outputs up to an instant; KeyError where it holds what has no known bounds."""
+        from vibcli.analyses.response.composition import Composition
+
+        if self.closing is not None:
+            raise KeyError("loops")
+        leaves = {name: signal.along(end) for name, signal in self.signals.items()}
+        return Composition(self.node, leaves, self.floats, self.time.name, require_finite, end)
+
     def extreme(self, start, end, sense):
-        """(instant, value), refined from the best of many samples by golden section."""
-        import numpy as np
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.response.largest import extreme
+        from vibcli.sampled import Sampled
 
-        times = np.linspace(start, end, SAMPLES)
-        best = int(np.argmax(sense * self.values(times)))
-        low, high = times[max(best - 1, 0)], times[min(best + 1, SAMPLES - 1)]
-        for _ in range(ROUNDS):
-            inner = np.array([low + 0.3819660112501051 * (high - low), high - 0.3819660112501051 * (high - low)])
-            left, right = sense * self.values(inner)
-            low, high = (low, inner[1]) if left >= right else (inner[0], high)
-        candidates = np.array([times[best], 0.5 * (low + high)])
-        found = self.values(candidates)
-        pick = int(np.argmax(sense * found))
-        return float(candidates[pick]), float(found[pick])
+        end = min(end, start + (self.period or end))
+        try:
+            return extreme(self.along(end), None, start, end, "max" if sense > 0 else "min", self.work)
+        except KeyError:
+            return Sampled(self.values, start, end, self.work).extreme(sense)
 
-    def zeros(self, start, end, level=0.0):
-        """Instants at which the signal passes a level, each bisected; a place from which it starts counts."""
-        import numpy as np
+    def zeros(self, start, end):
+        """Instants at which the signal passes or touches zero."""
+        from vibcli.analyses.response.searching import zeros
+        from vibcli.sampled import Sampled
 
-        times = np.linspace(start, end, SAMPLES)
-        values = self.values(times) - level
-        above, found = values > 0, [] if values[0] else [start]
-        for i in np.flatnonzero(above[:-1] != above[1:]):
-            if not i and found:
-                continue
-            low, high, sign = times[i], times[i + 1], values[i] > 0
-            for _ in range(ROUNDS):
-                middle = 0.5 * (low + high)
-                low, high = (middle, high) if (self.values(np.array([middle]))[0] > level) == sign else (low, middle)
-            found.append(float(0.5 * (low + high)))
-        return found
+        try:
+            return zeros(self.along(end), None, start, end, self.work).tolist()
+        except KeyError:
+            return Sampled(self.values, start, end, self.work).zeros()
+
+    @property
+    def period(self):
+        """After which it repeats itself from t = 0 on, None where that is not known."""
+        periods = {signal.period for signal in self.signals.values()}
+        return None if self.node.mask & self.time.mask or len(periods) != 1 else periods.pop()
 
     def final(self):
         self._require_no_time("limit")
@@ -172,7 +191,7 @@ class ComposedSignal(Signal):
     def steady(self):
         self._require_no_time("steady state")
         return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
-                              self.time)
+                              self.time, work=self.work)
 
     def _require_no_time(self, what):
         if self.node.mask & self.time.mask or self.closing is not None:
@@ -181,24 +200,19 @@ class ComposedSignal(Signal):
 
     @cached_property
     def transient(self):
-        return Difference(self, self.steady)
+        """It less its steady part."""
+        from vibcli.algebra.calculus import substitute
+        from vibcli.algebra.expression import reachable
 
-
-class Difference(Signal):
-    """One signal less another."""
-
-    KIND = "the transient part of a composed signal"
-
-    def __init__(self, one, other):
-        self.one, self.other = one, other
-
-    def values(self, times, order=0):
-        return self.one.values(times, order) - self.other.values(times, order)
-
-    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
-
-    def final(self):
-        return self.one.final() - self.other.final()
+        table, signals, instead = self.node.table, dict(self.signals), {}
+        for symbol in reachable([self.node]):
+            if symbol.op == "symbol" and symbol.name in self.signals:
+                instead[symbol] = table.variable(f"steady {symbol.name}")
+                signals[f"steady {symbol.name}"] = self.steady.signals[symbol.name]
+        node = self.node - substitute([self.node], instead)[0]
+        found = ComposedSignal(node, signals, self.floats, self.time, work=self.work)
+        found.KIND = "the transient part of a composed signal"
+        return found
 
 
 class Envelope(Signal):
@@ -214,7 +228,25 @@ class Envelope(Signal):
 
         return envelope(self.signal, times)
 
-    extreme, zeros = ComposedSignal.extreme, ComposedSignal.zeros
+    def along(self, end):
+        from vibcli.analyses.response.composition import Decay
+        from vibcli.read_off import from_the_start
+
+        part = from_the_start(self.signal)
+        return Decay(part.amplitude, part.rate)
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value: at an end."""
+        import numpy as np
+
+        times = np.array([start, end])
+        found = self.values(times)
+        best = int(np.argmax(sense * found))
+        return float(times[best]), float(found[best])
+
+    def zeros(self, start, end):
+        """None: it dies out, or is 0 for good."""
+        return []
 
     def final(self):
         from vibcli.read_off import from_the_start

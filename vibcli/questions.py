@@ -79,7 +79,7 @@ IN_TIME = {
     "decrement": _of_signal("1", "logarithmic decrement of a free motion, by successive maxima"),
     "beat_period": _of_signal("s", "period of the beats of two neighbouring frequencies, 2π/|ω₁ − ω₂|"),
     "harmonic": _of_signal(SIGNAL, "amplitude of harmonic n of the periodic steady state", ("number",)),
-    "zero": _of_signal("s", "instant of the i-th passage through zero; a start from zero is the first", ("number",)),
+    "zero": _of_signal("s", "instant of the i-th zero, a start or a touch counting as a passage", ("number",)),
     "time_to": _of_signal("s", "time in which the envelope of a free motion falls to a fraction", ("fraction",)),
     "cycles_to": _of_signal("1", "number of cycles in that time", ("fraction",)),
     "steady": _of_signal(SIGNAL, "steady state of a signal, itself a signal: steady(x)(2 s), max(steady(x))"),

@@ -24,7 +24,8 @@ RESPONSE = [
          "1/1000, between 2 and 60 of the longest periods; where something grows, until it is 1000 times as large, at "
          "most 10 periods; without either 10 periods, or two beats if that is more, at most 60 periods. That is "
          "counted from where the loads last change their form; where nothing vibrates nor decays, as long again."),
-        ("extremes", "`max`, `min`, `argmax`, `argmin` and `zero[i]` look at 0 ≤ t ≤ end."),
+        ("extremes", "`max`, `min`, `argmax`, `argmin` and `zero[i]` look at 0 ≤ t ≤ end. A touch of "
+         "zero counts as a passage does."),
         ("steady", "What is left when the free vibration has died out; `transient` is the rest. Without damping the "
          "steady state is the motion with the frequencies of the loads alone, and the rest does not die out. At a "
          "resonance without damping there is none."),

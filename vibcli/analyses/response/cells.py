@@ -6,6 +6,7 @@ EPSILON = 2.0**-52
 NEWTON = 60
 PARTS, LEVELS = 4, 60           # of a division, and divisions
 MOST, STEP = 500_000, 1000      # steps of a search, and values of one exponential each that are found in one of them
+HAIR = 8                        # roundings of a time within which nothing is told apart
 BATCH = 400                     # steps that are done together, so that the memory does not grow with their number
 
 
@@ -62,9 +63,20 @@ def stretches(timeline, start, end):
 
 def first_cells(timeline, y, start, end):
     """Cells that grow with time, the first a part of the fastest wave's period."""
-    fastest = max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
-    cells = stretches(timeline, start, end)
-    return cells.doubling(1 / fastest) if fastest else cells
+    speed, cells = fastest(y), stretches(timeline, start, end)
+    return cells.doubling(1 / speed) if speed else cells
+
+
+def fastest(y):
+    """The largest magnitude of an exponent."""
+    return max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
+
+
+def instants(timeline, cells, y):
+    """Which of the cells are so short that nothing changes within them but by rounding."""
+    speed = fastest(y)
+    shortest = 1 / speed if speed else 0.0
+    return cells.width <= HAIR * EPSILON * np.maximum(timeline.starts[cells.segment] + cells.late, shortest)
 
 
 def batches(cells, y):

@@ -7,7 +7,7 @@ out, the others divided: all at once, and where they are very many those with th
 
 import numpy as np
 
-from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, batches, first_cells, root, steps, stretches
+from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, batches, first_cells, instants, root, steps, stretches
 from vibcli.errors import PhysicsError
 from vibcli.work import Spent
 
@@ -65,10 +65,18 @@ class Search:
             if found[top] > self.value:
                 self.value, self.time = found[top], self.timeline.starts[cells.segment[top]] + tau[top]
             self.scale = max(self.scale, np.abs(found).max())
+        bound = self.y.bound(cells.segment, cells.early, cells.late)
         room = self.curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2 / 8
-        most = np.minimum(np.maximum(*ends) + room, self.y.bound(cells.segment, cells.early, cells.late))
+        room = np.minimum(room, 2 * bound)
+        most = np.minimum(np.maximum(*ends) + room, bound)
         held = most >= self.value - self.rounding
         cells, room, most = cells.where(held), room[held], most[held]
+        settled = instants(self.timeline, cells, self.y) | (room <= self.rounding)
+        if settled.any():
+            for tau in (cells.early, cells.late):
+                self._keep(cells.segment[settled], tau[settled])
+            self._narrow(cells.where(settled))
+        cells, room, most = cells.where(~settled), room[~settled], most[~settled]
         if level + 1 == LEVELS or not (room > FINE * self.scale).any():
             self._narrow(cells)
         else:

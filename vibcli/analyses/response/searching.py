@@ -6,7 +6,18 @@ one are narrowed down, the others divided.
 
 import numpy as np
 
-from vibcli.analyses.response.cells import EPSILON, LEVELS, MOST, Cells, batches, first_cells, root, steps, stretches
+from vibcli.analyses.response.cells import (
+    EPSILON,
+    LEVELS,
+    MOST,
+    Cells,
+    batches,
+    first_cells,
+    instants,
+    root,
+    steps,
+    stretches,
+)
 from vibcli.errors import PhysicsError
 from vibcli.work import Spent
 
@@ -32,7 +43,6 @@ class Search:
         self.timeline, self.start, self.end = pieces.timeline, start, end
         self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
         cells = first_cells(self.timeline, self.y, start, end)
-        cells = cells.where(self.y.bound(cells.segment, cells.early, cells.late) > 0)
         self.found, self.closest = _jumps(self.timeline, self.y, cells), []
         self.left = [(0, cells)]
 
@@ -56,11 +66,13 @@ class Search:
 
     def _look(self, level, cells):
         y, slope, curvature = self.y, self.slope, self.curvature
+        cells = cells.where(y.bound(cells.segment, cells.early, cells.late) > 0)
         left, right = (y.at(cells.segment, tau) for tau in (cells.early, cells.late))
         rounding = 4 * EPSILON * y.bound(cells.segment, cells.early, cells.late)
         bend = curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
         rise = cells.width * np.maximum(*(np.abs(slope.at(cells.segment, tau)) for tau in (cells.early, cells.late)))
-        steep = (rise > bend) & (rise > 4 * rounding)
+        jump = (left * right < 0) & instants(self.timeline, cells, y)
+        steep = (rise > bend) & (rise > 4 * rounding) | jump
         through = (left * right < 0) | (left == 0) | (right == 0)
         single = cells.where(steep & through)
         self.found.append(self.timeline.starts[single.segment] + root(y, slope, single))

@@ -14,6 +14,7 @@ NOTHING = 1e-15         # of the largest coefficient
 ALIKE = 4e-15           # of the range of a signal
 EDGE = 1e-12            # how far beyond the ends of a window a root may be, by rounding
 CLEAR = 64              # roundings by which a signal has left a level
+TOUCH = 1e-6            # of a window: how far apart the two roots of a touch may be by rounding
 SAME = 1e-11            # of a window: roots closer than this are one
 
 
@@ -29,12 +30,27 @@ def passages(trajectory, signal, start, end, level=0.0):
         if abs(begin) <= NOTHING * size:
             away = window.start + _away(signal, level, window, size)
             times = [window.start, *(time for time in times if time > away)]
-        found += [(time, window.end) for time in times]
-    times = []
-    for time, length in sorted(found):
-        if start <= time <= end and (not times or time - times[-1] > SAME * length + 4e-16 * time):
-            times.append(float(time))
-    return times
+        found += [(time, window.end, size) for time in times if start <= time <= end]
+    return _distinct(sorted(found), lambda times: np.asarray(signal(times), dtype=float) - level)
+
+
+def _distinct(found, signal):
+    """The times of [(time, length of its window, size of the signal there)], those once between which the signal is
+    but rounding away from the level: it touches the level there."""
+    if not found:
+        return []
+    times, lengths, sizes = np.array(found).T
+    gaps, middles = np.diff(times), 0.5 * (times[1:] + times[:-1])
+    same = gaps <= SAME * lengths[1:] + 4e-16 * times[1:]
+    near = ~same & (gaps <= TOUCH * lengths[1:])
+    touch = near & (np.abs(signal(middles)) <= CLEAR * NOTHING * sizes[1:]) if near.any() else near
+    kept = []
+    for k, time in enumerate(times):
+        if k and touch[k - 1]:
+            kept[-1] = float(middles[k - 1])
+        elif not k or not same[k - 1]:
+            kept.append(float(time))
+    return kept
 
 
 def _away(signal, level, window, size):
