@@ -31,7 +31,7 @@ ROOMS = (
     ("mechanics", ("mechanics",)),
     ("analyses", ("analyses",)),
     ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals", "sampled",
-                 "full_motion", "full_signals", "prescribed", "measured_signals",
+                 "full_motion", "full_signals", "shared_friction", "prescribed", "measured_signals",
                  "measured_frequency", "curves", "read_off", "kept_up",
                  "precise_motion", "on_request", "problem", "measured", "inverse", "draws", "check")),
     ("manual", ("manual",)),

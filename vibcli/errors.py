@@ -52,6 +52,14 @@ class PhysicsError(Exception):
         return found
 
 
+class NotFixed(PhysicsError):
+    """A force that is one of several which share a load in any proportion: its name is told."""
+
+    def __init__(self, text, cause="the scene is supported by more than it needs",
+                 hint="take a redundant support out"):
+        super().__init__(f"statics alone does not fix '{text}': {cause}", hint)
+
+
 class Unknown(PhysicsError):
     """Of what is asked for a part is known, and stands: the rest is not."""
 

@@ -20,8 +20,9 @@ class StatesInTime(Motion):
     def signal(self, tree):
         """The signal of a tree: a function of the coordinates, velocities and accelerations, and of forces."""
         from vibcli.mechanics.signals import moving
+        from vibcli.shared_friction import SharedFriction
 
-        scene, forces = self.problem.scene, {}
+        scene, forces, frictions = self.problem.scene, {}, set()
 
         def symbol(name, primes, part):
             if part[0] == "quantity":
@@ -32,9 +33,14 @@ class StatesInTime(Motion):
                 found = scene.table.variable("force " + name)
                 forces[found.name] = name
                 return found
+            if name.endswith(".force") and not primes:
+                frictions.add(name)
             return moving(self.problem, name, primes)
 
-        return self.signal_of(lower(tree, scene.table, symbol), forces)
+        found = self.signal_of(lower(tree, scene.table, symbol), forces)
+        if frictions:
+            found.shared = SharedFriction.of(scene, tree, frictions, symbol)
+        return found
 
     def state_signal(self, node):
         """The signal of an expression of coordinates, velocities and accelerations."""

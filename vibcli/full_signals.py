@@ -7,12 +7,13 @@ from vibcli.moving_signals import ComposedSignal, Signal, require_finite
 
 class FullSignal(Signal):
     """A function of the coordinates, velocities and accelerations of a motion that was integrated, and of `forces`
-    {symbol: name} of constraints, supports and drives."""
+    {symbol: name} of constraints, supports and drives; shared: its SharedFriction, None if it has none."""
 
     KIND = "a motion that is integrated"
 
     def __init__(self, motion, node, forces=None):
         self.motion, self.node, self.forces = motion, node, forces or {}
+        self.shared = None
 
     def values(self, times, order=0):
         if order:
@@ -56,27 +57,36 @@ class FullSignal(Signal):
         values = self.motion.places(times, trajectory)
         if self.forces:
             values |= self.motion.forces(self.forces, values, trajectory)
-        with np.errstate(all="ignore"):
-            node = self._with_senses(trajectory, times, values)
-            found = evaluate([node], Arrays, values)[0]
+
+        def value(node, values):
+            with np.errstate(all="ignore"):
+                return evaluate([self._with_senses(node, trajectory, times, values)], Arrays, values)[0]
+
+        found = value(self.node, values)
+        self._require_fixed(trajectory, times, values, value)
         return require_finite(np.broadcast_to(found, times.shape), times)
 
-    def _with_senses(self, trajectory, times, values):
+    def _require_fixed(self, trajectory, times, values, value):
+        """PhysicsError where the signal is a force that elements share in any proportion."""
+        if self.shared is not None:
+            self.shared.require_fixed(trajectory, times, values, value)
+
+    def _with_senses(self, node, trajectory, times, values):
         """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
         from vibcli.algebra.arrays import Arrays
         from vibcli.algebra.calculus import substitute
         from vibcli.algebra.expression import reachable
 
-        signs = [part for part in reachable([self.node]) if part.name == "sign" and part.mask]
+        signs = [part for part in reachable([node]) if part.name == "sign" and part.mask]
         if not signs:
-            return self.node
+            return node
         from vibcli.analyses.trajectory.senses import senses
 
         scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
         found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
         symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
         values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
-        return substitute([self.node], symbols)[0]
+        return substitute([node], symbols)[0]
 
     def zeros(self, start, end, level=0.0):
         """Instants at which the signal passes a level."""
@@ -115,8 +125,11 @@ class PrescribedSignal(FullSignal):
     def work(self):
         return self.motion.problem.work
 
-    def _with_senses(self, trajectory, times, values):
-        return self.node
+    def _require_fixed(self, trajectory, times, values, value):
+        """Speeds that are prescribed are held by the drives."""
+
+    def _with_senses(self, node, trajectory, times, values):
+        return node
 
     def final(self):
         raise PhysicsError("a motion that is prescribed has no known limit", "ask for its value at a late instant")

@@ -2,8 +2,9 @@
 
 from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.algebra.rationals import HALF, ONE
-from vibcli.errors import PhysicsError
+from vibcli.errors import NotFixed, PhysicsError
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
+from vibcli.mechanics.redundant_friction import require_fixed_at_rest
 from vibcli.reading import Name
 from vibcli.signals import ENERGIES
 
@@ -112,6 +113,8 @@ def force(problem, text):
     if name in (problem.spec.get("springs") or {}):
         return _tension(problem, name)
     if name in (problem.spec.get("dampers") or {}):
+        if part == "force":
+            require_fixed_at_rest(problem, name)
         return 0.0
     known = {reaction.signal: reaction for reaction in problem.reactions}
     if part in ("normal", "friction"):
@@ -124,8 +127,7 @@ def force(problem, text):
         raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
                            "see `find: [reactions]` for those that it has")
     if found.value is None:
-        raise PhysicsError(f"statics alone does not fix '{text}': the scene is supported by more than it needs",
-                           "take a redundant support out")
+        raise NotFixed(text)
     return found.value
 
 

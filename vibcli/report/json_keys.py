@@ -101,9 +101,10 @@ KEYS = {
     "response.signals": "a list, one entry to each signal",
     "response.signals[].signal": "the signal as written",
     "response.signals[].unit": "its unit",
-    "response.signals[].max": "its largest value for 0 ≤ t ≤ until",
+    "response.signals[].max": "its largest value for 0 ≤ t ≤ until; null of a force that statics alone does not fix at "
+                              "all of these instants",
     "response.signals[].argmax": "the instant of that, in s",
-    "response.signals[].min": "its smallest value",
+    "response.signals[].min": "its smallest value; null as above",
     "response.signals[].argmin": "the instant of that, in s",
     "response.signals[].steady": "a list of the harmonics of the steady state, of a periodic load the first; null "
                                  "where there is none",

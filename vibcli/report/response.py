@@ -8,13 +8,14 @@ from vibcli.errors import NotInLetters
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.figures import figure, supported, with_unit
-from vibcli.report.responses import extremes, names_asked, signals_asked
+from vibcli.report.responses import extremes, if_fixed, names_asked, signals_asked
 from vibcli.units import TIME, times
 
 TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
 FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 LEAST = 2.0**-52
+NOT_FIXED = "not fixed by statics"
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
@@ -75,7 +76,8 @@ def _at_instants(problem, asked, wanted, known):
     """The values at the instants asked for, those up to `known`."""
     if wanted.at:
         rows = tuple((f"{one.label} [{one.unit}]", *(
-            value_at(problem, one, t, wanted.digits) if float(t) <= known else "–" for _, t in wanted.at))
+            if_fixed(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), NOT_FIXED)
+            if float(t) <= known else "–" for _, t in wanted.at))
             for one in asked)
         yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
@@ -162,8 +164,9 @@ def _accuracy(trajectory):
 def _extremes(asked, until):
     rows = []
     for one, *both in extremes(asked, until):
-        cells = [cell for t, value in both
-                 for cell in (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t)))]
+        cells = [cell for t, value in both for cell in (
+            (NOT_FIXED, "") if value is None else
+            (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t))))]
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))

@@ -4,7 +4,7 @@ from math import inf, isfinite
 
 from vibcli.errors import PhysicsError
 from vibcli.report.response import harmonics_of, known_until, latest_asked, phase_in, value_at
-from vibcli.report.responses import curves_asked, extremes, signals_asked
+from vibcli.report.responses import curves_asked, extremes, if_fixed, signals_asked
 
 
 def response_data(problem, wanted):
@@ -46,7 +46,7 @@ def _values(problem, one, wanted, known):
             return None
         if wanted.digits is not None:
             return value_at(problem, one, t, wanted.digits)
-        return float(one.signal.values(np.array([float(t)]))[0])
+        return if_fixed(lambda: float(one.signal.values(np.array([float(t)]))[0]))
 
     return [{"t": float(t), "value": value(t)} for _, t in wanted.at]
 

@@ -11,7 +11,7 @@ from vibcli.asking_signals import (
     signal_tree_dimension,
 )
 from vibcli.elements.find import FREQUENCY_RESPONSE, RESPONSE
-from vibcli.errors import PhysicsError, SpecError
+from vibcli.errors import NotFixed, PhysicsError, SpecError
 from vibcli.reading import Reader
 
 POINTS = 1001
@@ -73,8 +73,17 @@ def _dimension(problem, tree):
 
 
 def extremes(asked, until):
-    """[(signal, (t, value) of the largest, of the smallest)]."""
-    return [(one, one.signal.extreme(0.0, until, 1), one.signal.extreme(0.0, until, -1)) for one in asked]
+    """[(signal, (t, value) of the largest, of the smallest)], None for each of a force that statics does not fix."""
+    return [(one, *if_fixed(lambda one=one: [one.signal.extreme(0.0, until, sense) for sense in (1, -1)],
+                            [(None, None)] * 2)) for one in asked]
+
+
+def if_fixed(found, otherwise=None):
+    """What a function finds, else where statics alone does not fix it."""
+    try:
+        return found()
+    except NotFixed:
+        return otherwise
 
 
 def names_asked(problem, word, given=()):

@@ -1,5 +1,6 @@
 """A motion in time: its state at any instant, its energy balance, its events."""
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from vibcli.analyses.trajectory.collocation import rule
 from vibcli.errors import Unknown
 from vibcli.mechanics.compiled import Compiled
+from vibcli.mechanics.redundant_friction import Redundancy
 
 POINTS = 40             # at most in a window
 LATE = 1e-12
@@ -86,6 +88,26 @@ class Trajectory:
                 sigma = self.switching.sliding(window.slides, times[here], q, v, window.g)[1]
                 for k, values in zip(window.slides, sigma, strict=True):
                     found.setdefault(k, np.full(times.shape, np.nan))[here] = values
+        return self._with_carried(found, number, times) if found and self.friction.possible else found
+
+    @cached_property
+    def friction(self):
+        """The Redundancy of the signs of speeds."""
+        return Redundancy(self.system.scene, self.system.parts.h, self.system.parts.slopes)
+
+    def _with_carried(self, found, number, times):
+        """Those as well whose arguments vanish as others are held: they go on with the sense that they had."""
+        scene, parts, none = self.system.scene, self.friction.parts, np.full(times.shape, np.nan)
+        places = {name + "'" * primes: row for primes, rows in enumerate(self.at(times)[:2])
+                  for name, row in zip(self.names, rows, strict=True)}
+        switches = {argument: k for k, argument in enumerate(self.system.switches[:self.switching.count])}
+        numbers = [switches.get(part.argument) for part in parts]
+        held = np.array([~np.isnan(found.get(k, none)) for k in numbers])
+        carried = self.friction.carried({**self.system.floats, scene.time.name: times, **places}, len(times), held)
+        for k, before, after in zip(numbers, held, carried, strict=True):
+            if k is not None and (after & ~before).any():
+                senses = np.array([self.windows[i].g[k] for i in number])
+                found[k] = np.where(after & ~before, senses, found.get(k, none))
         return found
 
     def cut(self, instant, name):
