@@ -150,3 +150,13 @@ def test_a_motion_starts_as_drawn_where_friction_alone_holds_the_scene(force, ho
     else:
         assert "without friction no equilibrium" in err and "under `initial`: x" in err
         assert ask(text.replace("INITIAL", "initial: {x: 0 m}"), "response", "--until", "2")[0] == 0
+
+
+def test_forces_in_an_equilibrium_that_is_none_are_refused(ask):
+    """What friction alone holds against a load is at rest, but no equilibrium of the scene without it: no damper's
+    force there is 0."""
+    code, _, err = ask("parameters: {m: 2 kg, F: 3 N, R: 5 N, c: 4 N*s/m}\nbodies: {b: {mass: m, slide: x}}\n"
+                       "dampers: {d: {friction: R, between: [ground, b]}, e: {c: c, between: [ground, b]}}\n"
+                       "forces: {f: {at: b, force: F}}\n"
+                       "answers: {'equilibrium[d.force]': 0 N, 'equilibrium[e.force]': 0 N}\n", "check")
+    assert code == 4 and err.count("no equilibrium is reached") == 2

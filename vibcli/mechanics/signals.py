@@ -115,6 +115,7 @@ def force(problem, text):
     if name in (problem.spec.get("dampers") or {}):
         if part == "force":
             require_fixed_at_rest(problem, name)
+        _require_equilibrium(problem)
         return 0.0
     known = {reaction.signal: reaction for reaction in problem.reactions}
     if part in ("normal", "friction"):
@@ -129,6 +130,11 @@ def force(problem, text):
     if found.value is None:
         raise NotFixed(text)
     return found.value
+
+
+def _require_equilibrium(problem):
+    """PhysicsError where the forces balance nowhere: what friction alone holds is no equilibrium without it."""
+    return problem.at_rest
 
 
 def _of_outputs(problem, text):
