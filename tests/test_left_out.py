@@ -58,7 +58,7 @@ springs: {s: {k: k, between: [base, b]}, r: {k: k, between: [[-1 m, 0 m], b]}}
 ARM = """
 parameters: {m: 2 kg, k: 800 N/m, A: 0.1, W: 5 rad/s, g: 9.81 m/s^2}
 gravity: g
-points: {P: {body: arm, at: [0.3 m, 0 m]}}
+points: {P: {body: arm, at: [0.3 m, 0 m]}, Q: {body: b, at: [0.6 m, -0.4 m]}}
 bodies:
   arm: {pin: {at: [0 m, 0 m], by: A*sin(W*t)}, at: [0 m, 0 m]}
   b: {mass: m, at: [0.4 m, -0.5 m], inertia: 0.1 kg*m^2, move: [x, y, phi]}
@@ -91,6 +91,16 @@ bodies:
   c: {at: [0.4 m, 0.3 m], slide: {along: [0, 1], by: Y*cos(W*t), carrier: arm}}
   b: {mass: m, at: [0.1 m, 0 m], slide: {along: [1, 0], by: x, carrier: arm}}
 springs: {t: {k: 200 N/m, between: [c, b]}}
+""", True),
+    "a load on an arm that rocks": (ARM.replace("0.1, W", "0.1, K: 30 N/m, W") + """
+springs:
+  s: {k: k, between: [P, b]}
+  r: {k: 300 N/m, between: [[1 m, 0.2 m], b]}
+  t: {torsion: 5 N*m, between: [arm, b]}
+forces:
+  F: {at: Q, force: [5 N + K*x - (2 N*s/m)*x', 2 N], carrier: arm}
+  G: {at: Q, force: [0 N, 3 N*cos(2 rad/s*t)]}
+  M: {body: b, moment: (2 N*m)*phi}
 """, True),
     "through a constraint": ("""
 parameters: {m: 2 kg, A: 0.1, W: 5 rad/s, k: 50 N*m}

@@ -32,8 +32,9 @@ TIME = [
     "are drawn; centrifugal and gyroscopic terms of a "
     "steady rotation stay. Loads in time and driven displacements are small of the first order, as the coordinates "
     "are, and their products are left out: of a load that hangs on a curved path small oscillations keep F(t)·∂s/∂q at "
-    "the equilibrium alone, and of a spring that turns with its shaken end its stiffness there. The report tells what "
-    "that leaves out, F(t)·∂²s/∂q²·q or u(t)·∂K/∂u·q, where it is not zero; `motion: full` keeps it.",
+    "the equilibrium alone, of a spring that turns with its shaken end its stiffness there, and of a steady load whose "
+    "`carrier` rocks by u(t) the load as drawn and what is linear in u. The report tells what that leaves out, "
+    "F(t)·∂²s/∂q²·q or u(t)·∂K/∂u·q, where it is not zero; `motion: full` keeps it.",
     "Where inertia, damping or stiffness themselves change in time (a pendulum whose pivot is "
     "shaken upwards) there are no natural frequencies: `vibcli frequencies` says so; `vibcli equations` works, and so "
     "do motions in time with `motion: full`.",

@@ -54,14 +54,13 @@ def _bends(opened, forces, j):
 
 
 def _forces(opened):
-    """[[terms of rᵢ]]: ∂V/∂qᵢ + ∂Φ/∂q̇ᵢ; where constraints tie the coordinates to what is driven − Σ F ∂s/∂qᵢ, too (else
-    `left_out` has it), of loads in time what turns with the frames that carry them."""
+    """[[terms of rᵢ]]: ∂V/∂qᵢ + ∂Φ/∂q̇ᵢ − Σ F ∂s/∂qᵢ, of loads in time the part F that is steady (`left_out` has the
+    rest)."""
     scene = opened.scene
     stored, damped = gradient(potential(scene)), gradient(dissipation(scene))
     found = [[part[x] for part, x in ((stored, scene.q[i]), (damped, scene.v[i])) if x in part]
              for i in range(opened.n)]
-    driven = opened.problem.scene
-    for term in scene.forces if driven.vibrating is not driven else ():
+    for term in scene.forces:
         if term.weight in scene.inputs:
             continue
         _, _, waving, constant = load_at_rest(scene, term)

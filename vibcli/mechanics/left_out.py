@@ -25,7 +25,7 @@ def left_out(problem):
     number, place = {q: i for i, q in enumerate(scene.q)}, problem.excitation_place
     place = {symbol: node for symbol, node in place.items() if symbol is not scene.time}
     parts, sizes = {}, {}
-    for term in scene.forces:
+    for term in scene.loads_at_still():
         load = _in_time(scene, term)
         slopes = {q: slope for q, slope in gradient(term.s).items() if q in number}
         for q, slope in slopes.items() if any(not part.is_zero for part in load) else ():

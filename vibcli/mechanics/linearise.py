@@ -8,9 +8,9 @@ With s(q, t) the scalar functions of the scene, T = ½ Σ w ṡ², V = Σ (N s +
 
 Σ P ∇²s is the geometric stiffness of preloads and weights (Kovacić & Radomirović 2018, ch. 2); r = 0 in equilibrium.
 G is the skew part of what inertia multiplies the velocities with, C what dampers and loads do. Driven displacements
-that oscillate are small like the coordinates: springs and dampers are linear in them too, which leaves them to the
-excitation; and so are loads that depend on the time, the F₀ in F₀ (1 − cos Ωt) included, which add nothing to Σ P ∇²s
-unless it is steady, as where they turn with what they act on.
+that oscillate are small like the coordinates: springs, dampers and steady loads are linear in them too, which leaves
+them to the excitation; and so are loads that depend on the time, the F₀ in F₀ (1 − cos Ωt) included, which add nothing
+to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
 from vibcli.algebra.calculus import gradient, substitute
@@ -40,7 +40,7 @@ def linearise(scene, still=False):
         found.curved.append((term.weight, _curvature(row, number), row))
     _written_out(scene, found, number)
     slips, turning = {}, {}
-    for term in scene.forces:
+    for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
     found.K.append({pair: -without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
                     for pair, nodes in turning.items()})

@@ -46,7 +46,7 @@ def owned_forms(problem):
 
 def _bent(scene, springs):
     return [f"tension of {term.owner}" for term in springs] + [WEIGHTS] * len(scene.weights) + [
-        f"load {term.owner}" for term in scene.forces]
+        f"load {term.owner}" for term in scene.loads_at_still()]
 
 
 def _numbers(problem, form):

@@ -185,7 +185,7 @@ def with_time(scene, node):
 def _begun(scene):
     """{i: terms} of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
     found, number = {}, {q: i for i, q in enumerate(scene.q)}
-    for term in scene.forces:
+    for term in scene.loads_at_still():
         constant = load_at_rest(scene, term)[3]
         for q, slope in gradient(term.s).items() if not constant.is_zero else ():
             if q in number:
@@ -194,17 +194,19 @@ def _begun(scene):
 
 
 def _shaken(scene):
-    """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs, and
-    Σ c ∂s/∂q ∂s/∂u u̇ of dampers."""
+    """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs,
+    Σ c ∂s/∂q ∂s/∂u u̇ of dampers, and −Σ ∂(F ∂s/∂q)/∂u u of steady loads that turn or move with what is driven."""
     found, number = {}, {q: i for i, q in enumerate(scene.q)}
     if not scene.shaken:
         return found
     zero = scene.table.zero
     still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
     moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
-    for kind in ("springs", "dampers"):
+    for kind in ("springs", "dampers", "forces") if still else ():
         for term in scene.shaken[kind]:
-            here = [symbol for symbol in still if symbol in reachable([term.s])]
+            term = _steady_part(scene, term) if kind == "forces" else term
+            parts = reachable([term.s, term.weight])
+            here = [symbol for symbol in still if symbol in parts]
             slopes = gradient(term.s)
             for q, i in number.items():
                 for symbol in here if q in slopes else ():
@@ -214,12 +216,20 @@ def _shaken(scene):
     return found
 
 
+def _steady_part(scene, term):
+    """A load without its part in time, at rest."""
+    weight, = substitute([term.weight if term.force is None else term.force], dict.fromkeys(scene.v, scene.table.zero))
+    return term._replace(weight=weight, force=None)
+
+
 def _slope_by(scene, term, slope, symbol, kind):
     """What multiplies u(t), or u̇(t) of a damper."""
     stand_in = scene.table.variable(symbol.name + " small")
-    s, row = substitute([term.s, slope], {symbol: stand_in})
+    s, row, weight = substitute([term.s, slope, term.weight], {symbol: stand_in})
     if kind == "dampers":
         part = term.weight * row * gradient(s).get(stand_in, scene.table.zero)
+    elif kind == "forces":
+        part = -gradient(weight * row).get(stand_in, scene.table.zero)
     else:
         part = gradient((term.force + term.weight * s) * row).get(stand_in, scene.table.zero)
     return substitute([part], {stand_in: symbol})[0]

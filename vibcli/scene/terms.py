@@ -6,7 +6,7 @@ from vibcli.algebra.calculus import gradient, substitute
 from vibcli.scene.bounded import stays_bounded
 from vibcli.scene.closing import Constraint
 
-SHAKEN = ("inertias", "springs", "dampers", "weights")  # kept as functions of driven displacements
+SHAKEN = ("inertias", "springs", "dampers", "weights", "forces")  # kept as functions of driven displacements
 
 
 class Term(NamedTuple):
@@ -96,6 +96,21 @@ class Terms:
         for scene in (self,) if self.resting is self else (self, self.resting):
             scene.replace(values)
 
+    def loads_at_still(self):
+        """The loads, the steady ones with the driven displacements that oscillate left out; beside each of them what of
+        it is a load in time, as it is."""
+        if not any(map(self.oscillates, self.driven)):
+            return self.forces
+        found, zero = [], self.table.zero
+        for still, term in zip(self.at_still("forces"), self.forces, strict=True):
+            if term.force is None:
+                found.append(still)
+                continue
+            if not still.force.is_zero:
+                found.append(still._replace(weight=still.force, force=None))
+            found.append(term._replace(weight=term.weight - term.force, force=zero))
+        return found
+
     @property
     def vibrating(self):
         """The scene whose small oscillations are those of this one: itself; but the one at rest where constraints tie
@@ -113,8 +128,8 @@ class Terms:
         return self.shaken[kind] if self.shaken else getattr(self, kind)
 
     def at_still(self, kind):
-        """The springs, dampers or inertias with the driven displacements that oscillate left out; those in `shaken` are
-        functions of them."""
+        """The springs, dampers, inertias or loads with the driven displacements that oscillate left out; those in
+        `shaken` are functions of them."""
         if not self.shaken:
             return getattr(self, kind)
         held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
