@@ -28,7 +28,8 @@ def extreme(pieces, output, start, end, sense, work):
 
 class Search:
     """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
-    how often they were divided, Cells)]; tops: [(values, times)] of ends and peaks that may be the largest."""
+    how often they were divided, Cells)]; tops: [(values, times, whether these are peaks)] of ends and peaks that may be
+    the largest."""
 
     def __init__(self, pieces, output, start, end, sense):
         self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
@@ -47,12 +48,21 @@ class Search:
                 self._look(level, cells)
         whole = stretches(self.timeline, self.start, self.end)
         self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]))
-        values, times = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
+        values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
         near = values >= max(self.value, values.max()) - self.rounding
         if not near.any():
             return float(self.time), float(self.sign * self.value)
-        first = np.argmin(times[near])
-        return float(times[near][first]), float(self.sign * values[near][first])
+        values, times, peaks = values[near], times[near], peaks[near]
+        first = np.argmin(times)
+        of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[first])))
+        if len(of_it):
+            first = of_it[np.argmin(times[of_it])]
+        return float(times[first]), float(self.sign * values[first])
+
+    def _flat(self, t):
+        """How wide the top about an instant is within which values are one but for rounding."""
+        bend = np.abs(self.curvature.at(*self.timeline.place(np.array([t]))))[0]
+        return 2 * np.sqrt(8 * self.rounding / bend) if bend else 0.0
 
     @property
     def rounding(self):
@@ -86,12 +96,13 @@ class Search:
         """The peaks within the cells."""
         rises, falls = (self.sign * self.slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
         peaks = cells.where((rises >= 0) & (falls <= 0))
-        self._keep(peaks.segment, root(self.slope, self.curvature, peaks))
+        self._keep(peaks.segment, root(self.slope, self.curvature, peaks), True)
 
-    def _keep(self, segment, tau):
+    def _keep(self, segment, tau, peak=False):
         values = self.sign * self.y.at(segment, tau)
         near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
-        self.tops.append((values[near], self.timeline.starts[segment[near]] + tau[near]))
+        times = self.timeline.starts[segment[near]] + tau[near]
+        self.tops.append((values[near], times, np.full(len(times), peak)))
 
     def refusal(self, task):
         """What is said of a search that was given up, and what is known by then."""
