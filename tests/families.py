@@ -9,7 +9,7 @@ from fractions import Fraction
 
 import mpmath
 
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.mechanics.factored_system import OscillatorElements
 
 
 def _weight(random, ratio):

@@ -2,9 +2,9 @@
 
 import mpmath
 
-from vibcli.document import read
-from vibcli.problem import Problem
-from vibcli.spec import read_spec
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
 
 PENDULUM = """
 parameters: {m: 2 kg, L: 0.8 m, g: 9.81 m/s^2}

@@ -4,11 +4,11 @@ import cmath
 import math
 import random
 
-from vibcli.report.plots.eigenvalues import argand
-from vibcli.report.plots.figure import Curve, Figure, Mark, Panel
-from vibcli.report.plots.frequency import nyquist, of_frequency_response
-from vibcli.report.plots.response import of_response
-from vibcli.report.plots.shapes import mode_bars
+from vibcli.plots.eigenvalues import argand
+from vibcli.plots.figure import Curve, Figure, Mark, Panel
+from vibcli.plots.frequency import nyquist, of_frequency_response
+from vibcli.plots.response import of_response
+from vibcli.plots.shapes import mode_bars
 
 EVIL = "$\\frac{1}{0}$ <b>&amp; ]]> --> {x} % _a^b # ~ \\ \x1b[31m\u202e"
 LENGTH, FORCE = {"m": 1}, {"kg": 1, "m": 1, "s": -2}

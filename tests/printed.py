@@ -19,14 +19,14 @@ from formulas import (
 )
 from typeset import latex, mathml
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import reachable
+from vibcli.notation.latex import latex as write_latex
+from vibcli.notation.mathml import mathml as write_mathml
+from vibcli.notation.plain import plain as write_plain
 from vibcli.report.blocks import Either, Line, Maths, Name, Picture, Terms, Words
-from vibcli.report.formula import formula
-from vibcli.report.latex import latex as write_latex
-from vibcli.report.mathml import mathml as write_mathml
-from vibcli.report.notation import plain as write_plain
-from vibcli.report.render_markdown import latex as write_protected
+from vibcli.report.formats.formula import formula
+from vibcli.report.formats.markdown import latex as write_protected
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import reachable
 
 NOTATIONS = {"text": (write_plain, plain), "LaTeX": (write_latex, latex), "Markdown": (write_protected, latex),
              "MathML": (write_mathml, mathml)}

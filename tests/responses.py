@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from vibcli.analyses.forcing.output import Output
-from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
-from vibcli.analyses.response.motion import linear_motion
-from vibcli.analyses.response.precise import precise_values
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.transient.high_precision import precise_values
+from vibcli.analyses.transient.linear_response import linear_motion
 
 EPS = 2.0**-52
 FREE, STEP = (Segment(0.0),), (Segment(0.0, (Wave(0, 1.0, 0, 0j),)),)

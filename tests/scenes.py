@@ -3,12 +3,12 @@
 import math
 from textwrap import dedent
 
-from vibcli.algebra.meaning import literal_unit
-from vibcli.algebra.parse import parse
-from vibcli.document import read, read_file
-from vibcli.measured import measure
-from vibcli.problem import Problem
-from vibcli.spec import read_spec
+from vibcli.language.document.document import read, read_file
+from vibcli.quantities.modal import measure
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import literal_unit
 
 
 def problem(text):

@@ -9,14 +9,14 @@ import sympy
 from scenes import number
 from trees import NAMES, SYMBOLS, new_table, real, symbol, trees, values
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
-from vibcli.algebra.expression import Table, reachable
-from vibcli.algebra.meaning import lower
-from vibcli.algebra.normal import expanded, is_zero, textbook
-from vibcli.algebra.parse import parse
-from vibcli.algebra.roots import root
-from vibcli.report.language import language
+from vibcli.notation.scene_language import language
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
+from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.normal_form import expanded, is_zero, textbook
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.radicals import root
+from vibcli.symbolic.semantics import lower
 
 SMOOTH = ("sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "exp")
 MECHANICAL = ("sin", "cos")

@@ -7,7 +7,7 @@ import pytest
 from scenes import problem
 
 from vibcli.cli import run
-from vibcli.mechanics.sticking import span
+from vibcli.mechanics.equilibrium.dry_friction import span
 
 BLOCK = """
 parameters: {m: 2 kg, k: 100 N/m, F: 3 N, R: 5 N}

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from motions import problem
 
-from vibcli.analyses.trajectory.simulate import simulate
-from vibcli.errors import PhysicsError
+from vibcli.analyses.time_integration.integrate import simulate
+from vibcli.base.errors import PhysicsError
 
 CARRIED = """
 motion: full

@@ -7,7 +7,7 @@ import threading
 import pytest
 from counting import calls
 
-from vibcli.algebra.bounded import within
+from vibcli.symbolic.time_limit import within
 
 FEW, MANY = 100, 10**9
 

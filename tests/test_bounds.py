@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from scenes import problem
 
-from vibcli.analyses import factored
-from vibcli.analyses.factored import UNIT, singular_vectors
+from vibcli.numerics import factored_svd
+from vibcli.numerics.factored_svd import UNIT, singular_vectors
 
 FAR = 300       # times its error that a bound may be, in the median
 
@@ -123,8 +123,8 @@ def graded(dice, n, condition):
 def test_singular_values_of_a_factor_that_is_known_so_well(known, condition, by_lapack, monkeypatch):
     """Each within its bound of the factor before every entry was off by `known` roundings."""
     if by_lapack:
-        monkeypatch.setattr(factored, "JACOBI_UP_TO", 0)
-        monkeypatch.setattr(factored, "ENOUGH_WHEN_MANY", 0.0)
+        monkeypatch.setattr(factored_svd, "JACOBI_UP_TO", 0)
+        monkeypatch.setattr(factored_svd, "ENOUGH_WHEN_MANY", 0.0)
     needed = []
     for seed in range(20):
         dice = np.random.default_rng(seed)

@@ -5,7 +5,7 @@ import mpmath
 import pytest
 from scenes import problem
 
-from vibcli.algebra.evaluate import Floats, evaluate
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 W = 5.0
 ARM = """

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from motions import problem
 
-from vibcli.analyses.trajectory import simulate as simulating
-from vibcli.analyses.trajectory.simulate import known_motion, simulate
+from vibcli.analyses.time_integration import integrate as simulating
+from vibcli.analyses.time_integration.integrate import known_motion, simulate
 from vibcli.cli import run
 
 FAR_UP = """title: Let go from far up

@@ -6,10 +6,10 @@ import math
 import pytest
 from scenes import problem, problem_of
 
-from vibcli.check import check, likely_mistake
+from vibcli.check.verdicts import check, likely_mistake
 from vibcli.cli import run
-from vibcli.draws import reach, states
 from vibcli.manual import scenes
+from vibcli.results.random_states import reach, states
 
 MASS = """
 parameters: {m: 2 kg, k: 800 N/m}

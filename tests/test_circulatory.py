@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from spectra import compared, nearest, rate, relative, residual, unit_masses
 
-from vibcli.analyses import damped as damped_module
-from vibcli.analyses.damped import damped
-from vibcli.analyses.spectrum import damped_modes, natural_modes
-from vibcli.mechanics.elements import OscillatorElements
-from vibcli.report.rows import mode_row
+from vibcli.analyses.modal import damped as damped_module
+from vibcli.analyses.modal.damped import damped
+from vibcli.analyses.modal.modes import damped_modes, natural_modes
+from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.report.sections.mode_tables import mode_row
 
 ULP = 2.0 ** -53
 NATURAL = (families.follower, families.free_follower, families.massive_follower, families.massless_follower)

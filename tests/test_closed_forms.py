@@ -8,14 +8,14 @@ import pytest
 from closed_forms import TEXTBOOK, chain, pendulums, ring
 from scenes import number, problem
 
-from vibcli.algebra.parse import parse
-from vibcli.analyses.letters.extension import Extension
-from vibcli.check import check
-from vibcli.draws import Draws
-from vibcli.errors import PhysicsError
+from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.base.errors import PhysicsError
+from vibcli.check.verdicts import check
 from vibcli.report.document import Report
-from vibcli.report.render_text import section_lines, shown
-from vibcli.report.results import frequencies_data
+from vibcli.report.formats.text import section_lines, shown
+from vibcli.report.sections.data import frequencies_data
+from vibcli.results.random_states import Draws
+from vibcli.symbolic.parser import parse
 
 
 def printed(found):
@@ -189,7 +189,7 @@ def small(text, values):
 # what is not shown
 
 def test_a_wrong_form_is_not_shown(monkeypatch):
-    from vibcli.analyses.letters import block_modes
+    from vibcli.analyses.closed_form import block_modes
 
     text = chain(2, springs="k kc k")
     assert problem(text).closed_forms is not None
@@ -205,7 +205,7 @@ def test_a_wrong_form_is_not_shown(monkeypatch):
 
 
 def test_a_wrong_shape_and_a_wrong_damping_are_left_out(monkeypatch):
-    from vibcli.analyses.letters import block_modes
+    from vibcli.analyses.closed_form import block_modes
 
     honest = block_modes._mode
 
@@ -222,11 +222,11 @@ def test_a_wrong_shape_and_a_wrong_damping_are_left_out(monkeypatch):
 
 def test_late_algebra_leaves_the_polynomial(monkeypatch):
     """Where a factorisation takes too long the polynomial is taken whole, and solved if it is quadratic."""
-    from vibcli.algebra import polynomials
+    from vibcli.symbolic import rational_functions
 
     def late(self, polynomial):
         return polynomial.ring.domain(1), [(polynomial, 1)]
-    monkeypatch.setattr(polynomials.Quotients, "factors", late)
+    monkeypatch.setattr(rational_functions.Quotients, "factors", late)
     found = Forms(chain(3, right=False, masses="m1 m2 m3", springs="k1 k2 k3"))
     assert len(found.data["characteristic_polynomial"]) == 1
     assert all(polynomials_vanish(found.data, draw) for draw in found.draws())

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from scenes import problem, value
 
-from vibcli.analyses.response.composition import Composition
-from vibcli.errors import PhysicsError
-from vibcli.sampled import Sampled
-from vibcli.work import Work
+from vibcli.analyses.transient.composition import Composition
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Work
+from vibcli.results.sampled_extremes import Sampled
 
 M, K, X0 = 1.0, 100.0, 0.5
 FUNCTIONS = {        # of x [m], x' [m/s] and x'' [m/s^2]
@@ -79,7 +79,7 @@ def test_passages_are_all_of_those_of_dense_samples(name):
 
 
 def _tree(text):
-    from vibcli.algebra.parse import parse
+    from vibcli.symbolic.parser import parse
     return parse(text)
 
 

@@ -12,14 +12,14 @@ import pytest
 from mpmath import asin, cos, sin, sqrt, tan
 from scenes import problem, problem_of, value
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.bench.linkage import tongs
-from vibcli.draws import states
-from vibcli.errors import PhysicsError, SpecError
 from vibcli.mechanics.energies import kinetic, potential
-from vibcli.mechanics.reactions import along_the_motion, slack
-from vibcli.scene.loops import drawn_values, nearby
+from vibcli.mechanics.inputs_outputs.reactions import along_the_motion, slack
+from vibcli.results.random_states import states
+from vibcli.scene.closed_loops import drawn_values, nearby
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 PROJECT = Path(__file__).parent.parent
 

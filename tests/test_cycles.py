@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from vibcli.document import read
-from vibcli.errors import SpecError
-from vibcli.spec import read_spec
+from vibcli.base.errors import SpecError
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
 
 ROOT = Path(__file__).parent.parent
 SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),

@@ -10,12 +10,12 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.analyses import damped as damped_module
-from vibcli.analyses.damped import damped
-from vibcli.analyses.digits import estimated_steps
-from vibcli.analyses.shapes import normalised
-from vibcli.errors import PhysicsError
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.analyses.modal import damped as damped_module
+from vibcli.analyses.modal.damped import damped
+from vibcli.analyses.modal.normalisation import normalised
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.numerics.precision import estimated_steps
 
 EPS = 2.0 ** -52
 

@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from scenes import problem, problem_of
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.meaning import lower
-from vibcli.algebra.parse import parse
-from vibcli.errors import PhysicsError, SpecError
-from vibcli.measured import measure
-from vibcli.report.closed import closed_data
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.quantities.modal import measure
+from vibcli.report.sections.closed_forms import closed_data
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import lower
 
 HERE = Path(__file__).parent
 SCENES = sorted((HERE.parent / "problems").rglob("*.yaml")) + sorted((HERE / "trials").glob("*.yaml"))

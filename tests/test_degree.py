@@ -14,11 +14,11 @@ import pytest
 from scenes import value
 from test_proof import scene
 
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
-from vibcli.mechanics import equilibria, indices, starts
-from vibcli.mechanics.degree import degree
-from vibcli.mechanics.proof import Enclosed
+from vibcli.mechanics.equilibrium import all_equilibria, indices, multistart
+from vibcli.mechanics.equilibrium.completeness import Enclosed
+from vibcli.mechanics.equilibrium.degree import degree
 
 SIDE, SIZE = 48, 2.0
 
@@ -35,9 +35,9 @@ def asked(made):
 @pytest.fixture
 def blind(monkeypatch):
     """Searches that look at the drawn position alone, and no proof."""
-    monkeypatch.setattr(equilibria, "_search", lambda forces, found, first: None)
-    monkeypatch.setattr(equilibria, "proved", lambda forces, found: False)
-    monkeypatch.setattr(equilibria, "compared", lambda forces, found: None)
+    monkeypatch.setattr(all_equilibria, "_search", lambda forces, found, first: None)
+    monkeypatch.setattr(all_equilibria, "proved", lambda forces, found: False)
+    monkeypatch.setattr(all_equilibria, "compared", lambda forces, found: None)
 
 
 def hills(draw, names):
@@ -134,8 +134,8 @@ def test_degrees_and_what_has_none(V, names, within, expected, blind):
 @pytest.fixture
 def short(monkeypatch):
     """Searches from fewer places."""
-    monkeypatch.setattr(starts, "LEAST", 8)
-    monkeypatch.setattr(starts, "DEFLATED", 2)
+    monkeypatch.setattr(multistart, "LEAST", 8)
+    monkeypatch.setattr(multistart, "DEFLATED", 2)
 
 
 WELLS = "x^4/4 - x^2/2 + y^2 + z^2 + w^2 + (x + 2*y)/9 + z*w/5 + x*y/7"
@@ -144,13 +144,13 @@ HANGING = "-3*cos(x) - 2*cos(y) + cos(x - y)/4 + z^2 + z*sin(x)/4 + w^2"
 
 def dropping(monkeypatch, number):
     """Searches that lose one of what they find."""
-    search = equilibria._search
+    search = all_equilibria._search
 
     def lost(forces, found, first):
         search(forces, found, first)
         found.isolated.sort(key=lambda place: tuple(place.z.round(6)))
         del found.isolated[number]
-    monkeypatch.setattr(equilibria, "_search", lost)
+    monkeypatch.setattr(all_equilibria, "_search", lost)
 
 
 @pytest.mark.parametrize("V, within, number", [(WELLS, 2, 1), (HANGING, {"z": 2, "w": 2}, 1)])

@@ -8,10 +8,10 @@ import sys
 import pytest
 from documents import SCENE
 
-from vibcli import document
-from vibcli.diagnostics import render
-from vibcli.document import Scalar, Sequence, read, read_file
-from vibcli.errors import Diagnostic, Where
+from vibcli.base.diagnostics import render
+from vibcli.base.errors import Diagnostic, Where
+from vibcli.language.document import document
+from vibcli.language.document.document import Scalar, Sequence, read, read_file
 
 
 def plain(node):
@@ -196,10 +196,12 @@ def test_hint_says_what_to_write():
 
 
 def test_import_is_light():
-    code = "import sys, vibcli.document; print(*sorted(m for m in sys.modules if m.startswith('vibcli.')))"
+    code = ("import sys, vibcli.language.document.document\n"
+            "print(*sorted(m for m in sys.modules if m.startswith('vibcli.')))")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.split() == [f"vibcli.{module}" for module in (
-        "decoding", "diagnostics", "document", "errors", "nodes", "tree")]
+        "base", "base.decoding", "base.diagnostics", "base.errors", "language", "language.document",
+        "language.document.document", "language.document.nodes", "language.document.tree_builder")]
 
 
 def test_read_file(tmp_path):

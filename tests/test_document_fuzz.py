@@ -9,10 +9,10 @@ import yaml
 from counting import calls
 from documents import SCENE
 
-from vibcli import decoding
-from vibcli.diagnostics import render
-from vibcli.document import Mapping, Scalar, Sequence, read
-from vibcli.errors import Diagnostic
+from vibcli.base import decoding
+from vibcli.base.diagnostics import render
+from vibcli.base.errors import Diagnostic
+from vibcli.language.document.document import Mapping, Scalar, Sequence, read
 
 MOST_CALLS = 10**5
 DATA = SCENE.encode()
@@ -75,7 +75,8 @@ def test_hostile_mebibyte_is_refused_at_once(piece):
 @pytest.mark.parametrize("piece", ["[", "{", "- ", "? ", "[{", "a: ["])
 def test_process_survives_deep_nesting(piece):
     """In a process of its own: a crash of the C parser would take the tests with it."""
-    code = f"from vibcli.document import read; print(read(({piece!r} * 30000).encode(), 's')[1][-1].message)"
+    code = ("from vibcli.language.document.document import read\n"
+            f"print(read(({piece!r} * 30000).encode(), 's')[1][-1].message)")
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout == "nested more than 32 deep\n" or "as key" in done.stdout
 

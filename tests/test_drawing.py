@@ -16,24 +16,17 @@ from xml.etree import ElementTree
 import pytest
 from scenes import problem, problem_of
 
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
-from vibcli.report.drawing import (
-    animation,
-    compose,
-    lettering,
-    mode_shape,
-    pillow_canvas,
-    plane,
-    rope,
-    sliding,
-    vibration,
-)
-from vibcli.report.drawing.damper import dashpot
-from vibcli.report.drawing.drawing import draw
-from vibcli.report.drawing.matplotlib_canvas import MARGIN, figure, picture
-from vibcli.report.drawing.primitives import Arc, Circle, Hatch, Line, Polygon, Text, extent
-from vibcli.report.drawing.spring import zigzag
+from vibcli.drawing import animation, vibration
+from vibcli.drawing.canvas import pillow_canvas
+from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
+from vibcli.drawing.canvas.primitives import Arc, Circle, Hatch, Line, Polygon, Text, extent
+from vibcli.drawing.drawing import draw
+from vibcli.drawing.layout import compose, lettering, plane
+from vibcli.drawing.symbols import mode_shape, rope, sliding
+from vibcli.drawing.symbols.damper import dashpot
+from vibcli.drawing.symbols.spring import zigzag
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
@@ -110,8 +103,8 @@ def test_words_are_as_large_as_measured(path):
 @pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
 def test_the_same_bytes(kind):
     code = ("import sys, hashlib; sys.path.insert(0, 'tests')\nfrom scenes import problem_of\n"
-            "from vibcli.report.drawing.drawing import draw\n"
-            "from vibcli.report.drawing.matplotlib_canvas import picture\n"
+            "from vibcli.drawing.drawing import draw\n"
+            "from vibcli.drawing.canvas.matplotlib_canvas import picture\n"
             f"print(hashlib.sha256(picture(draw(problem_of({str(CART)!r})), {kind!r})).hexdigest())")
     found = {subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT,
                             env={**os.environ, "PYTHONHASHSEED": seed}).stdout for seed in ("1", "2")}
@@ -365,7 +358,7 @@ def test_a_scene_at_rest_is_not_animated():
 
 
 def test_large_animations_lose_frames(monkeypatch):
-    from vibcli.report.drawing import pillow_canvas
+    from vibcli.drawing.canvas import pillow_canvas
 
     frames, *_ = animation.of_mode(problem_of(CART), 2)
     whole = pillow_canvas.gif(frames, "")

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scenes import problem, problem_of, value
 
-from vibcli.algebra import normal
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.analyses.trajectory.simulate import simulate
+from vibcli.analyses.time_integration.integrate import simulate
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
-from vibcli.report.results import numeric_drive
+from vibcli.report.sections.data import numeric_drive
+from vibcli.symbolic import normal_form
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 MOTIONS = ["Y*(1 - exp(-r*t))", "Y*(1 - cos(w*t))", "Y*cos(w*t)", "Y + Y*sin(w*t)", "Y - Y*exp(-r*t)*cos(w*t)"]
 FIGURES = {
@@ -264,9 +264,9 @@ def test_what_drives_is_the_same_in_numbers_however_long_its_letters_are(most, m
     drive = scene.equations.drive[0]
     values = [evaluate([drive], Floats, {**scene.at_rest, "t": t})[0] for t in (0.1, 0.7, 3.0)]
     if most is not None:
-        monkeypatch.setattr(normal, "MOST", most)
-        with pytest.raises(normal.TooLong):
-            normal.expanded(drive)
+        monkeypatch.setattr(normal_form, "MOST", most)
+        with pytest.raises(normal_form.TooLong):
+            normal_form.expanded(drive)
     row = numeric_drive(scene, scene.equations, 0)
     assert 3 <= len(row) <= 4
     for t, wanted in zip((0.1, 0.7, 3.0), values, strict=True):

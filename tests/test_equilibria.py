@@ -13,9 +13,9 @@ import mpmath
 import pytest
 from scenes import problem, value
 
-from vibcli.analyses.stability import FALLING, HELD, NEUTRAL, STABLE, UNSTABLE, judged, stability
+from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, STABLE, UNSTABLE, judged, stability
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
 
 SCALE = 1e-14
 
@@ -411,7 +411,7 @@ def test_a_bifurcation_is_warned_of(kt, warned, tmp_path, capsys):
 
 
 def test_stiffness_beside_softness_is_no_bifurcation():
-    from vibcli.analyses.condition import stiffness_condition
+    from vibcli.analyses.modal.bifurcation_distance import stiffness_condition
 
     scene = problem("parameters: {m: 1 kg, k: 1e12 N/m, s: 1 N/m}\nbodies: {a: {mass: m, slide: x}, b: {mass: m, "
                     "slide: y}}\nsprings: {u: {k: k, between: [a, b]}, v: {k: s, between: [ground, a]}}")

@@ -5,7 +5,7 @@ from math import asin, pi, sin, sqrt
 import pytest
 from scenes import problem, value
 
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 
 SCALE = 1e-14
 

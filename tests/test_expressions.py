@@ -7,13 +7,13 @@ import pytest
 from scenes import number, problem
 from trees import new_table, trees, values
 
-from vibcli.algebra.calculus import substitute
-from vibcli.algebra.evaluate import Floats, Rationals, evaluate, evaluate_rational
-from vibcli.algebra.expression import Table, reachable
-from vibcli.algebra.meaning import lower, whole_literal
-from vibcli.algebra.normal import is_zero
-from vibcli.algebra.parse import ExpressionError, parse
-from vibcli.algebra.rationals import BITS, bits
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, Rationals, evaluate, evaluate_rational
+from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.normal_form import is_zero
+from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.rationals import BITS, bits
+from vibcli.symbolic.semantics import lower, whole_literal
 
 
 @pytest.fixture

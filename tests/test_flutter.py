@@ -10,12 +10,12 @@ import mpmath
 import pytest
 from spectra import compared, relative, unit_masses
 
-from vibcli.analyses.damped import damped
-from vibcli.analyses.modal import Mode
-from vibcli.analyses.spectrum import damped_modes, natural_modes
-from vibcli.measured import is_stable
-from vibcli.mechanics.elements import OscillatorElements
-from vibcli.report.rows import damped_row, mode_row, repeated
+from vibcli.analyses.modal.damped import damped
+from vibcli.analyses.modal.modes import damped_modes, natural_modes
+from vibcli.analyses.modal.undamped import Mode
+from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.quantities.modal import is_stable
+from vibcli.report.sections.mode_tables import damped_row, mode_row, repeated
 
 ULP = 2.0 ** -53
 

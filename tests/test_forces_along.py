@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scenes import problem_of
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.draws import Draws
-from vibcli.errors import PhysicsError
-from vibcli.mechanics.forces_along import ForcesAlong
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
+from vibcli.results.random_states import Draws
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*ROOT.glob("problems/[12]_*/*.yaml"), *ROOT.glob("problems/6_two*/*.yaml"),

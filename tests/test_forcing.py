@@ -8,18 +8,18 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import evaluate, multiprecision
-from vibcli.algebra.expression import Table
-from vibcli.algebra.meaning import lower
-from vibcli.algebra.parse import parse
-from vibcli.algebra.samples import Samples
-from vibcli.analyses.forcing.blows import nearest
-from vibcli.analyses.forcing.decompose import forcing_of
-from vibcli.analyses.forcing.fourier import fourier, integral
-from vibcli.analyses.forcing.numbers import Floating
-from vibcli.analyses.forcing.sampled import Sampled
-from vibcli.errors import PhysicsError
+from vibcli.analyses.excitation.decompose import forcing_of
+from vibcli.analyses.excitation.fourier import fourier, integral
+from vibcli.analyses.excitation.impulses import nearest
+from vibcli.analyses.excitation.rounding import Floating
+from vibcli.analyses.excitation.tabulated import Sampled
+from vibcli.base.errors import PhysicsError
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import evaluate, multiprecision
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.sampled_functions import Samples
+from vibcli.symbolic.semantics import lower
 
 VALUES = {"F": 5.0, "a": 0.7, "b": 1.3, "W": 31.4, "p": 0.25, "q": 0.8, "c": 0.1, "k": -2.5}
 

@@ -11,13 +11,13 @@ import printed
 import pytest
 from scenes import problem_of
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import Table, reachable
+from vibcli.notation.plain import plain
+from vibcli.notation.scene_language import language
 from vibcli.report.document import EVERYTHING, Report
-from vibcli.report.language import language
-from vibcli.report.letters import turned
-from vibcli.report.notation import plain
-from vibcli.report.results import equations_data
+from vibcli.report.sections.data import equations_data
+from vibcli.report.sections.symbolic_modes import turned
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table, reachable
 
 WAYS = {**printed.NOTATIONS, "language": (language, formulas.plain)}
 LETTERS = ("m", "k", "l1", "L2", "phi", "kf", "m_rot", "x'", "theta2''", "beta", "R")

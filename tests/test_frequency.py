@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from scenes import problem
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.analyses.frequency import many
-from vibcli.analyses.frequency.extremes import extremes
-from vibcli.analyses.frequency.fixed_points import fixed_points
-from vibcli.analyses.frequency.grid import adaptive
-from vibcli.analyses.frequency.in_letters import formula
-from vibcli.analyses.frequency.peaks import antiresonances, bandwidth, half_power, peaks, quality, static_value
-from vibcli.analyses.frequency.response import direct, frf, phase_lag, sampled, scales, sloped
-from vibcli.analyses.frequency.transfer import Transfer, transfer
-from vibcli.errors import NotInLetters, PhysicsError
+from vibcli.analyses.closed_form.frequency_response import formula
+from vibcli.analyses.frequency_response import large_systems
+from vibcli.analyses.frequency_response.evaluate import direct, frf, phase_lag, sampled, scales, sloped
+from vibcli.analyses.frequency_response.extremes import extremes
+from vibcli.analyses.frequency_response.fixed_points import fixed_points
+from vibcli.analyses.frequency_response.frequency_grid import adaptive
+from vibcli.analyses.frequency_response.peaks import antiresonances, bandwidth, half_power, peaks, quality, static_value
+from vibcli.analyses.frequency_response.transfer_function import Transfer, transfer
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 EPS = 2.0**-52
 
@@ -106,7 +106,7 @@ def test_few_degrees_against_fifty_digits(kind, n):
 def test_many_degrees_against_fifty_digits(kind):
     rng = np.random.default_rng(7)
     system = random_system(rng, 30, kind)
-    method = many.chosen(system)
+    method = large_systems.chosen(system)
     assert method is not None
     Omega = 10 ** rng.uniform(-1, 4, 8)
     values, _, resonant = method(system, 1j * Omega)
@@ -121,7 +121,7 @@ def test_methods_agree_with_their_slopes(kind):
     rng = np.random.default_rng(3)
     system = random_system(rng, 40, kind)
     Omega = np.array([3.0, 40.0, 700.0])
-    for method in (direct, many.chosen(system)):
+    for method in (direct, large_systems.chosen(system)):
         values, slopes, _ = method(system, 1j * Omega, True)
         step = 1e-5 * Omega
         ends = [direct(system, 1j * (Omega + sign * step))[0] for sign in (1, -1)]
@@ -137,9 +137,10 @@ def test_slopes_of_systems_with_a_narrow_band(width):
     K, M, C = (np.where(band, rng.uniform(-1, 1, (n, n)), 0.0) for _ in range(3))
     K, M = 50 * (K + K.T) + 200 * width * np.eye(n), 0.1 * (M + M.T) + width * np.eye(n)
     system = Transfer(M, C + width * np.eye(n), K, unit(n, 3) * 3.0, unit(n, n - 2), (0.1, 0.02, 0.0))
-    assert many._ordered(system)[1] <= many.NARROW
+    assert large_systems._ordered(system)[1] <= large_systems.NARROW
     s = 1j * np.array([0.5, 5.0, 12.0, 14.0, 17.0, 40.0])
-    (values, slopes, _), (wanted, steep, _) = (method(system, s, True) for method in (many.chosen(system), direct))
+    methods = large_systems.chosen(system), direct
+    (values, slopes, _), (wanted, steep, _) = (method(system, s, True) for method in methods)
     assert values == pytest.approx(wanted, rel=1e-10)
     assert slopes == pytest.approx(steep, rel=1e-9)
 
@@ -220,7 +221,7 @@ def test_a_pole_on_the_grid_is_said(method, n):
     K = 100 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
     system = Transfer(np.eye(n), np.zeros((n, n)), K, unit(n, 0), unit(n, n - 1))
     omega = 20 * np.sin(np.arange(1, n + 1) * np.pi / (2 * n + 2))
-    run = direct if method == "direct" else many.chosen(system)
+    run = direct if method == "direct" else large_systems.chosen(system)
     values, _, resonant = run(system, 1j * np.array([1.0, *omega]))
     assert not resonant[0] and resonant[1:].all() and np.isfinite(values).all()
     with pytest.raises(PhysicsError, match="natural frequency"):

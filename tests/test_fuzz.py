@@ -4,19 +4,19 @@ import json
 import random
 from pathlib import Path
 
-from vibcli import units
-from vibcli.algebra.evaluate import Floats, evaluate, evaluate_rational
-from vibcli.algebra.expression import Table
-from vibcli.algebra.meaning import DimensionCheck, lower, names_in, quantities_in
-from vibcli.algebra.parse import ExpressionError, parse
-from vibcli.check import check
-from vibcli.diagnostics import render
-from vibcli.document import Mapping, Scalar, Sequence, read
-from vibcli.errors import PhysicsError, SpecError
-from vibcli.problem import Problem
-from vibcli.report.results import equations_data, frequencies_data
-from vibcli.spec import read_spec
-from vibcli.work import Work
+from vibcli.base import units
+from vibcli.base.diagnostics import render
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.base.work import Work
+from vibcli.check.verdicts import check
+from vibcli.language.document.document import Mapping, Scalar, Sequence, read
+from vibcli.reader.read import read_spec
+from vibcli.report.sections.data import equations_data, frequencies_data
+from vibcli.results.problem import Problem
+from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.semantics import DimensionCheck, lower, names_in, quantities_in
 
 ROOT = Path(__file__).parent.parent
 PATIENCE = 0.02     # of what is usual: a scene that takes long is refused, and what is said then is looked at

@@ -6,14 +6,14 @@ import random
 
 from test_fuzz import EXTREMES, SAME
 
-from vibcli.check import check
-from vibcli.diagnostics import render
-from vibcli.document import read
-from vibcli.errors import PhysicsError, SpecError
-from vibcli.problem import Problem
-from vibcli.report.response_data import frequency_response_data, response_data
+from vibcli.base.diagnostics import render
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.check.verdicts import check
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
+from vibcli.report.sections.response_data import frequency_response_data, response_data
 from vibcli.report.wanted import Wanted
-from vibcli.spec import read_spec
+from vibcli.results.problem import Problem
 
 BODIES = (
     "  cart: {mass: 5 kg, at: [0, 0], slide: x}\n"

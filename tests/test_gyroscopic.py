@@ -7,8 +7,8 @@ import mpmath
 import pytest
 from spectra import nearest, rate
 
-from vibcli.analyses.spectrum import natural_modes
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.analyses.modal.modes import natural_modes
+from vibcli.mechanics.factored_system import OscillatorElements
 
 
 @pytest.fixture(autouse=True)

@@ -9,12 +9,12 @@ from pathlib import Path
 from test_bad import BAD, expected
 
 import vibcli
-from vibcli.algebra.meaning import whole_literal
-from vibcli.algebra.parse import parse
 from vibcli.cli import COMMANDS, group, run
-from vibcli.fit import unit_of_a_number
+from vibcli.language.dimension_check import unit_of_a_number
 from vibcli.manual import words
-from vibcli.questions import ASKED
+from vibcli.quantities.quantity import ASKED
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import whole_literal
 
 PACKAGE = Path(vibcli.__file__).parent
 FILES = sorted(path for path in PACKAGE.rglob("*.py") if "bench" not in path.parts)

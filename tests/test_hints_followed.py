@@ -7,7 +7,7 @@ import pytest
 from test_bad import BAD, diagnostics, expected
 
 from vibcli.cli import run
-from vibcli.questions import ASKED
+from vibcli.quantities.quantity import ASKED
 
 UNIT = re.compile(r"write the unit: (?P<text>\S+(?: .+)?)$")
 NAME = re.compile(r"did you mean '(?P<text>[^']+)'\?$")

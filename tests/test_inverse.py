@@ -6,15 +6,15 @@ import math
 import pytest
 from scenes import problem, value
 
-from vibcli.algebra.parse import parse
-from vibcli.check import check
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.check.verdicts import check
 from vibcli.cli import run
-from vibcli.errors import PhysicsError, SpecError
 from vibcli.inverse import search, settled
-from vibcli.inverse.ranges import admissible, natural_scale
-from vibcli.measured import value_of
-from vibcli.reading import Expression
-from vibcli.report.language import language
+from vibcli.inverse.admissible_ranges import admissible, natural_scale
+from vibcli.language.reader import Expression
+from vibcli.notation.scene_language import language
+from vibcli.quantities.modal import value_of
+from vibcli.symbolic.parser import parse
 
 BLOCK = """
 parameters: {{{parameters}}}

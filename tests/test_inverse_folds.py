@@ -7,10 +7,10 @@ from types import SimpleNamespace
 import pytest
 from scenes import problem
 
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.inverse import settled
-from vibcli.mechanics.branch import Branch
-from vibcli.report.figures import figure
+from vibcli.mechanics.equilibrium.continuation import Branch
+from vibcli.notation.numbers import figure
 
 TRUSS = """
 parameters: {{b: {b} m, h: {h} m, k: {k} N/m, m: 1 kg{more}}}

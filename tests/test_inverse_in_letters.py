@@ -5,11 +5,11 @@ import math
 import pytest
 from scenes import problem
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.inverse import settled
-from vibcli.inverse.admissible_letters import SPREADS, Letters
-from vibcli.inverse.ranges import known
+from vibcli.inverse.admissible_ranges import known
+from vibcli.inverse.symbolic_admissible_ranges import SPREADS, Letters
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 ONE = """
 parameters: {{{parameters}}}

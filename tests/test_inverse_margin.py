@@ -9,8 +9,8 @@ import pytest
 from scenes import problem
 
 from vibcli.inverse import search, settled
-from vibcli.inverse.margin import free_roots, margin
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.inverse.stability_margin import free_roots, margin
+from vibcli.mechanics.factored_system import OscillatorElements
 
 COLUMN = """
 parameters: {{m: {m} kg, l: {l} m, k: {k} N*m, a: {a}}}

@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 from scenes import problem_of, value
 
-from vibcli.algebra.meaning import whole_literal
-from vibcli.algebra.parse import parse
-from vibcli.document import Scalar
-from vibcli.elements import choose
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.inverse import settled
-from vibcli.problem import Problem
-from vibcli.reading import Expression, Record
+from vibcli.language.document.document import Scalar
+from vibcli.language.reader import Expression, Record
+from vibcli.reader.sections import choose
+from vibcli.results.problem import Problem
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import whole_literal
 
 SLOW = ("bar_on_two_springs", "ladder_held_by_spring", "disc_on_three_tight_springs")     # some seconds each
 PROBLEMS = [path for path in sorted((Path(__file__).parents[1] / "problems").rglob("*.yaml")) if path.stem not in SLOW]

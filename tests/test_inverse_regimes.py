@@ -4,7 +4,7 @@ and beyond, is found again, however near the change lies."""
 import pytest
 from scenes import problem, value
 
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.inverse import settled
 
 BLOCK = """

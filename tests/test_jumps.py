@@ -30,7 +30,7 @@ def test_a_carrier_that_starts_and_stops_acts_by_its_acceleration(travel, push):
 
 
 def test_a_displacement_that_jumps_is_refused_where_its_acceleration_counts():
-    from vibcli.errors import PhysicsError
+    from vibcli.base.errors import PhysicsError
 
     scene = problem("""
         parameters: {m: 2 kg, k: 50 N/m, a: 3 cm}

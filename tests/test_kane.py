@@ -16,9 +16,9 @@ import sympy
 from scenes import problem_of
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
-from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
-from vibcli.draws import Draws, reach
 from vibcli.mechanics.lagrange import equation_of
+from vibcli.results.random_states import Draws, reach
+from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 PROBLEMS = {path.stem: path for path in (Path(__file__).parent.parent / "problems").rglob("*.yaml")}
 DIGITS, STATES, RTOL, STEP = 40, 4, 1e-12, mpmath.mpf(10) ** -12

@@ -10,11 +10,11 @@ import pytest
 import sympy
 from scenes import problem
 
-from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.evaluated import in_numbers
 from vibcli.mechanics.lagrange import equation_of, full_equations
-from vibcli.mechanics.system import System
+from vibcli.mechanics.numeric_equations import System
+from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 DIGITS, STATES = 40, 6
 

@@ -9,16 +9,16 @@ import pytest
 from motions import duffing_period, problem
 from scenes import number
 
-from vibcli.algebra.antiderivative import from_zero
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import Table
-from vibcli.algebra.meaning import lower
-from vibcli.algebra.parse import parse
-from vibcli.analyses.trajectory.period import exact_period
-from vibcli.analyses.trajectory.simulate import simulate
+from vibcli.analyses.time_integration.integrate import simulate
+from vibcli.analyses.time_integration.period import exact_period
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
+from vibcli.symbolic.antiderivatives import from_zero
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import lower
 
 BLOCK = "bodies: {b: {mass: m, slide: x}}\n"
 SPRING = "springs: {s: {k: k, between: [ground, b]}}\n"

@@ -9,14 +9,14 @@ import pytest
 from scenes import problem
 
 import vibcli
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.cli import run
-from vibcli.document import read
+from vibcli.language.document.document import read
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.problem import Problem
-from vibcli.scene.motion import Motion
-from vibcli.spec import read_spec
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
+from vibcli.scene.coordinates import Motion
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 HERE = Path(__file__).parent
 FILES = [path for folder in (HERE.parent / "problems", HERE / "trials", Path(vibcli.__file__).parent / "examples")

@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 from scenes import problem_of
 
-from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.draws import Draws
-from vibcli.errors import PhysicsError, SpecError
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.mechanics.autonomous import without_time
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.mechanics.steady import without_time
+from vibcli.results.random_states import Draws
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml"),

@@ -11,21 +11,20 @@ import pytest
 import yaml
 
 import vibcli
-from vibcli.algebra.parse import FUNCTIONS
-from vibcli.check import check
+from vibcli.base.units import UNITS
+from vibcli.check.verdicts import check
 from vibcli.cli import run
-from vibcli.document import read, read_file
-from vibcli.elements import NAMES
-from vibcli.fields import Element, load
+from vibcli.language.document.document import read, read_file
+from vibcli.language.fields import Element, load
 from vibcli.manual import nearest_words, overview, page, scenes, schema, topics, words
 from vibcli.manual.aliases import ALIASES
-from vibcli.manual.catalogue import Catalogue
+from vibcli.manual.catalogue import FACES, Catalogue
 from vibcli.manual.index import Index
-from vibcli.problem import Problem
-from vibcli.questions import ASKED, FIND, IN_FREQUENCY, IN_TIME
+from vibcli.quantities.quantity import ASKED, FIND, IN_FREQUENCY, IN_TIME
+from vibcli.reader.read import SECTIONS, read_spec
 from vibcli.report.json_keys import KEYS
-from vibcli.spec import SECTIONS, read_spec
-from vibcli.units import UNITS
+from vibcli.results.problem import Problem
+from vibcli.symbolic.parser import FUNCTIONS
 
 ROOT = Path(__file__).parents[1]
 PACKAGE = Path(vibcli.__file__).parent
@@ -90,7 +89,7 @@ def test_every_key_and_section_stands_in_an_example():
 
 def test_the_catalogue_knows_every_element_file():
     elements = Catalogue().elements
-    files = {name: getattr(load(name), "ELEMENT", None) for name in NAMES}
+    files = {name: getattr(load(name, room), "ELEMENT", None) for room, face in FACES for name in face.NAMES}
     known = [declared.kind for declared in elements.values()]
     declared = [kind for kind in files.values() if isinstance(kind, Element)]
     assert len(declared) >= 14

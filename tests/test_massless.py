@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from scenes import problem
 
-from vibcli.algebra.parse import parse
-from vibcli.analyses.forcing.output import Output
-from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
-from vibcli.analyses.response.motion import linear_motion
-from vibcli.analyses.response.precise import precise_value
-from vibcli.analyses.stability import WORDS, stability
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.modal.stability import WORDS, stability
+from vibcli.analyses.transient.high_precision import precise_value
+from vibcli.analyses.transient.linear_response import linear_motion
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
-from vibcli.measured import is_stable, measure
+from vibcli.quantities.modal import is_stable, measure
+from vibcli.symbolic.parser import parse
 
 # of each coordinate: m with inertia, z held back by a damper of its own, s by springs alone
 KINDS = ["z", "zz", "mz", "ms", "mzs", "mzzs", "msms", "zszm", "mmzz", "zss"]

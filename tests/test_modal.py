@@ -13,13 +13,14 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.analyses import factored, modal
-from vibcli.analyses.digits import estimated_steps
-from vibcli.analyses.factored import jacobi, pivoted_qr
-from vibcli.analyses.modal import undamped
-from vibcli.analyses.rigid import rank
-from vibcli.errors import PhysicsError
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.analyses.modal import undamped as modal
+from vibcli.analyses.modal.rigid_body_modes import rank
+from vibcli.analyses.modal.undamped import undamped
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.numerics import factored_svd
+from vibcli.numerics.factored_svd import jacobi, pivoted_qr
+from vibcli.numerics.precision import estimated_steps
 
 EPS = 2.0 ** -52
 ULP = 2.0 ** -53
@@ -327,8 +328,9 @@ def test_many_masses_in_a_row():
 
 
 def test_small_systems_import_neither_scipy_nor_mpmath():
-    code = ("import sys; from vibcli.analyses.modal import undamped; from vibcli.analyses.damped import damped\n"
-            "from vibcli.mechanics.elements import OscillatorElements as E\n"
+    code = ("import sys; from vibcli.analyses.modal.undamped import undamped\n"
+            "from vibcli.analyses.modal.damped import damped\n"
+            "from vibcli.mechanics.factored_system import OscillatorElements as E\n"
             "rows = [(1.0, {i: 1.0, i - 1: -1.0} if i else {0: 1.0}) for i in range(4)]\n"
             "e = E(4, [(1.0, {i: 1.0}) for i in range(4)], rows, rows[:2])\n"
             "undamped(e); damped(e)\n"
@@ -340,8 +342,8 @@ def test_large_stiff_systems_keep_their_soft_modes_by_lapack(monkeypatch):
     elements = families.chain(random.Random(8), 44, 1e18)
     exact = undamped_enclosed(elements, monkeypatch)
     monkeypatch.setattr(modal, "CERTIFIABLE", 0)
-    for columns in (factored.JACOBI_UP_TO, 10):
-        monkeypatch.setattr(factored, "JACOBI_UP_TO", columns)
+    for columns in (factored_svd.JACOBI_UP_TO, 10):
+        monkeypatch.setattr(factored_svd, "JACOBI_UP_TO", columns)
         for mode, other in zip(undamped(elements), exact, strict=True):
             assert abs(mode.omega - other.omega) <= mode.error * other.omega <= 1e-12 * other.omega
 

@@ -6,10 +6,12 @@ from pathlib import Path
 import pytest
 from scenes import problem, problem_of
 
-from vibcli.errors import PhysicsError
-from vibcli.report.drawing import compose, mode_shape, plane, vibration
-from vibcli.report.drawing.primitives import Line, Polygon
-from vibcli.report.results import modes_data
+from vibcli.base.errors import PhysicsError
+from vibcli.drawing import vibration
+from vibcli.drawing.canvas.primitives import Line, Polygon
+from vibcli.drawing.layout import compose, plane
+from vibcli.drawing.symbols import mode_shape
+from vibcli.report.sections.data import modes_data
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),

@@ -14,10 +14,10 @@ from scenes import problem, problem_of
 from scipy.integrate import solve_ivp
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
-from vibcli.algebra.parse import parse
-from vibcli.analyses.response.motion import linear_motion
-from vibcli.analyses.trajectory.simulate import simulate
-from vibcli.draws import Draws, reach
+from vibcli.analyses.time_integration.integrate import simulate
+from vibcli.analyses.transient.linear_response import linear_motion
+from vibcli.results.random_states import Draws, reach
+from vibcli.symbolic.parser import parse
 
 ROOT = Path(__file__).parent.parent
 FILES = {path.stem: path for path in [*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")]}

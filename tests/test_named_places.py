@@ -8,9 +8,9 @@ import pytest
 import yaml
 from scenes import problem, problem_of
 
-from vibcli.check import check
-from vibcli.document import read
-from vibcli.spec import read_spec
+from vibcli.check.verdicts import check
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
 
 ROOT = Path(__file__).parent.parent
 SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])

@@ -11,9 +11,9 @@ from math import hypot, pi
 import pytest
 from scenes import problem, value
 
-from vibcli.algebra.evaluate import Floats, evaluate
 from vibcli.cli import run
-from vibcli.mechanics.symbolic import equilibrium_in_letters
+from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 
 def scene(V, start, parameters=""):

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from scenes import problem, problem_of, value
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.analyses.forcing.outputs import linear_output, quadratic_output
-from vibcli.analyses.frequency.response import frf
-from vibcli.analyses.frequency.transfer import transfer
-from vibcli.errors import PhysicsError
-from vibcli.mechanics.inputs import named_input
-from vibcli.mechanics.outputs import linear_row
+from vibcli.analyses.excitation.signal_outputs import linear_output, quadratic_output
+from vibcli.analyses.frequency_response.evaluate import frf
+from vibcli.analyses.frequency_response.transfer_function import transfer
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.inputs_outputs.inputs import named_input
+from vibcli.mechanics.inputs_outputs.outputs import linear_row
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 OMEGA = np.array([0.7, 3.1, 9.0, 40.0])
 FILES = sorted(Path(__file__).parent.parent.glob("problems/*/*.yaml"))

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from motions import problem
 
-from vibcli.analyses.trajectory.period import _of_forces, _scale, exact_period
-from vibcli.measured import value_of
+from vibcli.analyses.time_integration.period import _of_forces, _scale, exact_period
+from vibcli.quantities.modal import value_of
 
 PENDULUM = """
 coordinates: [u]

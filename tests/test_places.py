@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 import yaml
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.document import read
+from vibcli.language.document.document import read
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.mechanics.signals import displacement
+from vibcli.reader.read import read_spec
 from vibcli.scene.build import build_scene
-from vibcli.spec import read_spec
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),

@@ -14,18 +14,18 @@ from itertools import pairwise
 import pytest
 from plots import EVIL, FIGURES, TIMES, wave
 
-from vibcli.errors import PhysicsError
-from vibcli.report.plots.braille import braille
-from vibcli.report.plots.figure import Curve, Figure, Mark, Panel
-from vibcli.report.plots.frequency import lag, of_frequency_response
-from vibcli.report.plots.inline import svg_text
-from vibcli.report.plots.paper import fewer, sheets, thinned
-from vibcli.report.plots.picture import picture
-from vibcli.report.plots.prefixes import readable
-from vibcli.report.plots.response import of_response
-from vibcli.report.plots.save import SUFFIXES, refuse, save
-from vibcli.report.plots.ticks import decimal, ticks
-from vibcli.report.plots.words import ascii_text, printable, shortened, width
+from vibcli.base.errors import PhysicsError
+from vibcli.plots.braille import braille
+from vibcli.plots.figure import Curve, Figure, Mark, Panel
+from vibcli.plots.frequency import lag, of_frequency_response
+from vibcli.plots.inline import svg_text
+from vibcli.plots.paper import fewer, sheets, thinned
+from vibcli.plots.picture import picture
+from vibcli.plots.prefixes import readable
+from vibcli.plots.response import of_response
+from vibcli.plots.save import SUFFIXES, refuse, save
+from vibcli.plots.ticks import decimal, ticks
+from vibcli.plots.words import ascii_text, printable, shortened, width
 
 EACH = pytest.mark.parametrize("name", FIGURES)
 
@@ -250,7 +250,7 @@ def run(code):
 
 
 def test_a_plot_in_the_terminal_needs_nothing_heavy():
-    names = run("import json, sys, plots\nfrom vibcli.report.plots.braille import braille\n"
+    names = run("import json, sys, plots\nfrom vibcli.plots.braille import braille\n"
                 "[braille(f) for f in plots.FIGURES.values()]\nprint(json.dumps(sorted(sys.modules)))")
     assert not {name.partition(".")[0] for name in names} & {"numpy", "scipy", "sympy", "matplotlib", "mpmath"}
 
@@ -259,7 +259,7 @@ def test_a_plot_in_the_terminal_needs_nothing_heavy():
 
 DIGESTS = """
 import hashlib, json, sys, plots
-from vibcli.report.plots.picture import picture
+from vibcli.plots.picture import picture
 found = {name + kind: hashlib.sha256(picture(plots.FIGURES[name], kind)).hexdigest()
          for name, kind in (("frf", "png"), ("frf", "svg"), ("frf", "pdf"), ("hostile", "svg"))}
 assert not [name for name in sys.modules if name.startswith(("matplotlib.pyplot", "scipy", "sympy"))]
@@ -290,8 +290,8 @@ def texts(name):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.text import Text
 
-    from vibcli.report.plots import style
-    from vibcli.report.plots.layout import drawn
+    from vibcli.plots import style
+    from vibcli.plots.layout import drawn
 
     with matplotlib.rc_context(style.RC):
         page = drawn(FIGURES[name])
@@ -366,7 +366,7 @@ def test_a_wrong_path_is_refused_in_words(tmp_path):
 
 
 def test_a_path_is_refused_before_matplotlib_is_imported(tmp_path):
-    names = run("import json, sys\nfrom vibcli.errors import PhysicsError\nfrom vibcli.report.plots import save\n"
+    names = run("import json, sys\nfrom vibcli.base.errors import PhysicsError\nfrom vibcli.plots import save\n"
                 "try:\n    save.refuse('plot.gif')\nexcept PhysicsError:\n"
                 "    print(json.dumps(sorted(sys.modules)))")
     assert "matplotlib" not in names and "numpy" not in names

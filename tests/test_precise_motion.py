@@ -4,7 +4,7 @@ import mpmath
 import pytest
 from scenes import problem, problem_of, value
 
-from vibcli.precise_motion import precise_value
+from vibcli.results.high_precision_response import precise_value
 
 DIGITS = 50
 

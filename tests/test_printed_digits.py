@@ -11,12 +11,12 @@ import mpmath
 import pytest
 from scenes import problem, problem_of
 
-from vibcli.algebra.evaluate import multiprecision
-from vibcli.errors import PhysicsError
-from vibcli.mechanics.precise import equilibrium_to
-from vibcli.report.figures import figure
-from vibcli.report.results import TURN
-from vibcli.report.rows import damped_row, mode_row, polar, shapes
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.high_precision import equilibrium_to
+from vibcli.notation.numbers import figure
+from vibcli.report.sections.data import TURN
+from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, shapes
+from vibcli.symbolic.evaluation import multiprecision
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])

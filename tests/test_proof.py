@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 from scenes import problem
 
-from vibcli.algebra.evaluate import evaluate, multiprecision
-from vibcli.algebra.expression import Table
-from vibcli.algebra.intervals import Interval, Intervals
 from vibcli.cli import run
-from vibcli.mechanics import equilibria
+from vibcli.mechanics.equilibrium import all_equilibria
+from vibcli.symbolic.evaluation import evaluate, multiprecision
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.interval_arithmetic import Interval, Intervals
 
 FUNCTIONS = ("sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "atan", "asin", "acos", "log", "abs", "sign")
 
@@ -107,7 +107,7 @@ def test_two_bumps_on_a_bowl(within, count):
 
 def blind(monkeypatch):
     """Searches that look at the drawn position alone."""
-    monkeypatch.setattr(equilibria, "_search", lambda forces, found, first: None)
+    monkeypatch.setattr(all_equilibria, "_search", lambda forces, found, first: None)
 
 
 @pytest.mark.parametrize("seed", range(4))

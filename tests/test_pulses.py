@@ -7,23 +7,23 @@ import mpmath
 import numpy as np
 import pytest
 
-from vibcli.algebra.arrays import Arrays
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.dual import Dual, Duals
-from vibcli.algebra.evaluate import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
-from vibcli.algebra.expression import Table
-from vibcli.algebra.meaning import lower, names_in
-from vibcli.algebra.parse import parse
-from vibcli.algebra.stand_ins import SmoothFloats, smooth_arrays
-from vibcli.check import check
-from vibcli.document import read
-from vibcli.errors import PhysicsError
-from vibcli.measured import measure
-from vibcli.problem import Problem
-from vibcli.report.latex import latex
-from vibcli.report.notation import plain
-from vibcli.scene.bounded import stays_bounded
-from vibcli.spec import read_spec
+from vibcli.base.errors import PhysicsError
+from vibcli.check.verdicts import check
+from vibcli.language.document.document import read
+from vibcli.notation.latex import latex
+from vibcli.notation.plain import plain
+from vibcli.quantities.modal import measure
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
+from vibcli.scene.bounded_motion import stays_bounded
+from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.dual_numbers import Dual, Duals
+from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.semantics import lower, names_in
+from vibcli.symbolic.smoothed_functions import SmoothFloats, smooth_arrays
 
 REFERENCE = {
     "step": lambda u: float(u >= 0), "ramp": lambda u: max(u, 0.0), "impulse": lambda u: 0.0,
@@ -132,7 +132,7 @@ def test_how_they_are_written():
 def nodes_and_symbols(node):
     import sympy
 
-    from vibcli.algebra.expression import reachable
+    from vibcli.symbolic.expression import reachable
 
     return [(part, sympy.Symbol(part.name, positive=True)) for part in reachable([node]) if part.op == "symbol"]
 

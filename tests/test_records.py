@@ -7,18 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vibcli import columns
-from vibcli.algebra.arrays import Arrays
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import Table
-from vibcli.algebra.samples import Samples
-from vibcli.check import check
+from vibcli.base.errors import SpecError
+from vibcli.check.verdicts import check
 from vibcli.cli import run
-from vibcli.document import read_file
-from vibcli.errors import SpecError
-from vibcli.problem import Problem
-from vibcli.spec import read_spec
+from vibcli.language import data_columns
+from vibcli.language.document.document import read_file
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
+from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.sampled_functions import Samples
 
 SCENE = """parameters: {{m: 2 kg, k: 800 N/m}}
 records:
@@ -77,7 +77,8 @@ def test_a_record_is_read_once_for_all_cases(beside, monkeypatch):
     with open(path, "a") as file:
         file.write("cases:\n" + "".join(f"  c{i}: {{parameters: {{k: {i + 1} N/m}}}}\n" for i in range(9)))
     calls = []
-    monkeypatch.setattr(columns, "_parsed", lambda *args, kept=columns._parsed: calls.append(1) or kept(*args))
+    kept = data_columns._parsed
+    monkeypatch.setattr(data_columns, "_parsed", lambda *args: calls.append(1) or kept(*args))
     problem(path)
     assert len(calls) == 1
 

@@ -11,19 +11,21 @@ import pytest
 from scenes import problem
 from test_imports import PROBLEMS, modules
 
-from vibcli.algebra.expression import Table
 from vibcli.cli import run
 from vibcli.cli.common import load
-from vibcli.questions import INSIGHT, ON_REQUEST
-from vibcli.report import render_html, render_latex, render_markdown, render_text
+from vibcli.notation.latex import latex
+from vibcli.notation.latex_text import escaped
+from vibcli.notation.mathml import mathml
+from vibcli.notation.plain import plain
+from vibcli.quantities.quantity import INSIGHT, ON_REQUEST
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import Table as Cells
 from vibcli.report.document import EVERYTHING, Report
-from vibcli.report.formula import formula, pieces, rows, without_words
-from vibcli.report.latex import latex
-from vibcli.report.mathml import mathml
-from vibcli.report.notation import plain
-from vibcli.report.tex import escaped
+from vibcli.report.formats import html, markdown
+from vibcli.report.formats import latex as render_latex
+from vibcli.report.formats import text as render_text
+from vibcli.report.formats.formula import formula, pieces, rows, without_words
+from vibcli.symbolic.expression import Table
 
 SAMPLE = sorted(PROBLEMS.rglob("*.yaml"))[::9]
 FORMATS = ("markdown", "latex", "html")
@@ -31,8 +33,8 @@ FORMATS = ("markdown", "latex", "html")
 
 def render(documents, kind, place=None):
     if kind == "html":
-        return render_html.render(documents)
-    return {"latex": render_latex, "markdown": render_markdown}[kind].render(documents, place)
+        return html.render(documents)
+    return {"latex": render_latex, "markdown": markdown}[kind].render(documents, place)
 
 
 def document(found, sections=EVERYTHING, **options):
@@ -166,7 +168,7 @@ def hostile():
 
 
 def test_hostile_words_in_html(hostile):
-    root = assert_page(render_html.render([hostile]))
+    root = assert_page(html.render([hostile]))
     assert root.find(".//h1").text == hostile.title and "<script>" in hostile.title
 
 
@@ -177,7 +179,7 @@ def test_hostile_words_in_latex(hostile):
 
 
 def test_hostile_words_in_markdown(hostile):
-    text = render_markdown.render([hostile], None)
+    text = markdown.render([hostile], None)
     assert_markdown(text)
     assert "](" not in text.replace(r"\](", "") and "&lt;script&gt;" in text
     assert not re.search(r"(?<!\\)`|www\.|\]\(|://|^(- <|\d\. |\+ |# #)", text.replace(r"\](", ""), re.MULTILINE)
@@ -286,7 +288,7 @@ def test_words_stand_outside_of_formulas_in_running_text():
     assert list(without_words(("a", maths("x = "), "3"))) == ["a", maths("x = "), " ", "3"]
     cells = Cells((maths(Name("phi"), Words(" [rad|$]")), maths("|λ|")), ())
     found = Document("t", None, (), (Section("s", (cells,)),), None)
-    assert r"| $\varphi$ [rad\|<span>\$</span>] | $\vert  \lambda \vert $ |" in render_markdown.render([found], None)
+    assert r"| $\varphi$ [rad\|<span>\$</span>] | $\vert  \lambda \vert $ |" in markdown.render([found], None)
     assert r"$\varphi$ [rad\textbar{}\$]" in render_latex.render([found], None)
 
 
@@ -387,7 +389,7 @@ def test_a_picture_that_exists_is_not_overwritten(scene):
 def test_names_within_pictures_do_not_mix():
     svg = b'<?xml version="1.0"?><svg><defs><path id="p"/></defs><use href="#p"/><g clip-path="url(#p)"/></svg>'
     found = [Picture(name, "c", lambda kind: svg) for name in ("one", "two")]
-    text = render_html.render([Document("t", None, (), (Section("s", tuple(found)),), None)])
+    text = html.render([Document("t", None, (), (Section("s", tuple(found)),), None)])
     assert re.findall(r'(?:id="|href="#|url\(#)(?!scene)(\w+-p)', text) == ["one-p"] * 3 + ["two-p"] * 3
 
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from responses import EPS, FREE, STEP, case, chain, errors, one, q, rates, systems, v
 
-from vibcli.analyses.forcing.output import Output
-from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
-from vibcli.analyses.response.exponentials import differences
-from vibcli.analyses.response.motion import linear_motion
-from vibcli.analyses.response.precise import precise_value, precise_values
-from vibcli.errors import PhysicsError
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.transient.high_precision import precise_value, precise_values
+from vibcli.analyses.transient.linear_response import linear_motion
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.exponential_differences import differences
 
 # one degree of freedom, m = 1, ω = 3
 
@@ -105,7 +105,7 @@ def test_differences_where_nodes_meet():
 
 def bound(nodes, t):
     """What E[nodes](t) grows to: tᵐ⁻¹/(m−1)! or, where nodes lie apart, less."""
-    from vibcli.analyses.response.exponentials import bounds
+    from vibcli.numerics.exponential_differences import bounds
 
     return bounds(tuple(map(complex, nodes)), np.array([t]), np.array([t]))[0]
 
@@ -241,8 +241,8 @@ def test_a_record_of_many_pieces():
 
 
 def test_modes_that_are_known_replace_those_of_the_matrices():
-    from vibcli.analyses.modal import undamped
-    from vibcli.mechanics.elements import OscillatorElements
+    from vibcli.analyses.modal.undamped import undamped
+    from vibcli.mechanics.factored_system import OscillatorElements
 
     stiffnesses = [1e12, 1.0, 1e8, 3.0]
     rows = [{0: 1.0}, *({i - 1: -1.0, i: 1.0} for i in range(1, 4))]

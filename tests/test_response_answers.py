@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from responses import FREE, STEP, case, chain, one, q, rates, systems, v
 
-from vibcli.analyses.forcing.output import Output
-from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
-from vibcli.analyses.response import free
-from vibcli.analyses.response.formula import formula, regime
-from vibcli.analyses.response.motion import linear_motion
-from vibcli.analyses.response.participation import energy_shares, modes_in_time
-from vibcli.analyses.response.precise import precise_value
-from vibcli.errors import PhysicsError
+from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.transient import free_vibration
+from vibcli.analyses.transient.high_precision import precise_value
+from vibcli.analyses.transient.linear_response import linear_motion
+from vibcli.analyses.transient.modal_participation import energy_shares, modes_in_time
+from vibcli.analyses.transient.textbook_form import formula, regime
+from vibcli.base.errors import PhysicsError
 
 COSINE = (Segment(0.0, (Wave(0, 1.0, 0, 2j),)),)
 
@@ -235,8 +235,8 @@ def test_amplitude_and_phase_of_the_textbook():
 
 
 def test_modes_in_time_and_their_energies():
-    from vibcli.analyses.modal import undamped
-    from vibcli.mechanics.elements import OscillatorElements
+    from vibcli.analyses.modal.undamped import undamped
+    from vibcli.mechanics.factored_system import OscillatorElements
 
     elements = OscillatorElements(2, inertias=[(1.0, {0: 1.0}), (1.0, {1: 1.0})],
                                   springs=[(1.0, {0: 1.0}), (1.0, {0: -1.0, 1: 1.0}), (1.0, {1: 1.0})])
@@ -254,17 +254,17 @@ def test_modes_in_time_and_their_energies():
 def test_numbers_of_free_vibrations():
     motion = one(1.0, 0.5, 9.0, FREE, 1.0)
     part, = formula(motion, q(0))
-    delta, period = free.decrement(part.rate, part.omega), 2 * math.pi / part.omega
+    delta, period = free_vibration.decrement(part.rate, part.omega), 2 * math.pi / part.omega
     first, second = motion.values(q(0), [0.3, 0.3 + period])
-    assert close(free.decrement_of_peaks(first, second), delta)
-    assert close(free.zeta_of_decrement(delta), 0.5 / 6)
-    assert close(free.cycles_to(0.1, delta), free.time_to(0.1, part.rate) / period)
+    assert close(free_vibration.decrement_of_peaks(first, second), delta)
+    assert close(free_vibration.zeta_of_decrement(delta), 0.5 / 6)
+    assert close(free_vibration.cycles_to(0.1, delta), free_vibration.time_to(0.1, part.rate) / period)
     step = one(1.0, 0.5, 9.0, STEP)
-    assert close(free.overshoot(step, q(0)), math.exp(-math.pi * 0.25 / part.omega))
-    settled = free.settling_time(step, q(0))
+    assert close(free_vibration.overshoot(step, q(0)), math.exp(-math.pi * 0.25 / part.omega))
+    settled = free_vibration.settling_time(step, q(0))
     after = step.values(q(0), np.linspace(settled, settled + 50, 5000)) * 9
     assert np.abs(after - 1).max() <= 0.02 + 1e-12 and close(abs(step.values(q(0), [settled])[0] * 9 - 1), 0.02, 1e-10)
-    assert free.overshoot(one(1.0, 10.0, 9.0, STEP), q(0)) == 0.0
+    assert free_vibration.overshoot(one(1.0, 10.0, 9.0, STEP), q(0)) == 0.0
 
 
 def test_beats_are_named_where_one_hears_them():
@@ -273,10 +273,10 @@ def test_beats_are_named_where_one_hears_them():
                              [1.0, 0.0], [0.0, 0.0])
 
     period = 2 * math.pi / (math.sqrt(10.5) - math.sqrt(9.5))
-    assert close(free.beat_period(motion(0.5), q(0)), period, 1e-12)
-    assert free.beat_period(motion(6.0), q(0)) is None                       # too far apart
-    assert free.beat_period(motion(0.5, 1.0), q(0)) is None                  # dies out first
-    assert free.beat_period(one(1.0, 0.0, 9.0, FREE, 1.0), q(0)) is None
+    assert close(free_vibration.beat_period(motion(0.5), q(0)), period, 1e-12)
+    assert free_vibration.beat_period(motion(6.0), q(0)) is None                       # too far apart
+    assert free_vibration.beat_period(motion(0.5, 1.0), q(0)) is None                  # dies out first
+    assert free_vibration.beat_period(one(1.0, 0.0, 9.0, FREE, 1.0), q(0)) is None
 
 
 # many digits

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from scenes import problem_of
 
-from vibcli.draws import Draws
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
+from vibcli.plots.braille import braille
 from vibcli.report.document import Report
-from vibcli.report.plots.braille import braille
-from vibcli.report.render_text import render
-from vibcli.report.response_data import frequency_response_data, response_data
-from vibcli.report.series import frequency_figure, response_figure, sampled, sampled_curves
+from vibcli.report.formats.text import render
+from vibcli.report.sections.response_data import frequency_response_data, response_data
+from vibcli.report.sections.sampled_series import frequency_figure, response_figure, sampled, sampled_curves
 from vibcli.report.wanted import Wanted
+from vibcli.results.random_states import Draws
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])

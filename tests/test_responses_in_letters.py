@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from scenes import number, problem, value
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.parse import parse
-from vibcli.analyses.frequency.steady_letters import steady_state
-from vibcli.errors import NotInLetters, SpecError
+from vibcli.analyses.closed_form.steady_state import steady_state
+from vibcli.base.errors import NotInLetters, SpecError
 from vibcli.inverse import settled
 from vibcli.report.blocks import Equations, Terms
 from vibcli.report.document import Report
-from vibcli.report.render_text import section_lines, shown
-from vibcli.report.response_letters import response_in_letters
+from vibcli.report.formats.text import section_lines, shown
+from vibcli.report.sections.symbolic_response import response_in_letters
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.parser import parse
 
 FORCED = """
     parameters: {m: , k: , c: , F0: , Omega: }

@@ -7,8 +7,8 @@ import pytest
 from motions import problem
 from test_chaos import AT_THE_TOP, RESTING
 
-from vibcli.analyses.trajectory import simulate as simulating
-from vibcli.analyses.trajectory.simulate import known_motion
+from vibcli.analyses.time_integration import integrate as simulating
+from vibcli.analyses.time_integration.integrate import known_motion
 from vibcli.cli import run
 
 HANGING = """

@@ -8,7 +8,7 @@ import pytest
 from scenes import problem, value
 from scipy.integrate import solve_ivp
 
-from vibcli.analyses.trajectory.simulate import simulate
+from vibcli.analyses.time_integration.integrate import simulate
 
 
 def quarter(m, k, p, A):

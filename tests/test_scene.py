@@ -8,9 +8,9 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 import pytest
 from scenes import problem, value
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.errors import SpecError
+from vibcli.base.errors import SpecError
 from vibcli.mechanics.energies import kinetic, potential
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 P = {"m": 2.0, "r": 0.1, "R": 0.5, "L": 0.6, "g": 9.81, "k": 300.0, "M": 5.0, "h": 0.2}
 HEAD = "".join(["parameters:\n", *(f"  {name}: {{value: {number}, unused: allowed}}\n" for name, number in P.items())])

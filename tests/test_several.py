@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from vibcli.analyses.several import common_zeros
+from vibcli.numerics.newton_systems import common_zeros
 
 
 def released(k, c, t, m, speed):

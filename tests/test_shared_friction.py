@@ -8,12 +8,12 @@ import pytest
 from scenes import problem
 from scipy.optimize import linprog
 
-from vibcli.algebra.parse import parse
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
-from vibcli.measured import measure
-from vibcli.mechanics.dynamics import dynamics
-from vibcli.mechanics.redundant_friction import Redundancy
+from vibcli.mechanics.equations_of_motion import dynamics
+from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
+from vibcli.quantities.modal import measure
+from vibcli.symbolic.parser import parse
 
 HELD = """
 parameters: {{m: 2 kg}}

@@ -13,11 +13,11 @@ import pytest
 from scenes import problem
 
 import vibcli
-from vibcli.algebra.parse import parse
+from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.errors import PhysicsError
-from vibcli.measured import measure
-from vibcli.questions import IN_TIME, PARTS
+from vibcli.quantities.modal import measure
+from vibcli.quantities.quantity import IN_TIME, PARTS
+from vibcli.symbolic.parser import parse
 
 SCENE = """
 points: {{P: {{at: [0, 0], moves: [1 cm*sin(3 rad/s*t), 0]}}}}

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from scenes import problem, problem_of
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.measured import is_stable
+from vibcli.quantities.modal import is_stable
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
 QUARTIC = "parameters: {{m: 1 kg, a: 3 N/m^3}}\ncoordinates: [x]\nenergies: {{T: m*x'^2/2, V: {}}}"
@@ -63,7 +63,7 @@ def test_letters_are_drawn_where_the_scene_is_stable():
 
 
 def test_a_skew_C_turns_the_full_equations():
-    from vibcli.report.language import language
+    from vibcli.notation.scene_language import language
 
     found = problem("parameters: {m: 2 kg, h: 3 N*s/m}\ncoordinates: [x, y]\n"
                     "matrices: {M: [[m, 0], [0, m]], C: [[0, h], [-h, 0]]}")

@@ -5,7 +5,7 @@ from math import cos, pi, sin, sqrt
 import pytest
 from scenes import problem, value
 
-from vibcli.errors import PhysicsError, SpecError
+from vibcli.base.errors import PhysicsError, SpecError
 
 P = {"m": 2.0, "L": 0.6, "g": 9.81, "k": 300.0, "K": 700.0, "N": 25.0, "c": 4.0, "h": 0.2,
      "J": 0.3, "kt": 45.0, "W": 3.0}
@@ -109,7 +109,7 @@ def test_a_static_preload_in_letters():
                     "points: {A: {body: b, at: [L, 0]}}\n"
                     "springs: {s: {k: k, between: [[L, a], A], preload: static}}\n"
                     "answers:\n  K[f,f]: k*L^2\n  equilibrium[f]: 0\n")
-    from vibcli.check import check
+    from vibcli.check.verdicts import check
 
     assert all(verdict.agrees for verdict in check(found))
     assert str(next(iter(found.preloads))) == "s"

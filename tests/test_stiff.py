@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 from motions import problem
 
-from vibcli.analyses.trajectory import window
-from vibcli.analyses.trajectory.collocation import rule
-from vibcli.analyses.trajectory.simulate import known_motion, simulate
-from vibcli.errors import PhysicsError
-from vibcli.full_signals import FullSignal
+from vibcli.analyses.time_integration import collocation_step
+from vibcli.analyses.time_integration.integrate import known_motion, simulate
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.collocation_rule import rule
+from vibcli.results.full_signals import FullSignal
 
 TWO = """
 motion: full
@@ -70,8 +70,8 @@ def test_radau_windows_never_let_an_oscillation_grow(points, radians):
 
 def test_one_inverse_serves_all_steps_of_a_window(monkeypatch):
     """Newton's method takes another only where it hardly comes nearer."""
-    linearised, counts = window._linearised, []
-    monkeypatch.setattr(window, "_linearised", lambda *args: counts.append(1) or linearised(*args))
+    linearised, counts = collocation_step._linearised, []
+    monkeypatch.setattr(collocation_step, "_linearised", lambda *args: counts.append(1) or linearised(*args))
     scene = problem(TWO.replace("k: %s N/m, between: [a", 'law: "%s", between: [a') % (
         "1", "(1e7 N/m)*d + (1e12 N/m^3)*d^3", "0.1", "0.11") + "dampers: {d: {c: 1e5 N*s/m, between: [a, b]}}\n")
     found = simulate(scene, 10.0, initial=scene.given_start)

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from motions import DOUBLE, FOUR_BAR, PENDULUM, pendulum, problem
 
-from vibcli.analyses.trajectory.passages import extreme, passages
-from vibcli.analyses.trajectory.period import exact_period
-from vibcli.analyses.trajectory.simulate import simulate
-from vibcli.errors import PhysicsError
-from vibcli.mechanics import compiled
+from vibcli.analyses.time_integration.integrate import simulate
+from vibcli.analyses.time_integration.level_crossings import extreme, passages
+from vibcli.analyses.time_integration.period import exact_period
+from vibcli.base.errors import PhysicsError
+from vibcli.symbolic import numeric_code
 
 # tests/motions.double_pendulum, started at (0.3, 0.5, 0, 0)
 DOUBLE_AT = {10: [0.06119017075929614, 0.0954503879536078, 0.9151202995981838, 0.8611561862026417],
@@ -279,8 +279,8 @@ def test_forces_that_end_somewhere_give_numbers_or_a_refusal(law):
 
 def test_generated_source_holds_no_name_of_the_file(monkeypatch):
     sources = []
-    build = compiled.function
-    monkeypatch.setattr(compiled, "function", lambda *args: sources.append(repr(args[:3])) or build(*args))
+    build = numeric_code.function
+    monkeypatch.setattr(numeric_code, "function", lambda *args: sources.append(repr(args[:3])) or build(*args))
     simulate(problem(PENDULUM.replace("phi", "exec").replace("m:", "eval:").replace("mass: m", "mass: eval")), 0.1,
              initial={"exec": 1})
     assert sources and not any(name in source for source in sources for name in ("exec", "eval", "bob"))

@@ -10,12 +10,12 @@ from fractions import Fraction
 import pytest
 from scenes import problem
 
-from vibcli.algebra.meaning import literal_unit
-from vibcli.algebra.parse import FUNCTIONS, ExpressionError, parse
-from vibcli.algebra.rationals import HALF
-from vibcli.errors import SpecError
-from vibcli.questions import ASKED
-from vibcli.units import UNITS, text
+from vibcli.base.errors import SpecError
+from vibcli.base.units import UNITS, text
+from vibcli.quantities.quantity import ASKED
+from vibcli.symbolic.parser import FUNCTIONS, ExpressionError, parse
+from vibcli.symbolic.rationals import HALF
+from vibcli.symbolic.semantics import literal_unit
 
 M, L, T = "kg", "m", "s"
 FORCE, ENERGY, POWER, PRESSURE = "kg m s^-2", "kg m^2 s^-2", "kg m^2 s^-3", "kg m^-1 s^-2"
@@ -123,7 +123,7 @@ def test_fields_answers_and_settings_take_them(given, asked, wanted):
         constraints: {{}}
         answers: {{"omega[1]*({asked})": 2 rad/s*({wanted})}}
     """.replace("        constraints: {}\n", ""))
-    from vibcli.check import check
+    from vibcli.check.verdicts import check
 
     assert [verdict.agrees for verdict in check(scene)] == [True]
 

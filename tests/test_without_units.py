@@ -8,13 +8,13 @@ import pytest
 import yaml
 from scenes import problem
 
-from vibcli.algebra.meaning import literal_unit, literals_in
-from vibcli.algebra.parse import ExpressionError, parse
-from vibcli.check import check
-from vibcli.document import read
-from vibcli.errors import SpecError
-from vibcli.problem import Problem
-from vibcli.spec import read_spec
+from vibcli.base.errors import SpecError
+from vibcli.check.verdicts import check
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
+from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.semantics import literal_unit, literals_in
 
 ROOT = Path(__file__).parent.parent
 SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
@@ -42,7 +42,7 @@ def bare(text):
 
 
 def _quantities(tree):
-    from vibcli.algebra.meaning import quantities_in
+    from vibcli.symbolic.semantics import quantities_in
 
     return quantities_in(tree)
 

@@ -7,17 +7,18 @@ import click
 import pytest
 from scenes import problem
 
-from vibcli import curves
-from vibcli import problem as modes
-from vibcli.analyses.forcing import segments
-from vibcli.analyses.letters import characteristic, several
-from vibcli.analyses.response import cells, largest, motion, searching
-from vibcli.analyses.trajectory import march, simulate
+from vibcli.analyses.closed_form import characteristic, many_degrees
+from vibcli.analyses.excitation import forcing
+from vibcli.analyses.time_integration import integrate, time_stepping
+from vibcli.analyses.transient import extremes, largest, linear_response
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Spent, Work
 from vibcli.cli import COMMANDS, progress, run
 from vibcli.cli.common import require_quick
-from vibcli.errors import PhysicsError
-from vibcli.mechanics import equilibria
-from vibcli.work import Spent, Work
+from vibcli.mechanics.equilibrium import all_equilibria
+from vibcli.numerics import bracketed_newton
+from vibcli.results import frequency_response
+from vibcli.results import problem as modes
 
 SCENELESS = {"explain", "schema", "new"}
 MOTION = """motion: full
@@ -84,7 +85,7 @@ def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
     file = scene(MOTION)
     assert run(["response", file, "--at", "2"]) == 0
     whole = capsys.readouterr().out
-    monkeypatch.setattr(simulate, "MOST_STEPS", 30)
+    monkeypatch.setattr(integrate, "MOST_STEPS", 30)
     assert run(["response", file, "--at", "2"]) == 4
     out, err = capsys.readouterr()
     values = re.search(r"Values.*\n.*\n.*", out)[0]
@@ -99,17 +100,17 @@ def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
 def test_a_motion_far_beyond_the_limit_is_given_up_early(times, early, monkeypatch):
     """At an even pace: it is known soon how far the limit would bring it."""
     whole = problem(MOTION)
-    per_second = len(simulate.simulate(whole, 20.0, initial=whole.given_start).windows) / 20
-    monkeypatch.setattr(simulate, "MOST_STEPS", 400)
-    monkeypatch.setattr(march, "PACE", 20)
-    found = simulate.simulate(whole, times * 400 / per_second, initial=whole.given_start)
+    per_second = len(integrate.simulate(whole, 20.0, initial=whole.given_start).windows) / 20
+    monkeypatch.setattr(integrate, "MOST_STEPS", 400)
+    monkeypatch.setattr(time_stepping, "PACE", 20)
+    found = integrate.simulate(whole, times * 400 / per_second, initial=whole.given_start)
     windows = len(found.windows)
     assert windows <= 60 if early else 300 <= windows <= 400
 
 
 def test_equilibria_are_kept_and_not_called_complete(scene, capsys, monkeypatch):
-    monkeypatch.setattr(equilibria, "MOST_WORK", 1)
-    monkeypatch.setattr(equilibria, "LEAST", 10)
+    monkeypatch.setattr(all_equilibria, "MOST_WORK", 1)
+    monkeypatch.setattr(all_equilibria, "LEAST", 10)
     file = scene(TWO_PENDULUMS)
     assert run(["solve", file]) == 0
     assert "cut short" in capsys.readouterr().out
@@ -133,9 +134,9 @@ def test_searches_through_linear_motions_tell_what_is_known(monkeypatch, quantit
     scene = problem(LONG)
     signal, y = (scene.motion.signal(("name", 0, 0, name, 0)) for name in "xy")
     full = signal.zeros(0.0, 300.0)
-    for module in (largest, searching):
+    for module in (largest, extremes):
         monkeypatch.setattr(module, "MOST", 2)
-    monkeypatch.setattr(cells, "BATCH", 1)
+    monkeypatch.setattr(bracketed_newton, "BATCH", 1)
     sense = 1 if quantity.startswith("max") else -1
     search = (lambda: signal.zeros(0.0, 300.0)) if quantity == "period(x)" else lambda: y.extreme(0.0, 300.0, sense)[1]
     with pytest.raises(PhysicsError) as refused:
@@ -219,7 +220,7 @@ def test_what_jumps_too_often_is_refused_with_what_is_enough(scene, capsys, monk
     ask = ["response", file, "--at", "0.9", "--patience"]
     assert run([*ask, "1"]) == 0
     whole = capsys.readouterr().out
-    monkeypatch.setattr(segments, "MOST", 10)
+    monkeypatch.setattr(forcing, "MOST", 10)
     assert run([*ask, "1"]) == 4
     err = capsys.readouterr().err
     assert "jumps or bends too often" in err and "stretches of time, and 10 are the most" in err
@@ -238,7 +239,7 @@ def test_closed_forms_that_are_given_up_are_said_to_be(scene, capsys, monkeypatc
     file = scene(LETTERS)
     assert run([command, file]) == 0
     whole = capsys.readouterr().out
-    monkeypatch.setattr(several, "CALLS", 1)
+    monkeypatch.setattr(many_degrees, "CALLS", 1)
     monkeypatch.setattr(characteristic, "CALLS", 1)
     assert run([command, file]) == 0
     said = " ".join(capsys.readouterr().out.split())
@@ -256,8 +257,9 @@ find: [{frequency_response: {of: [x], to: f}}, {response: {until: 2 s}}]
 
 
 @pytest.mark.parametrize(("room", "command"), [
-    (motion, ["response", "--at", "1.5"]), (motion, ["animate", "--response", "-o", "a.html"]),
-    (motion, ["check"]), (curves, ["frf"]), (curves, ["frf", "--save", "a.csv"]), (modes, ["solve"]),
+    (linear_response, ["response", "--at", "1.5"]), (linear_response, ["animate", "--response", "-o", "a.html"]),
+    (linear_response, ["check"]), (frequency_response, ["frf"]), (frequency_response, ["frf", "--save", "a.csv"]),
+    (modes, ["solve"]),
     (modes, ["frequencies"]), (modes, ["draw", "--mode", "1", "-o", "a.svg"]), (modes, ["animate", "-o", "a.html"])],
     ids=lambda part: str(part)[-20:])
 def test_each_command_stops_at_its_limit_and_goes_on_with_patience(tmp_path, monkeypatch, capsys, room, command):

@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 import yaml
 
-from vibcli.document import read
-from vibcli.errors import SpecError
-from vibcli.problem import Problem
-from vibcli.spec import read_spec
+from vibcli.base.errors import SpecError
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
 
 ROOT = Path(__file__).parent.parent
 SCENES = sorted([*(ROOT / "vibcli" / "examples").glob("*.yaml"), *(ROOT / "problems").rglob("*.yaml")])

@@ -6,15 +6,15 @@ from types import SimpleNamespace
 
 import pytest
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.expression import Table
-from vibcli.algebra.normal import expanded
-from vibcli.analyses.angles import _linear, angles
-from vibcli.analyses.elimination import solve_equations
-from vibcli.analyses.several import common_zeros, halton
-from vibcli.analyses.solving import polynomial, solve_equation
-from vibcli.analyses.zeros import holds_everywhere, longest_plateau, zeros
-from vibcli.report.language import language
+from vibcli.notation.scene_language import language
+from vibcli.numerics.newton_systems import common_zeros, halton
+from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
+from vibcli.symbolic.equations.elimination import solve_equations
+from vibcli.symbolic.equations.trigonometric import _linear, angles
+from vibcli.symbolic.equations.univariate import polynomial, solve_equation
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.normal_form import expanded
 
 DECADES = [10.0 ** (i / 6) for i in range(-24, 25)]
 EVEN = [i / 20 for i in range(-60, 61)]

@@ -6,7 +6,7 @@ from fractions import Fraction
 import mpmath
 import sympy
 
-from vibcli.algebra.expression import Table
+from vibcli.symbolic.expression import Table
 
 NAMES = ("x", "y", "x'", "m", "k")
 SYMBOLS = {name: sympy.Symbol(name.replace("'", "1"), positive=True if name in ("m", "k") else None, real=True)

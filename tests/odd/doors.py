@@ -5,12 +5,12 @@ import io
 import json
 import re
 
-from vibcli.check import check
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.check.verdicts import check
 from vibcli.cli import run
-from vibcli.document import read
-from vibcli.errors import PhysicsError, SpecError
-from vibcli.problem import Problem
-from vibcli.spec import read_spec
+from vibcli.language.document.document import read
+from vibcli.reader.read import read_spec
+from vibcli.results.problem import Problem
 
 
 class Refusal(Exception):

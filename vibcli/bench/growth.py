@@ -48,9 +48,9 @@ def main():
 
 def solve(text):
     """The solved Problem of a scene's text, and the seconds to its element data and to its modes."""
-    from vibcli.document import read
-    from vibcli.problem import Problem
-    from vibcli.spec import read_spec
+    from vibcli.language.document.document import read
+    from vibcli.reader.read import read_spec
+    from vibcli.results.problem import Problem
 
     start = process_time()
     node, diagnostics = read(text.encode(), "scene.yaml")

@@ -35,9 +35,9 @@ def main():
 
 def _derivation(bars):
     """Processor seconds from the spec to the linearised expressions."""
-    from vibcli.document import read
-    from vibcli.problem import Problem
-    from vibcli.spec import read_spec
+    from vibcli.language.document.document import read
+    from vibcli.reader.read import read_spec
+    from vibcli.results.problem import Problem
 
     node, diagnostics = read(tongs(bars // 2).encode(), "scene.yaml")
     problem = Problem(read_spec(node, "scene.yaml", diagnostics))

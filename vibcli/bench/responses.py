@@ -62,10 +62,10 @@ def _driven(M, C, K, periods, runs):
     import numpy as np
     from scipy.integrate import solve_ivp
 
-    from vibcli.analyses.forcing.output import Output
-    from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
-    from vibcli.analyses.response.motion import linear_motion
-    from vibcli.analyses.response.precise import precise_value
+    from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+    from vibcli.analyses.excitation.linear_output import Output
+    from vibcli.analyses.transient.high_precision import precise_value
+    from vibcli.analyses.transient.linear_response import linear_motion
 
     lowest = np.sqrt(np.linalg.eigvals(np.linalg.solve(M, K)).real.min())
     times = np.linspace(0, 2 * np.pi * periods / lowest, POINTS)
@@ -96,9 +96,9 @@ def _record(M, C, K, runs):
     """ms of the response to a force given at points, straight between them."""
     import numpy as np
 
-    from vibcli.analyses.forcing.output import Output
-    from vibcli.analyses.forcing.segments import Forcing, Segment, Wave
-    from vibcli.analyses.response.motion import linear_motion
+    from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
+    from vibcli.analyses.excitation.linear_output import Output
+    from vibcli.analyses.transient.linear_response import linear_motion
 
     random = np.random.default_rng(2)
     at, force = np.linspace(0, 40, PIECES + 1), random.normal(size=PIECES + 1)

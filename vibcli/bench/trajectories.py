@@ -53,7 +53,7 @@ def main():
     import numpy as np
     from scipy.integrate import odeint, solve_ivp
 
-    from vibcli.analyses.trajectory.simulate import simulate
+    from vibcli.analyses.time_integration.integrate import simulate
 
     runs, start = min(int(sys.argv[1]), 5), [0.3, 0.5, 0.0, 0.0]
     scene = _problem(DOUBLE)
@@ -74,9 +74,9 @@ def main():
 
 
 def _problem(text):
-    from vibcli.document import read
-    from vibcli.problem import Problem
-    from vibcli.spec import read_spec
+    from vibcli.language.document.document import read
+    from vibcli.reader.read import read_spec
+    from vibcli.results.problem import Problem
 
     node, diagnostics = read(text.encode(), "scene.yaml")
     problem = Problem(read_spec(node, "scene.yaml", diagnostics))
@@ -106,7 +106,7 @@ def _thousand():
     """[error of the angle relative to the amplitude, drift of the energy, ms] of a pendulum from 1 rad."""
     import mpmath
 
-    from vibcli.analyses.trajectory.simulate import simulate
+    from vibcli.analyses.time_integration.integrate import simulate
 
     with mpmath.workdps(30):
         omega, k = mpmath.sqrt(mpmath.mpf("9.81")), mpmath.sin(mpmath.mpf(1) / 2)

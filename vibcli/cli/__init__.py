@@ -11,7 +11,7 @@ from importlib import import_module
 import click
 
 from vibcli import __version__
-from vibcli.errors import PhysicsError, SpecError
+from vibcli.base.errors import PhysicsError, SpecError
 
 COMMANDS = {
     "solve": "The solution of a scene as a textbook writes it, or what its `find` asks.",
@@ -41,7 +41,7 @@ class Commands(click.Group):
 
     def resolve_command(self, context, args):
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
-            from vibcli.fields import nearest
+            from vibcli.language.fields import nearest
 
             hint = nearest(args[0], COMMANDS)
             if os.path.exists(args[0]):

@@ -26,7 +26,7 @@ def command(file, settings, case, output, force, patience, index, response, unti
         from vibcli.cli.response import set_end
 
         set_end([(None, problem)], until)
-    from vibcli.report.drawing.animation import data, of_mode, of_response
+    from vibcli.drawing.animation import data, of_mode, of_response
 
     title = problem.spec.get("title") or path.stem
     problem = moving(problem)

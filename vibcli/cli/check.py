@@ -5,8 +5,8 @@ import os
 
 import click
 
+from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli.common import _sources, color_option, load, patience_option, show_diagnostics, show_refusal
-from vibcli.errors import PhysicsError, SpecError
 
 GRAVEST = (3, 4, 1, 0)
 
@@ -67,7 +67,7 @@ def _check_file(file, settings, patience):
         if not any(spec.answers for spec in (problem.spec, *problem.spec.cases.values())):
             _settle(problem)
             return 0, []
-        from vibcli.check import check
+        from vibcli.check.verdicts import check
 
         verdicts = check(problem)
         refused = [v for v in verdicts if v.refusal]

@@ -8,9 +8,9 @@ from time import perf_counter
 
 import click
 
-from vibcli.document import read_file
-from vibcli.errors import SpecError
-from vibcli.work import Work
+from vibcli.base.errors import SpecError
+from vibcli.base.work import Work
+from vibcli.language.document.document import read_file
 
 MOST = 600      # steps of a million products, for --digits
 _sources = {}
@@ -78,8 +78,8 @@ def load(file, settings=(), patience=1):
     if node is None:
         raise SpecError(diagnostics)
     from vibcli.cli.progress import teller
-    from vibcli.problem import Problem
-    from vibcli.spec import read_spec
+    from vibcli.reader.read import read_spec
+    from vibcli.results.problem import Problem
 
     spec = read_spec(node, os.fsdecode(file), diagnostics, _settings(settings, node))
     problem = Problem(spec, work=Work(patience, teller()))
@@ -102,10 +102,10 @@ def _settings(settings, node):
     """{name: (tree, scalar)} of the --set options."""
     if not settings:
         return {}
-    from vibcli.algebra.parse import ExpressionError, parse, plain_name
-    from vibcli.document import Mapping, Scalar
-    from vibcli.errors import Where
-    from vibcli.fields import nearest
+    from vibcli.base.errors import Where
+    from vibcli.language.document.document import Mapping, Scalar
+    from vibcli.language.fields import nearest
+    from vibcli.symbolic.parser import ExpressionError, parse, plain_name
 
     sections = [node.entries[key][1] for key in ("parameters", "choose") if node is not None and key in node.entries]
     known = {plain_name(key) for section in sections if isinstance(section, Mapping) for key in section.entries}
@@ -137,7 +137,7 @@ def chosen(problem, case):
     if case is None:
         return [(None, problem)] + [(name, problem.case(name)) for name in problem.spec.cases]
     if case not in problem.spec.cases:
-        from vibcli.fields import nearest
+        from vibcli.language.fields import nearest
 
         raise click.UsageError(f"the file has no case '{case}'" + said(nearest(case, problem.spec.cases)))
     return [(case, problem.case(case))]
@@ -145,7 +145,7 @@ def chosen(problem, case):
 
 def show_diagnostics(diagnostics):
     """Diagnostics on stderr, each with its line and a caret."""
-    from vibcli.diagnostics import render
+    from vibcli.base.diagnostics import render
 
     color = _color(sys.stderr)
     for diagnostic in diagnostics:
@@ -158,7 +158,7 @@ def show_diagnostics(diagnostics):
 def _lines(where):
     """The lines of the file of a place: of a scene, or of a record beside it."""
     if where.file not in _sources and where.width:
-        from vibcli.columns import shown_lines
+        from vibcli.language.data_columns import shown_lines
 
         return shown_lines(where.file)
     return _sources.get(where.file, ())
@@ -166,7 +166,7 @@ def _lines(where):
 
 def show_refusal(error, file=None):
     """A physical refusal on stderr."""
-    from vibcli.errors import Diagnostic, Where
+    from vibcli.base.errors import Diagnostic, Where
 
     file = file or next(reversed(_sources), None)
     where = error.where or (Where(file, 1, 1, 0) if file else None)
@@ -184,7 +184,7 @@ def _color(stream):
 
 def show_timings(problems):
     """What each stage cost, on stderr."""
-    from vibcli.problem import STAGES
+    from vibcli.results.problem import STAGES
 
     for name, problem in problems:
         click.echo("stage          ms" + (f"   (case {name})" if name else ""), err=True)
@@ -198,7 +198,7 @@ def require_quick(problem, digits):
     """Refuse --digits where it would take long, by an estimate of the steps."""
     if digits is None:
         return
-    from vibcli.analyses.digits import estimated_steps
+    from vibcli.numerics.precision import estimated_steps
 
     spec = problem.spec
     damped = any(section in spec.sections for section in ("dampers", "energies", "matrices"))

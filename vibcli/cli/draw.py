@@ -19,16 +19,16 @@ def command(file, settings, case, output, force, patience, index, both):
         raise click.UsageError("--both belongs to --mode")
     problem = one(load(file, settings, patience), case)
     path = target(file, output, SUFFIXES, force, case, f"mode{index}" if index else None)
-    from vibcli.report.drawing.matplotlib_canvas import picture
+    from vibcli.drawing.canvas.matplotlib_canvas import picture
 
     write(path, picture(_primitives(problem, index, both), path.suffix[1:].lower()), force)
 
 
 def _primitives(problem, index, both):
     if index is None:
-        from vibcli.report.drawing.drawing import draw
+        from vibcli.drawing.drawing import draw
 
         return draw(problem)
-    from vibcli.report.drawing.mode_shape import draw
+    from vibcli.drawing.symbols.mode_shape import draw
 
     return draw(moving(problem), index, both)

@@ -16,7 +16,7 @@ def command(word):
 
     Without a WORD an overview of all there is; `spring.preload` is a key of one element.
     """
-    from vibcli.diagnostics import quoted
+    from vibcli.base.diagnostics import quoted
     from vibcli.manual import nearest_words, overview, page
 
     text = " ".join(word)

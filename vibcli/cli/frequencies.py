@@ -34,11 +34,11 @@ def command(file, settings, case, as_json, patience, timings, digits, normalise,
 def _shown(problem, plot, saves, force):
     if not (plot or saves):
         return
-    from vibcli.report.series import eigenvalue_figure
+    from vibcli.report.sections.sampled_series import eigenvalue_figure
 
     figure = eigenvalue_figure(problem)
     if plot:
-        from vibcli.report.plots.braille import braille
+        from vibcli.plots.braille import braille
 
         click.echo("\n" + braille(figure, width=plot_width()))
     for path in saves:

@@ -54,11 +54,11 @@ def command(file, settings, case, as_json, patience, timings, signals, driver, l
 def _shown(problem, wanted, nyquist, plot, saves, force):
     if not (plot or saves):
         return
-    from vibcli.report.series import frequency_columns, frequency_figure, sampled_curves
+    from vibcli.report.sections.sampled_series import frequency_columns, frequency_figure, sampled_curves
 
     curves = sampled_curves(problem, wanted)
     if plot:
-        from vibcli.report.plots.braille import braille
+        from vibcli.plots.braille import braille
 
         click.echo("\n" + braille(frequency_figure(problem, curves, nyquist), width=plot_width()))
     for path in saves:

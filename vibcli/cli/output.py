@@ -4,13 +4,13 @@ import json
 
 import click
 
+from vibcli.base.errors import Inertless, Kinked, NotInLetters, PhysicsError, Unknown
 from vibcli.cli.common import require_quick, show_refusal, show_timings
 from vibcli.cli.reports import write_documents, write_text
-from vibcli.errors import Inertless, Kinked, NotInLetters, PhysicsError, Unknown
-from vibcli.questions import INSIGHT, RESPONSES
+from vibcli.quantities.quantity import INSIGHT, RESPONSES
 from vibcli.report.blocks import Document, Refusal, paragraph, section
 from vibcli.report.document import Report, title_of
-from vibcli.report.render_text import render
+from vibcli.report.formats.text import render
 
 FLOAT_DIGITS = 12
 SLOPES = ("frequencies", "modes", "damping", *INSIGHT)         # what needs a slope of the forces
@@ -65,7 +65,7 @@ def _told_unknown(problem, case, data, wanted):
     """Is a part of the motion not known? Then it is said on stderr too."""
     if not (data.get("response") or {}).get("unknown"):
         return False
-    from vibcli.report.response_data import unknown
+    from vibcli.report.sections.response_data import unknown
     from vibcli.report.wanted import Wanted
 
     show_refusal(unknown(problem, wanted or Wanted()), problem.spec.file + (f", case {case}" if case else ""))
@@ -115,19 +115,19 @@ def _print_json(found, output):
 
 
 def _data(problem, parts, normalise, digits, sections, wanted=None):
-    from vibcli.report.results import energies_data, equations_data, matrices_data, sticking_data
+    from vibcli.report.sections.data import energies_data, equations_data, matrices_data, sticking_data
 
     if digits is not None:
         _require_numbers(problem)
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if problem.chosen is not None:
-        from vibcli.report.chosen import chosen_data
+        from vibcli.report.sections.design_parameters import chosen_data
 
         found["chosen"] = chosen_data(problem)
     if "frequencies" in parts:
         found |= _frequencies(problem, parts, normalise, digits, sections)
     if "equilibria" in sections:
-        from vibcli.report.equilibria import equilibria_data
+        from vibcli.report.sections.equilibria import equilibria_data
 
         found |= equilibria_data(problem)
     if "equations" in parts:
@@ -143,7 +143,7 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
             known = not refusal or isinstance(refusal, NotInLetters)
             found["matrices"] = matrices_data(problem) if known else None
     if asked := [word for word in sections if word in RESPONSES]:
-        from vibcli.report import response_data
+        from vibcli.report.sections import response_data
         from vibcli.report.wanted import Wanted
 
         for word in asked:
@@ -155,7 +155,7 @@ def _data(problem, parts, normalise, digits, sections, wanted=None):
 
 
 def _insight(problem, words, sections):
-    from vibcli.report.insight_data import insight_data
+    from vibcli.report.sections.insight_data import insight_data
 
     try:
         return insight_data(problem, words)
@@ -167,7 +167,7 @@ def _insight(problem, words, sections):
 
 def _frequencies(problem, parts, normalise, digits, sections):
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
-    from vibcli.report.results import equilibrium_data, frequencies_data, matrices_data
+    from vibcli.report.sections.data import equilibrium_data, frequencies_data, matrices_data
 
     try:
         return frequencies_data(problem, normalise, digits)
@@ -214,7 +214,7 @@ def _report(problem, sections, normalise, digits, pictures, wanted=None):
 
 
 def _digits(report, problem, digits):
-    from vibcli.report.results import frequencies_data
+    from vibcli.report.sections.data import frequencies_data
 
     _require_numbers(problem)
     found = frequencies_data(problem, digits=digits)

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
+from vibcli.base.errors import PhysicsError
 from vibcli.cli.common import chosen, color_option, patience_option
-from vibcli.errors import PhysicsError
 
 LONGEST = 80
 
@@ -63,7 +63,7 @@ def target(file, output, suffixes, force, *parts):
 
 def refuse(path, suffixes, force):
     """A usage error where a file cannot be written, or is there already."""
-    from vibcli.report.written import refuse_unwritable
+    from vibcli.base.output_files import refuse_unwritable
 
     try:
         refuse_unwritable(path, suffixes)
@@ -86,7 +86,7 @@ def slug(*parts):
 def write(path, data, force):
     """Write a file, and say so."""
     if force:
-        from vibcli.report.written import write_whole
+        from vibcli.base.output_files import write_whole
 
         write_whole(path, data)
     else:
@@ -96,7 +96,7 @@ def write(path, data, force):
 
 def write_new(path, data):
     """Write a file that is not there; a usage error where somebody else was faster."""
-    from vibcli.report.written import write_whole
+    from vibcli.base.output_files import write_whole
 
     try:
         write_whole(path, data, new=True)

@@ -10,7 +10,7 @@ LEAST = 1e-3                # of the whole, before a pace is known
 
 
 def teller():
-    """What tells of long work (vibcli/work.py) on stderr; None where that is no terminal."""
+    """What tells of long work (vibcli/base/work.py) on stderr; None where that is no terminal."""
     return Progress() if sys.stderr.isatty() else None
 
 

@@ -93,15 +93,15 @@ def write_documents(documents, output):
 
 def _render(documents, kind, place):
     if kind == "html":
-        from vibcli.report.render_html import render
+        from vibcli.report.formats.html import render
 
         return render(documents)
     if kind == "latex":
-        from vibcli.report.render_latex import render
+        from vibcli.report.formats.latex import render
     elif kind == "markdown":
-        from vibcli.report.render_markdown import render
+        from vibcli.report.formats.markdown import render
     else:
-        from vibcli.report.render_text import render
+        from vibcli.report.formats.text import render
 
         return "\n\n\n".join(map(render, documents))
     return render(documents, place)

@@ -64,8 +64,8 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
 
 def refuse_parts(problem, parts):
     """PhysicsError, before anything is integrated, where a motion has no such parts."""
-    from vibcli.errors import PhysicsError
-    from vibcli.full_signals import FullSignal
+    from vibcli.base.errors import PhysicsError
+    from vibcli.results.full_signals import FullSignal
 
     if parts and problem.spec.get("motion") == "full":
         raise PhysicsError(f"{FullSignal.KIND} has no {parts[0]} part that is found", f"leave --{parts[0]} out")
@@ -81,11 +81,11 @@ def set_end(problems, text):
 def _shown(problem, wanted, plot, saves, force):
     if not (plot or saves):
         return
-    from vibcli.report.series import columns, response_figure, sampled
+    from vibcli.report.sections.sampled_series import columns, response_figure, sampled
 
     series = sampled(problem, wanted)
     if plot:
-        from vibcli.report.plots.braille import braille
+        from vibcli.plots.braille import braille
 
         click.echo("\n" + braille(response_figure(problem, series), width=plot_width()))
     for path in saves:

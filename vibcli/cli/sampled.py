@@ -24,10 +24,10 @@ def curve_options(function):
 
 def asked(text, option):
     """A signal given on the command line as an Expression."""
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.document import Scalar
-    from vibcli.errors import Where
-    from vibcli.reading import Expression
+    from vibcli.base.errors import Where
+    from vibcli.language.document.document import Scalar
+    from vibcli.language.reader import Expression
+    from vibcli.symbolic.parser import ExpressionError, parse
 
     try:
         return Expression(Scalar(text, Where(option, 1, 1, len(text)), False, 0), parse(text), None, None)
@@ -41,9 +41,9 @@ def size(text, option, unit, wants, exact=False):
     `exact`: as a Fraction, where it may be zero."""
     from math import pi
 
-    from vibcli.algebra.meaning import literal_unit, whole_literal
-    from vibcli.algebra.parse import ExpressionError, parse
-    from vibcli.units import parse_unit
+    from vibcli.base.units import parse_unit
+    from vibcli.symbolic.parser import ExpressionError, parse
+    from vibcli.symbolic.semantics import literal_unit, whole_literal
 
     try:
         literal = whole_literal(parse(text))
@@ -85,13 +85,13 @@ def cases_to_show(problems, saves):
 
 def save_to(path, force, title, figure, columns):
     """Write the figure or the columns, under a title, as the suffix says."""
-    from vibcli.report.saved import DATA, data
+    from vibcli.report.formats.data_files import DATA, data
 
     suffix = Path(path).suffix.lower()
     if suffix in DATA:
         found = data(suffix, title, columns())
     else:
-        from vibcli.report.plots.picture import picture
+        from vibcli.plots.picture import picture
 
         found = picture(figure(), suffix[1:])
     write(path, found, force)

@@ -5,7 +5,7 @@ import click
 from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.questions import INSIGHT, ON_REQUEST
+from vibcli.quantities.quantity import INSIGHT, ON_REQUEST
 
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),

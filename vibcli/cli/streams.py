@@ -9,7 +9,7 @@ import io
 import os
 import sys
 
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 
 
 class Stream(io.RawIOBase):

@@ -3,7 +3,5 @@
 A file is imported on the first use of its key, by fields.Lazy; a test compares this list with the folder.
 """
 
-NAMES = ("answer", "body", "choose", "constraint", "coordinates", "damper", "energies", "equilibrium", "find",
-         "fitting", "force", "gravity", "initial", "matrices", "move", "parameter", "pin", "point", "record",
-         "rim", "roll", "rope",
-         "shapes", "slide", "spring", "surface", "torsion", "turn", "weld")
+NAMES = ("body", "body_checks", "constraint", "damper", "energies", "force", "gravity", "matrices", "move", "pin",
+         "point", "rim", "roll", "rope", "shapes", "slide", "spring", "surface", "torsion", "turn", "weld")

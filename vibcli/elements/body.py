@@ -5,10 +5,10 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from vibcli.elements import fitting, rim
+from vibcli.elements import body_checks, rim
 from vibcli.elements.shapes import LAWS, NEEDS
-from vibcli.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
-from vibcli.named_place import DRAWN
+from vibcli.language.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
+from vibcli.language.named_place import DRAWN
 
 _SHAPE = {
     "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
@@ -31,7 +31,7 @@ _SHAPE = {
 PART = Element("part", "One of several shapes welded into a body.",
                {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
-               settle=fitting.part, example="welded_parts")
+               settle=body_checks.part, example="welded_parts")
 MOTIONS = ("slide", "pin", "roll", "move", "weld", "turn")
 ELEMENT = Element(
     "body",
@@ -52,7 +52,7 @@ ELEMENT = Element(
     },
     exclusive=(("mass", "density", "parts"), ("at", "from"), ("at", "to"), ("inertia", "gyration"), MOTIONS,
                ("shape", "parts")),
-    settle=fitting.body,
+    settle=body_checks.body,
     example="bodies_of_every_shape",
 )
 

@@ -5,10 +5,10 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
-from vibcli.algebra.calculus import substitute
-from vibcli.algebra.normal import is_zero, textbook
 from vibcli.elements import rope
-from vibcli.fields import BODY, PLACE, Element, Equation, Field, Flag, Many, NameOf, Quantity
+from vibcli.language.fields import BODY, PLACE, Element, Equation, Field, Flag, Many, NameOf, Quantity
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.normal_form import is_zero, textbook
 
 _TWO_BODIES = Many(BODY, 2, 2, "two bodies [one, two]")
 _TWO_PLACES = Many(PLACE, 2, 2, "two points [A, B]")

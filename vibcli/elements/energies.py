@@ -1,6 +1,6 @@
 """Energies written out: what no element says."""
 
-from vibcli.fields import Element, Field, Quantity
+from vibcli.language.fields import Element, Field, Quantity
 
 ELEMENT = Element(
     "set of energies",

@@ -1,7 +1,7 @@
 """General plane motion: displacement of the mass centre and rotation, each a coordinate or an expression."""
 
-from vibcli.document import Sequence
-from vibcli.fields import BODY, Element, Field, Kind, Motion
+from vibcli.language.document.document import Sequence
+from vibcli.language.fields import BODY, Element, Field, Kind, Motion
 
 _LENGTH, _ANGLE = Motion("m"), Motion("rad")
 

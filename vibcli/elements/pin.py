@@ -1,6 +1,6 @@
 """Rotation about a pin, which may be carried by another body."""
 
-from vibcli.fields import BODY, PLACE, Element, Field, Flag, Motion
+from vibcli.language.fields import BODY, PLACE, Element, Field, Flag, Motion
 
 ELEMENT = Element(
     "pin",

@@ -1,7 +1,7 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
-from vibcli.fields import BODY, Element, Field, Many, Motion
-from vibcli.named_place import DRAWN
+from vibcli.language.fields import BODY, Element, Field, Many, Motion
+from vibcli.language.named_place import DRAWN
 
 ELEMENT = Element(
     "point",

@@ -6,7 +6,7 @@ On a circle of radius R, the line of centres turning by ψ: ρ ψ = σ r θ, wit
 The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the fixed frame.
 """
 
-from vibcli.fields import Element, Field, Motion, NameOf, Quantity
+from vibcli.language.fields import Element, Field, Motion, NameOf, Quantity
 
 ELEMENT = Element(
     "roll",

@@ -13,8 +13,8 @@ all sides as an eyelet does.
 
 from itertools import pairwise
 
-from vibcli.algebra.normal import root_of_square, textbook
-from vibcli.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, vector
+from vibcli.language.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, vector
+from vibcli.symbolic.normal_form import root_of_square, textbook
 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}
 ABOUT = ("a rope of constant length: [A, {under: drum}, {over: top, radius: r}, B]. Its ends are points or bodies, or "

@@ -1,6 +1,6 @@
 """Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
-from vibcli.fields import BODY, Element, Field, Motion, NameOf, vector
+from vibcli.language.fields import BODY, Element, Field, Motion, NameOf, vector
 
 ELEMENT = Element(
     "slide",

@@ -5,9 +5,9 @@ counts: N + k (d − d_drawn). Stretch, tension and preload are positive in leng
 beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0) where they push.
 """
 
-from vibcli.algebra.rationals import HALF
 from vibcli.elements.torsion import Torsion, settle_torsion
-from vibcli.fields import ENDS, Choice, Element, Field, Kind, OneOf, Quantity
+from vibcli.language.fields import ENDS, Choice, Element, Field, Kind, OneOf, Quantity
+from vibcli.symbolic.rationals import HALF
 
 
 class _Preload(Kind):

@@ -1,8 +1,8 @@
 """Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
-from vibcli import units
-from vibcli.fields import BODY, Choice, Element, Field, Many, NewName, Quantity
-from vibcli.named_place import DRAWN
+from vibcli.base import units
+from vibcli.language.fields import BODY, Choice, Element, Field, Many, NewName, Quantity
+from vibcli.language.named_place import DRAWN
 
 
 def _settle(record, reader):

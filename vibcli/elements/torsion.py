@@ -1,8 +1,8 @@
 """Whether a spring or damper acts between rotations, and what that makes of its other keys."""
 
-from vibcli import units
-from vibcli.fields import Choice, Kind, OneOf, Quantity
-from vibcli.reading import Expression
+from vibcli.base import units
+from vibcli.language.fields import Choice, Kind, OneOf, Quantity
+from vibcli.language.reader import Expression
 
 
 class Torsion(Kind):

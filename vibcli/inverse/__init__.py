@@ -9,14 +9,14 @@ substituted into a scene built anew; solutions of scenes with letters at several
 
 from fractions import Fraction
 
-from vibcli.elements.choose import BALANCE
-from vibcli.errors import PhysicsError
-from vibcli.inverse import refusals
-from vibcli.inverse.letters import balanced
+from vibcli.base.errors import PhysicsError
+from vibcli.inverse import infeasible
+from vibcli.inverse.conditions import System
 from vibcli.inverse.search import solve
 from vibcli.inverse.solution import choosing, defined, in_numbers, stable_in_floats, with_chosen
-from vibcli.inverse.system import System
-from vibcli.inverse.trial import forms_of, held_by_balance, tried
+from vibcli.inverse.substitution import forms_of, held_by_balance, tried
+from vibcli.inverse.symbolic_conditions import balanced
+from vibcli.reader.sections.choose import BALANCE
 
 MOST = 30_000       # places at which the scene is looked at, and steps of its motions there
 
@@ -30,7 +30,7 @@ def settled(problem, thorough=False):
         return problem
     rest = _balanced_first(problem)
     if problem.letters:
-        from vibcli.inverse.all_letters import solved
+        from vibcli.inverse.symbolic_solutions import solved
 
         with problem.work.task("the search for closed forms"):
             return solved(problem, rest)
@@ -42,7 +42,7 @@ def _balanced_first(problem):
     if not any(record["so"].word == BALANCE for record in problem.spec.choices.values()):
         return problem
     if all(node.is_zero for terms in problem.drawn_residual for node in terms):
-        raise refusals.undetermined(problem)
+        raise infeasible.undetermined(problem)
     forms = balanced(problem)
     found = defined(problem, forms) if forms is not None else None
     left = {name: record for name, record in problem.spec.choices.items() if name not in (forms or ())}
@@ -51,7 +51,7 @@ def _balanced_first(problem):
 
 def _in_numbers(problem, rest, thorough):
     system, solutions, refusal = System(problem), [], None
-    with problem.work.task(f"the search for {refusals.listed(problem.spec.choices)}", MOST):
+    with problem.work.task(f"the search for {infeasible.listed(problem.spec.choices)}", MOST):
         found = solve(rest, thorough, system.limits) if rest.spec.choices else [((), ())]
     for values, nodes in found:
         everything = _all_values(problem, rest, values)
@@ -76,5 +76,5 @@ def _all_values(problem, rest, values):
     held = held_by_balance(problem, rest)
     numbers = in_numbers(rest.sharing(found), list(held.values()))
     if numbers is None:
-        raise refusals.not_held(System(problem))
+        raise infeasible.not_held(System(problem))
     return {**found, **dict(zip(held, numbers, strict=True))}

@@ -4,8 +4,8 @@ the next, to a limit point (fold) where it meets an unstable one and both vanish
 from itertools import pairwise
 from typing import NamedTuple
 
-from vibcli.analyses.zeros import bracketed
-from vibcli.mechanics.branch import Branch
+from vibcli.mechanics.equilibrium.continuation import Branch
+from vibcli.numerics.root_finding import bracketed
 
 SAME = 1e-6
 FARTHER = 1.3       # growth over the second half of the steps of a way that vanish: what ends at a place grows by 1

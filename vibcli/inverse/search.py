@@ -4,16 +4,16 @@ be, else a search over the admissible range; each is tried by substitution."""
 from fractions import Fraction
 from math import asinh, atanh, exp, isfinite, log, sinh
 
-from vibcli.analyses.several import common_zeros
-from vibcli.analyses.zeros import holds_everywhere, longest_plateau, zeros
-from vibcli.errors import PhysicsError
-from vibcli.inverse import refusals
+from vibcli.base.errors import PhysicsError
+from vibcli.inverse import infeasible
+from vibcli.inverse.admissible_ranges import grid
+from vibcli.inverse.conditions import System
 from vibcli.inverse.folds import followed
-from vibcli.inverse.letters import candidates, determined_alone, independent
-from vibcli.inverse.ranges import grid
 from vibcli.inverse.solution import choosing, in_numbers
-from vibcli.inverse.system import System
-from vibcli.reading import Record
+from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
+from vibcli.language.reader import Record
+from vibcli.numerics.newton_systems import common_zeros
+from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 
 SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
@@ -40,7 +40,7 @@ def solve(problem, thorough=False, limits=None):
             found = [(values, _form_of(problem, letters, values)) for values in _looked_for(system, always)]
         accepted += [pair for pair in found if _new(pair[0], accepted)]
     if not accepted:
-        raise refusals.none_found(system, _scanned(system)[1] if len(system.names) == 1 else None, proven)
+        raise infeasible.none_found(system, _scanned(system)[1] if len(system.names) == 1 else None, proven)
     return sorted(accepted, key=lambda pair: pair[0])
 
 
@@ -100,11 +100,11 @@ def _looked_for(system, always):
     if len(system.names) == 1:
         found, scan = _scanned(system)
         if holds_everywhere(scan):
-            raise refusals.undetermined(system.problem, None if always else [x for x, _ in scan.defined()])
+            raise infeasible.undetermined(system.problem, None if always else [x for x, _ in scan.defined()])
         plateau = longest_plateau(scan)
         if plateau and (not found or any(plateau[0] <= x <= plateau[1] for x in found)):
             tried = [x for x, _ in scan.defined() if plateau[0] <= x <= plateau[1]]
-            raise refusals.undetermined(system.problem, tried)
+            raise infeasible.undetermined(system.problem, tried)
         places = [*_followed_to(system, scan), *([x] for x in found)]
     else:
         places = _newton(system)

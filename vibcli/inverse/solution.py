@@ -4,15 +4,15 @@ from copy import copy
 from fractions import Fraction
 from math import isclose
 
-from vibcli.algebra.evaluate import Floats, evaluate, multiprecision
-from vibcli.algebra.expression import reachable
-from vibcli.algebra.parse import LONGEST, ExpressionError, parse
-from vibcli.document import Scalar
-from vibcli.errors import PhysicsError
-from vibcli.inverse.ranges import known
-from vibcli.problem import Problem
-from vibcli.reading import Expression, Record
-from vibcli.report.language import language
+from vibcli.base.errors import PhysicsError
+from vibcli.inverse.admissible_ranges import known
+from vibcli.language.document.document import Scalar
+from vibcli.language.reader import Expression, Record
+from vibcli.notation.scene_language import language
+from vibcli.results.problem import Problem
+from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.parser import LONGEST, ExpressionError, parse
 
 DIGITS, READABLE, TRACE = 60, 70, 1e-20
 

@@ -1,9 +1,13 @@
 """What the declarations declare: every element with its keys, and where in a scene it stands."""
 
-from vibcli.document import Mapping, Scalar, Sequence
-from vibcli.elements import NAMES
-from vibcli.fields import Element, Lazy, Many, Named, OneOf, load
-from vibcli.spec import SECTIONS
+from vibcli import elements
+from vibcli.language import sections
+from vibcli.language.document.document import Mapping, Scalar, Sequence
+from vibcli.language.fields import Element, Lazy, Many, Named, OneOf, load
+from vibcli.reader import sections as questions
+from vibcli.reader.read import SECTIONS
+
+FACES = (("elements", elements), ("language.sections", sections), ("reader.sections", questions))
 
 
 class Declared:
@@ -28,7 +32,7 @@ class Catalogue:
 
     def __init__(self):
         self.elements, self.sections = {}, {}
-        modules = [load(name) for name in NAMES]
+        modules = [load(name, room) for room, face in FACES for name in face.NAMES]
         self._of_kind = {id(module.KIND): module for module in modules if hasattr(module, "KIND")}
         for section, (kind, _) in SECTIONS.items():
             module = self._of_kind.get(id(kind))
@@ -93,8 +97,7 @@ def opened(kind):
     """(word, kind, about) of an element, the file of a lazy one loaded."""
     if not isinstance(kind, Lazy):
         return kind.name, kind, kind.about
-    module = load(kind.name)
-    element = module.ELEMENT
+    module, element = kind.module, kind.module.ELEMENT
     return kind.name, element, element.about if isinstance(element, Element) else module.ABOUT
 
 

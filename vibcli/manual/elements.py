@@ -1,10 +1,10 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.fields import Element, Equation, Lazy, Load, Many, Motion, OneOf
+from vibcli.language.fields import Element, Equation, Lazy, Load, Many, Motion, OneOf
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
-from vibcli.spec import SECTIONS
+from vibcli.reader.read import SECTIONS
 
 
 def expects(kind):

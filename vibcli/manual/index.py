@@ -1,15 +1,15 @@
 """Every word that can be looked up, and the pages under it."""
 
-from vibcli.algebra.parse import plain_name
+from vibcli.base.units import UNITS
 from vibcli.elements.shapes import NEEDS
 from vibcli.manual import elements, subjects, topics
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
-from vibcli.questions import ASKED
+from vibcli.quantities.quantity import ASKED
+from vibcli.reader.read import INSTEAD, SECTIONS
 from vibcli.report.json_keys import KEYS
-from vibcli.spec import INSTEAD, SECTIONS
-from vibcli.units import UNITS
+from vibcli.symbolic.parser import plain_name
 
 
 class Index:

@@ -4,9 +4,9 @@ A YAML reader has types where scene files have text: whatever YAML may take a te
 value is null, and a case may hold any part of a scene.
 """
 
-from vibcli.fields import Element, Named, Text
+from vibcli.language.fields import Element, Named, Text
 from vibcli.manual.catalogue import Catalogue
-from vibcli.spec import SECTIONS
+from vibcli.reader.read import SECTIONS
 
 DRAFT = "http://json-schema.org/draft-07/schema#"
 ANY_TEXT = {"type": ["string", "number", "boolean", "null"]}

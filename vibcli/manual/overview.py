@@ -5,8 +5,8 @@ from vibcli.elements.shapes import NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks, in_short, listed, paragraph, table
-from vibcli.questions import ASKED
-from vibcli.spec import SECTIONS
+from vibcli.quantities.quantity import ASKED
+from vibcli.reader.read import SECTIONS
 
 START = ("A scene is a YAML file that says what a textbook figure shows: the bodies where they are drawn, how each "
          "may move, what joins them, and what is asked. vibcli derives the equations of motion, the equilibrium, the "

@@ -1,6 +1,6 @@
 """Texts of the manual on motions in time, frequency responses and signals. Data alone."""
 
-from vibcli import signals
+from vibcli.language import signals
 
 RESPONSE = [
     "`vibcli response FILE` finds the motion in time, and so do `find: [response]` and every quantity of a signal in "

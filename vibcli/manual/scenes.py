@@ -4,7 +4,7 @@ import os
 import re
 
 import vibcli
-from vibcli.document import read_file
+from vibcli.language.document.document import read_file
 
 FOLDERS = ("templates", "examples")
 PLAINEST = "mass_spring_damper"

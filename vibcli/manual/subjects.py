@@ -1,16 +1,17 @@
 """Pages of the topics, quantities, shapes, functions, units and JSON keys."""
 
-from vibcli import questions, units
-from vibcli.algebra.expression import Table
-from vibcli.algebra.normal import textbook
+from vibcli.base import units
 from vibcli.elements.body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
-from vibcli.questions import ASKED, VALUE
+from vibcli.notation.scene_language import language
+from vibcli.quantities import quantity
+from vibcli.quantities.quantity import ASKED, VALUE
+from vibcli.reader.read import INSTEAD
 from vibcli.report import json_keys
-from vibcli.report.language import language
-from vibcli.spec import INSTEAD
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.normal_form import textbook
 
 LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "signal": ("q",), "body": ("body",), "place": ("O",),
            "parameter": ("p",)}
@@ -82,7 +83,7 @@ def usage(head):
     """How a quantity is written: M[q,r], J[body, O], amplitude(x)."""
     asked = ASKED[head]
     if asked.args:
-        return questions.usage(head)
+        return quantity.usage(head)
     if not asked.indices:
         return head
     letters = [LETTERS[kind][min(asked.indices[:i].count(kind), len(LETTERS[kind]) - 1)]
@@ -96,7 +97,7 @@ def usage(head):
 
 def quantities_table(catalogue):
     rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
-    rows.insert(next(i for i, head in enumerate(ASKED) if head in questions.IN_TIME), ("x(2 s)", VALUE.about))
+    rows.insert(next(i for i, head in enumerate(ASKED) if head in quantity.IN_TIME), ("x(2 s)", VALUE.about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
              "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`. "
@@ -106,7 +107,7 @@ def quantities_table(catalogue):
 
 
 def _unit(asked):
-    return f" [{asked.unit}]" if asked.unit not in (None, "1", questions.SIGNAL) else ""
+    return f" [{asked.unit}]" if asked.unit not in (None, "1", quantity.SIGNAL) else ""
 
 
 def quantity_page(catalogue, head):
@@ -122,7 +123,7 @@ def quantity_page(catalogue, head):
 
 
 def _more(head):
-    topic = "response" if head in questions.IN_TIME else "frequency_response" if head in questions.IN_FREQUENCY else ""
+    topic = "response" if head in quantity.IN_TIME else "frequency_response" if head in quantity.IN_FREQUENCY else ""
     return f"More: vibcli explain {topic}; all quantities: vibcli explain quantities" if topic else (
         "All quantities: vibcli explain quantities")
 

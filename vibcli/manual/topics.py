@@ -6,7 +6,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.manual.time_and_work import PATIENCE, TIME
-from vibcli.questions import SEVERAL as HEADS
+from vibcli.quantities.quantity import SEVERAL as HEADS
 
 EXIT_CODES = [
     ("0", "all well"),

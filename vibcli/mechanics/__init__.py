@@ -1,0 +1,1 @@
+"""Energies, Lagrange's equations and their linearisation."""

@@ -11,15 +11,15 @@ the same vanishes: where it does not, there are no small oscillations (`steady`,
 
 from fractions import Fraction
 
-from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.copied import copied
-from vibcli.algebra.evaluate import evaluate
-from vibcli.algebra.normal import textbook
-from vibcli.algebra.rationals import ONE
-from vibcli.algebra.stand_ins import SmoothFloats
+from vibcli.mechanics.autonomous import INSTANTS, load_at_rest
 from vibcli.mechanics.energies import dissipation, potential
-from vibcli.mechanics.linear_letters import place_in_letters
-from vibcli.mechanics.steady import INSTANTS, load_at_rest
+from vibcli.mechanics.symbolic_linear import place_in_letters
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.smoothed_functions import SmoothFloats
+from vibcli.symbolic.transfer_between_tables import copied
 
 NOTHING = 1e-9      # of what the displacement does to the equations
 

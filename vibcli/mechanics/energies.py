@@ -1,8 +1,8 @@
 """T, V and Φ of a scene as expressions, from the scalar functions of its elements."""
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.normal import textbook
-from vibcli.algebra.rationals import HALF, ONE
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import HALF, ONE
 
 
 def rate(scene, s):
@@ -63,7 +63,7 @@ def _quadratic(scene, key, symbols):
 
 def effective_potential(scene):
     """V − T at rest − Σ F s of constant forces: what is stationary in (relative) equilibrium."""
-    from vibcli.algebra.calculus import substitute
+    from vibcli.symbolic.derivatives import substitute
 
     rest = dict.fromkeys(scene.v, scene.table.zero)
     loads = scene.table.sum(*((term.weight * term.s, ONE) for term in scene.forces))

@@ -4,7 +4,7 @@ Of a stiff spring that hardly stretches, (∇s·φ) is small though the componen
 keeps the digits.
 """
 
-from vibcli.mechanics.elements import OscillatorElements
+from vibcli.mechanics.factored_system import OscillatorElements
 
 
 def inner(terms, extra, y, x):

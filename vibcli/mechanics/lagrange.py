@@ -4,11 +4,11 @@ The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K 
 in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
 """
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.normal import TooLong, expanded, factors_of, reduced, textbook
-from vibcli.algebra.rationals import HALF, ONE
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, rate
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
+from vibcli.symbolic.rationals import HALF, ONE
 
 LETTERS = 16        # most coordinates for which equations are written in letters
 
@@ -96,7 +96,7 @@ def equations(problem):
 
 def _require_slope(problem):
     """Kinked where the forces have none at rest."""
-    from vibcli.mechanics.kinks import require_smooth, require_unheld
+    from vibcli.mechanics.nonsmooth import require_smooth, require_unheld
 
     require_unheld(problem)
     if not problem.symbolic:

@@ -1,6 +1,6 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
-from vibcli.algebra.calculus import substitute
+from vibcli.symbolic.derivatives import substitute
 
 
 class Linearisation:

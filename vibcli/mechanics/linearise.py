@@ -13,11 +13,11 @@ them to the excitation; and so are loads that depend on the time, the F₀ in F�
 to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
-from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.normal import textbook
-from vibcli.algebra.rationals import ONE
+from vibcli.mechanics.autonomous import load_at_rest, without_time
 from vibcli.mechanics.linearisation import Linearisation
-from vibcli.mechanics.steady import load_at_rest, without_time
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import ONE
 
 
 def linearise(scene, still=False):

@@ -1,12 +1,12 @@
-"""Signals as functions of the coordinates, and the forces in equilibrium (vibcli/signals.py lists them)."""
+"""Signals as functions of the coordinates, and the forces in equilibrium (vibcli/language/signals.py lists them)."""
 
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.rationals import HALF, ONE
-from vibcli.errors import NotFixed, PhysicsError
+from vibcli.base.errors import NotFixed, PhysicsError
+from vibcli.language.reader import Name
+from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
-from vibcli.mechanics.redundant_friction import require_fixed_at_rest
-from vibcli.reading import Name
-from vibcli.signals import ENERGIES
+from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.rationals import HALF, ONE
 
 
 def displacement(scene, text):
@@ -138,7 +138,7 @@ def _require_equilibrium(problem):
 
 
 def _of_outputs(problem, text):
-    from vibcli.mechanics.outputs import is_quadratic, linear_row, squares
+    from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, squares
 
     if is_quadratic(text):
         return sum(weight * row.constant**2 for weight, row in squares(problem, text))

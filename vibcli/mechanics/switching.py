@@ -9,9 +9,9 @@ from itertools import product
 
 import numpy as np
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 NOTHING = 1e-12         # of what an argument is made of: zero but for rounding
 MOST_TOGETHER = 6

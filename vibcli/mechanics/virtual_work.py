@@ -3,11 +3,11 @@
 Q_q is the generalised force of all weights, springs and loads: Q_q = Σ F ∂s/∂q − ∂V/∂q, at rest.
 """
 
-from vibcli.algebra.normal import textbook
-from vibcli.algebra.rationals import ONE
+from vibcli.mechanics.autonomous import steady
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.linearise import linearise
-from vibcli.mechanics.steady import steady
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import ONE
 
 
 def generalised_forces(scene):

@@ -6,18 +6,18 @@ A section is a generator of the same name in the module that SECTIONS gives; blo
 import re
 from importlib import import_module
 
-from vibcli.algebra.parse import plain_name
-from vibcli.errors import PhysicsError
+from vibcli.base.errors import PhysicsError
+from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, maths
 from vibcli.report.wanted import Wanted
-from vibcli.spec import QUOTE
+from vibcli.symbolic.parser import plain_name
 
-SECTIONS = {"given": "given", "chosen": "chosen", "coordinates": "given", "equilibrium": "rest",
-            "virtual_work": "statics", "energies": "motion", "equations": "motion", "frequencies": "spectrum",
-            "damping": "spectrum", "modes": "spectrum", "equilibria": "equilibria", "reactions": "statics",
-            "response": "response", "frequency_response": "frequency_response", "shares": "insight",
-            "sensitivities": "insight", "estimates": "insight", "schematic": "illustrations",
-            "mode_pictures": "illustrations"}
+SECTIONS = {"given": "parameters", "chosen": "design_parameters", "coordinates": "parameters", "equilibrium":
+            "equilibrium", "virtual_work": "statics", "energies": "equations_of_motion", "equations":
+            "equations_of_motion", "frequencies": "spectrum", "damping": "spectrum", "modes": "spectrum",
+            "equilibria": "equilibria", "reactions": "statics", "response": "response", "frequency_response":
+            "frequency_response", "shares": "insight", "sensitivities": "insight", "estimates": "insight",
+            "schematic": "illustrations", "mode_pictures": "illustrations"}
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
 
@@ -35,7 +35,7 @@ class Report:
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""
         if name == "chosen" and self.problem.chosen is None:
             return
-        write = getattr(import_module(f"vibcli.report.{SECTIONS[name]}"), name)
+        write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name]}"), name)
         try:
             for found in write(self.problem, self):
                 self.sections.append(found)

@@ -5,26 +5,26 @@
 
 from fractions import Fraction
 
-from vibcli.algebra.calculus import gradient
-from vibcli.algebra.evaluate import Floats
-from vibcli.algebra.expression import Table
-from vibcli.algebra.parse import ExpressionError
+from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.elements import gravity
-from vibcli.elements.initial import let_go
-from vibcli.errors import Diagnostic, SpecError
-from vibcli.fields import load
-from vibcli.parameters import Parameters
-from vibcli.reading import Name
-from vibcli.scene.closing import Freedom, close
-from vibcli.scene.ends import Ends
+from vibcli.language.fields import load
+from vibcli.language.parameters import Parameters
+from vibcli.language.reader import Name
+from vibcli.language.sections.initial import let_go
+from vibcli.scene.build_order import carriers_first
+from vibcli.scene.connections import Ends
+from vibcli.scene.constraints import Freedom, close
+from vibcli.scene.coordinates import Motion
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
+from vibcli.scene.held_drives import held_still
 from vibcli.scene.laws import Laws
-from vibcli.scene.motion import Motion
-from vibcli.scene.order import carriers_first
-from vibcli.scene.resting import held_still
 from vibcli.scene.terms import Terms
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.parser import ExpressionError
 
 ATTEMPTS = 12
 SAMPLES = range(20, 28)     # where other samples start

@@ -1,12 +1,12 @@
 """Parsed fields as expressions of a scene, and what can be said of their values as drawn."""
 
-from vibcli import units
-from vibcli.algebra.evaluate import Floats, evaluate
-from vibcli.algebra.meaning import lower, names_in
-from vibcli.algebra.normal import TooLong, collected, expanded, is_zero, reduced
-from vibcli.algebra.parse import ExpressionError
-from vibcli.parameters import unusable
-from vibcli.reading import Expression
+from vibcli.base import units
+from vibcli.language.parameters import unusable
+from vibcli.language.reader import Expression
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
+from vibcli.symbolic.parser import ExpressionError
+from vibcli.symbolic.semantics import lower, names_in
 
 
 class Expressions:

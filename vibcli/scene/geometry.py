@@ -1,11 +1,11 @@
 """Places, directions and distances of a scene."""
 
-from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.expression import reachable
-from vibcli.algebra.normal import is_zero, root_of_square, textbook
-from vibcli.algebra.rationals import ONE
-from vibcli.fields import load
+from vibcli.language.fields import load
 from vibcli.scene.frame import Frame
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
+from vibcli.symbolic.rationals import ONE
 
 
 class Geometry:

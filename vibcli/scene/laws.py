@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from vibcli.algebra.antiderivative import from_zero
-from vibcli.algebra.calculus import gradient, substitute
-from vibcli.algebra.expression import reachable
+from vibcli.symbolic.antiderivatives import from_zero
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.expression import reachable
 
 BENT = ("abs", "sign", "min", "max", "step", "ramp")
 

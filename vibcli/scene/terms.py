@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from vibcli.algebra.calculus import gradient, substitute
-from vibcli.scene.bounded import stays_bounded
-from vibcli.scene.closing import Constraint
+from vibcli.scene.bounded_motion import stays_bounded
+from vibcli.scene.constraints import Constraint
+from vibcli.symbolic.derivatives import gradient, substitute
 
 SHAKEN = ("inertias", "springs", "dampers", "weights", "forces")  # kept as functions of driven displacements
 

@@ -1,0 +1,48 @@
+"""Amplitudes as functions of ω: short where those in letters alone are long, as of two roots with a letter under √.
+
+Of two coordinates q₂/q₁ = −(K₁₁ − ω²M₁₁)/(K₁₂ − ω²M₁₂) or from the second row, whichever is shorter; where G turns and
+nothing else couples them, q₂/q₁ = i·(K₁₁ − ω²M₁₁)/(ω G₁₂).
+"""
+
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.rational_functions import factored
+
+OMEGA = "ω"
+
+
+def of_omega(quotients, element):
+    """u₀ + u₁λ of a field as a node with ω² for λ."""
+    u, v = (list(element) + [quotients.field(0)] * 2)[:2]
+    node = quotients.node(u + v * quotients.unknown)
+    return substitute([node], {quotients.symbol: quotients.table.parameter(OMEGA) ** 2})[0]
+
+
+def ratio(table, M, K):
+    """q₂/q₁ of two coordinates as the shorter of what their two equations say."""
+    own, across, back, other = (_entry(table, M, K, *pair) for pair in ((0, 0), (0, 1), (1, 0), (1, 1)))
+    parts = [factored(-above / below) for above, below in ((own, across), (back, other)) if not below.is_zero]
+    return min((part for part in parts if not part.is_zero), key=letters)
+
+
+def two_coordinates(table, modes, M, G, K):
+    """Give the modes of two coordinates their patterns."""
+    for mode in modes:
+        if mode.pattern and not G:
+            mode.pattern = [table.one, min((ratio(table, M, K), mode.pattern[1]), key=letters)]
+        elif G and not mode.square.is_zero and (0, 1) not in M and (0, 1) not in K:
+            mode.turns = True
+            mode.pattern = [table.one, _quarter_period_apart(table, mode, M, G, K)]
+
+
+def _quarter_period_apart(table, mode, M, G, K):
+    """q₂/(i q₁), a number where ω solves a quadratic equation and that makes it one."""
+    whole = factored(_entry(table, M, K, 0, 0) / (table.parameter(OMEGA) * G[0, 1]))
+    if mode.solves is None:
+        return whole
+    element = mode.solves.ratio([K.get((0, 0), table.zero), table.zero, -M[0, 0]], [table.zero, G[0, 1]])
+    return whole if element is None else element
+
+
+def _entry(table, M, K, i, j):
+    return K.get((i, j), table.zero) - table.parameter(OMEGA) ** 2 * M.get((i, j), table.zero)

@@ -1,0 +1,98 @@
+"""The roots λ of a factor of the characteristic polynomial as expressions, and of what is rational in λ.
+
+Degree one: a quotient. Degree two: (B ∓ S√D)/A. Higher: s + t·2cos(jπ/N) where the polynomial is one of those
+(cosines.py), else unsolved.
+"""
+
+from vibcli.analyses.closed_form.algebraic_extension import Extension
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.radicals import positive, root
+from vibcli.symbolic.rationals import HALF
+from vibcli.symbolic.surds import Pair
+
+
+class Simple:
+    """λ = −p₀/p₁."""
+
+    pair = None
+
+    def __init__(self, quotients, modulus):
+        self.quotients, self.square = quotients, quotients.node(-modulus[0] / modulus[1])
+
+    def value(self, element):
+        """u₀ as an expression."""
+        return self.quotients.node(element[0]) if element else self.quotients.table.zero
+
+    def omega(self, samples, sign=1):
+        """√(±λ)."""
+        return root(sign * self.square, samples)
+
+
+class Surd:
+    """One of the two roots of p₂λ² + p₁λ + p₀."""
+
+    def __init__(self, pair, sign):
+        self.pair, self.sign = pair, sign
+        self.front, self.rest = pair.written(pair.rational, pair.factor * sign)
+        self.square = self.front * self.rest
+
+    def value(self, element):
+        """u₀ + u₁λ as an expression."""
+        u, v = (list(element) + [self.pair.quotients.field(0)] * 2)[:2]
+        front, rest = self.pair.written(u + v * self.pair.rational, v * self.pair.factor * self.sign)
+        return front * rest
+
+    def omega(self, samples, sign=1):
+        """√(±λ)."""
+        return root(self.front, samples) * (sign * self.rest) ** HALF
+
+
+class Turning:
+    """ω itself a root of a quadratic equation, as of gyroscopic systems: ω = |rational ± factor·√D|."""
+
+    pair = None
+
+    def __init__(self, pair, modulus, sign):
+        self.parts, self.modulus = pair, modulus
+        front, rest = pair.written(pair.rational, pair.factor * sign)
+        self.sign = 1 if evaluate([front * rest], Floats, pair.sample)[0] > 0 else -1
+        self.frequency = front * (self.sign * rest)
+        self.square = self.frequency * self.frequency
+
+    def ratio(self, above, below):
+        """Σ aᵢωⁱ/Σ bᵢωⁱ of nodes where it does not depend on ω, else None."""
+        quotients = self.parts.quotients
+        field = Extension(quotients.field, self.modulus)
+        a, b = ([quotients(node) * self.sign ** i for i, node in enumerate(nodes)] for nodes in (above, below))
+        found = field.times(field.reduced(a), field.inverse(field.reduced(b)))
+        return quotients.node(found[0]) if len(found) == 1 else None
+
+    def omega(self, samples, sign=1):
+        return positive(self.frequency, samples)
+
+
+def solutions(quotients, modulus, sample, turns=False):
+    """The roots of a factor with these coefficients, from the lowest; None where they are not solved. `turns`: try ω
+    before ω²."""
+    if len(modulus) == 2:
+        return [Simple(quotients, modulus)]
+    if len(modulus) == 3:
+        if turns and (found := _turning(quotients, modulus, sample)):
+            return found
+        pair = Pair(quotients, modulus, sample)
+        return [Surd(pair, sign) for sign in (-1, 1)]
+    from vibcli.analyses.closed_form.toeplitz_chains import cosines
+
+    return cosines(quotients, modulus)
+
+
+def _turning(quotients, modulus, sample):
+    """The roots of p(ω²) where it falls into two quadratic factors q(ω)·q(−ω), else None."""
+    unknown = quotients.unknown.numer
+    whole = sum((c.numer * unknown ** (2 * i) for i, c in enumerate(modulus)), quotients.ring(0))
+    factors = [factor for factor, _ in quotients.factors(whole)[1] if factor.degree(unknown)]
+    if len(factors) != 2 or factors[0].degree(unknown) != 2:
+        return None
+    modulus = quotients.coefficients(factors[0])
+    pair = Pair(quotients, modulus, sample)
+    return [Turning(pair, modulus, sign) for sign in (-1, 1)]

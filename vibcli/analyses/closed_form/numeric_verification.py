@@ -1,0 +1,142 @@
+"""Closed forms against numbers: the same scene at random admissible values of its letters.
+
+A set of values is admissible where the figure fits together and as many modes are unstable as at the first.
+"""
+
+from vibcli.base.errors import Inertless, PhysicsError, SpecError
+from vibcli.scene.parameter_samples import given_values
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+WANTED, ATTEMPTS, FAILURES = 4, 24, 6
+CLOSE, ROUNDING = 1e-7, 1e-10
+
+
+def samples(problem, wanted=WANTED):
+    """Numeric Problems at admissible values, the first at those by which the scene is drawn."""
+    if not problem.symbolic:
+        return [problem]
+    found, failures = [], 0
+    for candidate in _candidates(problem):
+        try:
+            kind = _unstable(candidate) if _same_figure(problem, candidate) else None
+        except (SpecError, PhysicsError):
+            failures += 1
+            if failures > FAILURES and not found:
+                break
+            continue
+        if not found:
+            first = kind
+        if kind is not None and kind == first:
+            found.append(candidate)
+        if len(found) == wanted:
+            break
+    return found
+
+
+def _candidates(problem):
+    """Numeric Problems: those that reach the equilibrium found in letters, or others at random values."""
+    if problem.equilibrium_letters is not None:
+        return problem.equilibrium_letters.reached
+    free = [name for name in problem.scene.parameters.free if name not in problem.given]
+    return (problem.with_values(given_values(problem.scene, free, attempt)) for attempt in range(ATTEMPTS))
+
+
+def _same_figure(problem, candidate):
+    """Are M, C, G, K those in letters? A rope that leaves its pulley elsewhere makes another figure."""
+    for letters, numbers in zip(problem.matrices_in_letters, candidate.elements.matrices(), strict=True):
+        pairs = list({*letters, *numbers})
+        zero = problem.scene.table.zero
+        found = evaluate([letters.get(pair, zero) for pair in pairs], Floats, candidate.floats)
+        size = max((abs(x) for x in numbers.values()), default=0.0)
+        if not all(abs(x - numbers.get(pair, 0.0)) <= CLOSE * size for pair, x in zip(pairs, found, strict=True)):
+            return False
+    return True
+
+
+def _unstable(candidate):
+    if len(candidate.scene.q) == 1:
+        return squares(candidate)[0] < 0
+    return sum(mode.growth_rate is not None for mode in candidate.modes)
+
+
+def squares(candidate):
+    """The numeric ω², ascending."""
+    if len(candidate.scene.q) == 1:
+        M, _, _, K = candidate.elements.matrices()
+        if not M.get((0, 0)):
+            raise Inertless
+        return [K.get((0, 0), 0.0) / M[0, 0]]
+    return sorted(-float(mode.growth_rate) ** 2 if mode.omega is None else float(mode.omega) ** 2
+                  for mode in candidate.modes)
+
+
+def confirmed(modes, polynomials, candidates):
+    """Do the ω² in letters, and the roots of unsolved polynomials, equal those in numbers at every sample, and is each
+    ω the positive root of its square?"""
+    return all(_agree(_found(modes, polynomials, candidate), squares(candidate)) and _are_roots(modes, candidate)
+               for candidate in candidates)
+
+
+def _are_roots(modes, candidate):
+    values = evaluate([part for mode in modes for part in (mode.omega, mode.square)], Floats, candidate.floats)
+    return all(omega >= 0 and abs(omega * omega - (-square if mode.unstable else square)) <= CLOSE * abs(square)
+               for mode, omega, square in zip(modes, values[::2], values[1::2], strict=True))
+
+
+def _found(modes, polynomials, candidate):
+    return sorted([*evaluate([mode.square for mode in modes], Floats, candidate.floats),
+                   *(x for polynomial in polynomials for x in roots_in_numbers(polynomial, candidate.floats))])
+
+
+def roots_in_numbers(polynomial, values):
+    """The real parts of the roots of a polynomial with coefficients from the highest."""
+    import numpy as np
+
+    return np.roots(evaluate(polynomial, Floats, values)).real.tolist()
+
+
+def _agree(found, wanted):
+    largest = max(map(abs, wanted), default=0.0)
+    return len(found) == len(wanted) and all(
+        abs(a - b) <= CLOSE * max(abs(b), 1e-4 * largest) for a, b in zip(found, wanted, strict=True))
+
+
+def shape_confirmed(mode, amplitudes, candidates):
+    """Is (K − ω²M + iωG) x = 0 at every sample? Where the mode turns, x₂ is a quarter period ahead."""
+    return all(_balanced(mode, amplitudes, candidate) for candidate in candidates)
+
+
+def _balanced(mode, amplitudes, candidate):
+    square, = evaluate([mode.square], Floats, candidate.floats)
+    omega = abs(square) ** 0.5
+    x = evaluate(amplitudes, Floats, {**candidate.floats, "ω": omega})
+    x = [value * (1j if mode.turns and i else 1) for i, value in enumerate(x)]
+    M, _, G, K = candidate.elements.matrices()
+    n, none = len(x), 0.0
+    size = [(abs(K.get((i, i), none)) + abs(square * M.get((i, i), none))) ** 0.5 for i in range(n)]
+    rounding = ROUNDING * sum(s * abs(value) for s, value in zip(size, x, strict=True))
+    for i in range(n):
+        terms = [part * x[j] for j in range(n) for part in (
+            K.get((i, j), none), -square * M.get((i, j), none), 1j * omega * G.get((i, j), none))]
+        if not abs(sum(terms)) <= CLOSE * sum(map(abs, terms)) + rounding * size[i]:
+            return False
+    return True
+
+
+def damping_confirmed(modes, candidates):
+    """Do ω and ζ in letters equal those in numbers, where the modes are under-damped, at every sample?"""
+    return all(_damping_agrees(modes, candidate) for candidate in candidates)
+
+
+def _damping_agrees(modes, candidate):
+    zetas = evaluate([mode.zeta for mode in modes], Floats, candidate.floats)
+    if len(candidate.scene.q) == 1:
+        M, C, _, K = (matrix.get((0, 0), 0.0) for matrix in candidate.elements.matrices())
+        square, omega_d = K / M - C * C / (4 * M * M), evaluate([modes[0].omega_d], Floats, candidate.floats)[0]
+        return abs(zetas[0] ** 2 * 4 * K * M - C * C) <= CLOSE * C * C and (
+            square <= 0 or abs(omega_d * omega_d - square) <= CLOSE * K / M)
+    omegas = evaluate([mode.omega for mode in modes], Floats, candidate.floats)
+    if any(zeta >= 1 for zeta in zetas):
+        return True
+    found = sorted(omega * zeta for omega, zeta in zip(omegas, zetas, strict=True))
+    return _agree(found, sorted(float(mode.decay) for mode in candidate.damped if mode.omega and mode.zeta))

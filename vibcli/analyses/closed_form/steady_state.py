@@ -1,0 +1,114 @@
+"""Steady states in letters, for one and two degrees of freedom that are driven at one angular frequency:
+y = X sin(Ωt + φ − θ), with Ω and φ of the scene.
+
+A load A sin(Ωt + φ) + B cos(Ωt + φ) is the imaginary part of (A + iΩ·B/Ω) e^{i(Ωt + φ)}; where only cosines drive the
+scene it is the real part of (B − iΩ·A/Ω) e^{i(Ωt + φ)}, and y = X cos(Ωt + φ − θ).
+"""
+
+from typing import NamedTuple
+
+from vibcli.analyses.closed_form.frequency_response import from_parts, require_few
+from vibcli.base.errors import NotInLetters
+from vibcli.mechanics.symbolic_linear import outputs
+from vibcli.symbolic.common_denominator import shorter
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
+from vibcli.symbolic.rationals import ONE
+
+WAVES = ("sin", "cos")
+
+
+class Steady(NamedTuple):
+    """formula: the Formula of X and θ; wave: sin or cos; argument: Ωt + φ as a node of the scene; mean: what constants
+    of the drive shift y by, None where there are none."""
+
+    formula: object
+    wave: str
+    argument: object
+    mean: object = None
+
+
+def steady_state(problem, signal):
+    """The Steady of a coordinate or signal; NotInLetters where it is none of one harmonic."""
+    require_few(problem)
+    scene, n = problem.scene, len(problem.scene.q)
+    rows, direct = outputs(problem, signal)
+    drive = {**problem.excitation, n: direct}
+    waves = {i: _waves(scene, node) for i, node in drive.items()}
+    arguments = {argument for found in waves.values() for argument, _ in found}
+    if len(arguments) != 1:
+        raise NotInLetters("steady states in letters are those of one harmonic" if arguments else
+                           "nothing that oscillates drives this scene", "give the parameters values with --set")
+    argument, = arguments
+    Omega, wave = gradient(argument)[scene.time], _reference(scene, waves)
+    loads = {i: _in_phase(found, argument, wave, Omega) for i, found in waves.items() if found}
+    b, d = [{}, {}, {}], [{}, {}, {}]
+    for i, parts in loads.items():
+        for power, part in enumerate(parts):
+            (b if i < n else d)[power][i if i < n else 0] = part
+    found = from_parts(problem, b, rows, d, Omega)
+    if all(is_zero(part) for part in found.denominator):
+        raise NotInLetters("this scene is driven at a natural frequency without damping: its amplitude grows with the "
+                           "time, and there is no steady state",
+                           "give numbers with --set, and see the motion from its start")
+    return Steady(found, wave, argument, _mean(problem, rows, drive))
+
+
+def _mean(problem, rows, drive):
+    """What the constants in {i: function of the time} do to the signal of these rows."""
+    scene, n = problem.scene, len(problem.scene.q)
+    fixed = {i: textbook(node - scene.terms_with(node, scene.time.mask)) for i, node in drive.items()}
+    fixed = {i: node for i, node in fixed.items() if not node.is_zero}
+    if not fixed:
+        return None
+    b = [{i: node for i, node in fixed.items() if i < n}, {}, {}]
+    found = from_parts(problem, b, rows, [{0: fixed[n]} if n in fixed else {}, {}, {}], scene.table.zero, order=1)
+    if is_zero(found.denominator[0]):
+        raise NotInLetters("nothing holds this scene where what drives it stays displaced", "give numbers with --set")
+    return shorter(textbook(found.scale * found.numerator[0] / found.denominator[0]))
+
+
+def _waves(scene, node):
+    """{(argument Ωt + φ, sin or cos): coefficient} of a function of the time."""
+    try:
+        terms = expanded(node)
+    except (TooLong, ZeroDivisionError):
+        raise NotInLetters("what drives this scene is too long in letters", "give numbers with --set") from None
+    found, time, table = {}, scene.time.mask, scene.table
+    for monomial, value in terms.items():
+        moving = [(atom, e) for atom, e in monomial if atom.mask & time]
+        rest = table.product((table.number(value), ONE), *(pair for pair in monomial if pair not in moving))
+        if not moving:
+            continue
+        atom, e = moving[0]
+        slope = gradient(atom.args[0]).get(scene.time) if atom.name in WAVES else None
+        if len(moving) > 1 or e != 1 or slope is None or slope.mask:
+            raise NotInLetters("steady states in letters are those of sin(Omega*t) and cos(Omega*t)",
+                               "give the parameters values with --set")
+        key = atom.args[0], atom.name
+        found[key] = found.get(key, table.zero) + rest
+    return found
+
+
+def _reference(scene, waves):
+    """sin or cos: the one that drives, or in which the file says what drives; sin where it says both."""
+    said = [*scene.driven.values(), *(term.weight for term in scene.forces)]
+    for kinds in ({wave for found in waves.values() for _, wave in found},
+                  {part.name for part in reachable(said) if part.op == "call" and part.name in WAVES
+                   and part.mask & scene.time.mask}):
+        if len(kinds) == 1:
+            return kinds.pop()
+    return "sin"
+
+
+def _in_phase(found, argument, wave, Omega):
+    """(part in phase, that ahead over Ω) of A sin + B cos."""
+    A, B = (found.get((argument, name), Omega.table.zero) for name in WAVES)
+    ahead = textbook((B if wave == "sin" else -A) / Omega)
+    return A if wave == "sin" else B, ahead
+
+
+def at_start(argument, scene):
+    """φ, what Ωt + φ is at t = 0."""
+    return substitute([argument], {scene.time: scene.table.zero})[0]

@@ -1,0 +1,172 @@
+"""Exact sums of functions of time as the segments of a Forcing, every coefficient rounded once."""
+
+from bisect import bisect_right
+from fractions import Fraction
+
+from vibcli.analyses.excitation.exponential_polynomials import added, convolved, shifted
+from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave, task_of
+from vibcli.analyses.excitation.impulses import blows_of, nearest
+from vibcli.analyses.excitation.periods import common_period, shortest
+from vibcli.analyses.excitation.piecewise_linear import Place
+from vibcli.base.errors import PhysicsError
+
+NEAR = 1e-6
+SHORTER = "let it change less often, or for a shorter time"
+BEFORE = Fraction(-1)       # the instant from which a term counts that always does
+
+
+class Group:
+    """The terms of one channel with the same wave and gates: `ps[i]`, the polynomial from `instants[i]` on."""
+
+    __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
+
+    def __init__(self, channel, gates, wave, terms, numbers):
+        self.channel, self.gates, self.wave = channel, gates, wave
+        self.exponent = numbers.complex(numbers.number(wave[0]), numbers.number(wave[1]))
+        self.end = min((gate.end for gate in gates if gate.end is not None), default=None)
+        self.instants, self.ps, total = [], [], {}
+        for T, p in sorted((BEFORE if T is None else T, p) for T, p in terms):
+            total = added((total, 1), ({None: p}, 1))
+            self.instants.append(T)
+            self.ps.append(total.get(None, ()))
+        self.places = [numbers.number(instant) for instant in self.instants]
+
+    def at(self, middle):
+        """The polynomial at an instant, a number."""
+        i = bisect_right(self.places, middle) - 1
+        return self.ps[i] if i >= 0 else ()
+
+    def spans(self):
+        """(low, high) of each span in which it acts, high None where it does not end."""
+        for T, p, following in zip(self.instants, self.ps, [*self.instants[1:], None], strict=True):
+            low = max(T, Fraction(0))
+            ends = [x for x in (following, self.end) if x is not None]
+            high = min(ends, default=None)
+            if p and (high is None or high >= low):
+                yield low, high
+
+
+def assembled(sums, channels, numbers, work=None):
+    """The Forcing of {channel: Sum}; work: what counts its segments."""
+    terms = {}
+    for channel, total in sums.items():
+        for (T, gates, wave), p in total.items():
+            terms.setdefault((channel, gates, wave), []).append((T, p))
+    groups = [Group(*key, found, numbers) for key, found in terms.items()]
+    try:
+        return _forcing(groups, channels, numbers, work)
+    except OverflowError:
+        raise PhysicsError("what drives this scene grows or changes beyond what can be computed",
+                           "look for growing exponentials, and for waves that are very fast") from None
+
+
+def _forcing(groups, channels, numbers, work):
+    spans = [(group, *span) for group in groups for span in group.spans()]
+    count = sum(gate.count(low, high) for group, low, high in spans if high is not None for gate in group.gates)
+    with task_of(work, count, SHORTER) as task:
+        cuts, lasting = _cuts(spans)
+        if not any(group.gates for group, _ in lasting):
+            return Forcing(channels, _pieces(groups, cuts, None, 0, numbers, task))
+    try:
+        period = common_period([group for group, _ in lasting], numbers)
+    except PhysicsError as refusal:
+        longest = max(gate.period for group, _ in lasting for gate in group.gates)
+        return Irregular(channels, lambda until, work: _up_to(groups, cuts, lasting, until, longest, numbers, work),
+                         numbers.number(longest), refusal)
+    settled = max(cuts)
+    last = settled + 2 * period
+    count += sum(gate.count(low, last) for group, low in lasting for gate in group.gates)
+    with task_of(work, count, SHORTER) as task:
+        breaks = _repeated(lasting, last)
+        since = min(instant for instant in breaks if instant >= settled)
+        cuts.update(instant for instant in breaks if instant < since + period)
+        pieces = _pieces(groups, cuts, since + period, since, numbers, task)
+    start = min((piece.start for piece in pieces), key=lambda start: abs(start - numbers.number(since)))
+    return Forcing(channels, *shortest(pieces, numbers.number(period), start, numbers.same), start)
+
+
+def _up_to(groups, cuts, lasting, until, longest, numbers, work):
+    """The segments up to a time, and further by the longest period of what repeats."""
+    last = numbers.exact(until) + longest
+    count = len(cuts) + sum(gate.count(0, last) for group, _ in lasting for gate in group.gates)
+    with task_of(work, count) as task:
+        cuts = {cut for cut in cuts if cut < last} | _repeated(lasting, last)
+        return _pieces(groups, cuts, last, 0, numbers, task)
+
+
+def _pieces(groups, cuts, last, since, numbers, task=None):
+    """The Segments between the instants at which anything changes, up to `last` (None: for ever); one starts at
+    `since`."""
+    cuts = _apart(cuts, numbers.same)
+    if last is not None:
+        cuts = [cut for cut in cuts if last - cut > numbers.same * last]
+    last = cuts[-1] + 1 if last is None else last
+    places = [_place(low, high, numbers) for low, high in zip(cuts, [*cuts[1:], last], strict=True)]
+    blows, first = blows_of(groups, cuts, last, numbers), nearest(cuts, since)
+    pieces = []
+    for i, at in enumerate(places):
+        if task is not None:
+            task.step(i / len(places), 0.5)
+        waves = _waves(groups, at, numbers)
+        if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not all(map(_is_level, waves)):
+            pieces.append(Segment(at.start, waves, tuple(blows.get(i, {}).items())))
+    return pieces
+
+
+def _place(low, high, numbers):
+    start, middle = numbers.number(low), (low + high) / 2
+    return Place(start, numbers.exact(start), numbers.number(middle), middle)
+
+
+def _is_level(wave):
+    return not (wave.power or wave.exponent)
+
+
+def _cuts(spans):
+    """(instants at which anything changes, apart from what repeats for ever; [(group, its start)] of what lasts)."""
+    cuts, lasting = {Fraction(0)}, []
+    for group, low, high in spans:
+        cuts.add(low)
+        if high is None:
+            lasting.append((group, low))
+            continue
+        cuts.add(high)
+        for gate in group.gates:
+            cuts.update(gate.breaks(low, high))
+    return cuts, lasting
+
+
+def _repeated(lasting, until):
+    """The breaks of what lasts, up to an instant."""
+    return {instant for group, low in lasting for gate in group.gates for instant in gate.breaks(low, until)}
+
+
+def _apart(cuts, same):
+    """Sorted instants, those that differ by rounding alone taken as one."""
+    found, size = [], -1.0
+    for close, cut in sorted((float(cut), cut) for cut in cuts):
+        if close - size > NEAR * close or not found or cut - found[-1] > same * cut:
+            found.append(cut)
+            size = close
+    return found
+
+
+def _waves(groups, at, numbers):
+    """The waves of a segment: each polynomial counted from its start, times its lines and its wave there."""
+    found = {}
+    for group in groups:
+        p = group.at(at.middle)
+        if not p:
+            continue
+        p = tuple(map(numbers.number, shifted(p, at.exact_start)))
+        for gate in group.gates:
+            p = convolved(p, tuple(map(numbers.number, gate.line(at))))
+        r, w, r0, w0, q = group.wave
+        factor = numbers.turned(r * at.exact_start + r0, w * at.exact_start + w0, q) if any(group.wave) else 1
+        factor = factor if w or factor == 1 else factor.real
+        for k, c in enumerate(p):
+            if c:
+                size = numbers.complex(c * factor)
+                key = group.channel, k, group.exponent
+                found[key] = found[key] + size if key in found else size
+    return tuple([Wave(channel, c, k, s) for (channel, k, s), c in found.items() if c])

@@ -1,0 +1,107 @@
+"""Forcing as the response methods take it: piecewise sums of polynomials times exponentials.
+
+On each segment a channel is f(τ) = Σ Re(c τᵏ e^{sτ}), τ = t − start: steps, ramps, harmonics, pulses, decaying sines
+and all their products. Counting from the start of the segment keeps a 5 ms pulse at t = 50 s exact.
+"""
+
+from math import ceil, inf
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Work
+
+MOST = 100_000      # segments
+
+
+class TooOften(PhysicsError):
+    """There are more segments than may be followed."""
+
+
+def task_of(work, count, ask="ask for an earlier instant"):
+    """The task of finding so many segments; TooOften where they are too many. ask: what helps then."""
+    work, count = work or Work(), float(count)
+    if count > MOST * work.patience:
+        more = f"; --patience {ceil(2 * count / MOST)} allows twice as many" if count < inf else ""
+        most = f": {count:.6g} stretches of time, and {MOST * work.patience:.0f} are the most" if count < inf else ""
+        raise TooOften(f"what drives this scene jumps or bends too often to be followed for so long{most}", ask + more)
+    return work.task("what drives the motion", MOST)
+
+
+class Wave(NamedTuple):
+    """Re(c τᵏ e^{sτ}) on one channel: c complex, k an integer, s complex [1/s]."""
+
+    channel: int
+    coefficient: complex
+    power: int
+    exponent: complex
+
+
+class Segment(NamedTuple):
+    """Waves from `start` to the start of the next segment; `impulses`: (channel, size) pairs that act at `start`."""
+
+    start: float
+    waves: tuple = ()
+    impulses: tuple = ()
+
+
+def oscillates(forcing):
+    """Do loads that are no repeated pieces oscillate without end?"""
+    return any(wave.exponent.imag and not wave.exponent.real and wave.coefficient
+               for wave in forcing.segments(inf)[-1].waves)
+
+
+class Forcing:
+    """Segments in order of time, the first from 0 on; of periodic forcing those of the first period, repeated from
+    `since` + `period` on (None: not periodic). `channels`: how many there are."""
+
+    __slots__ = ("channels", "period", "pieces", "since")
+
+    def __init__(self, channels, pieces, period=None, since=0.0):
+        self.channels, self.pieces, self.period, self.since = channels, tuple(pieces), period, since
+
+    @property
+    def listed(self):
+        """Are its segments so many that all can be told?"""
+        return self.period is None
+
+    @property
+    def turn(self):
+        """The longest time after which something of it repeats for ever; None where nothing does."""
+        return self.period
+
+    def segments(self, until, work=None):
+        """The segments that start before `until`; work: what counts them."""
+        found = [piece for piece in self.pieces if piece.start < until or not piece.start]
+        if self.period is None:
+            return found
+        repeated = [piece for piece in self.pieces if piece.start >= self.since]
+        count = max(0.0, until - self.since) * len(self.pieces) / self.period
+        turns, most = 1, MOST * (1 if work is None else work.patience)
+        before = 0.99 * most * self.period / len(self.pieces)
+        with task_of(work, count, f"ask for an instant before t = {float(before):.3g} s") as task:
+            while self.since + turns * self.period < until:
+                shift = turns * self.period
+                task.step(turns * len(repeated) / count, len(repeated) / 2)
+                found += [piece._replace(start=piece.start + shift) for piece in repeated
+                          if piece.start + shift < until]
+                turns += 1
+        return found
+
+
+class Irregular:
+    """Forcing that repeats for ever in parts, but has no period as a whole: known as far as it is asked for.
+
+    `build(until, work)`: its segments up to a time at least; `turn`: the longest period of a part; `refusal`: why what
+    needs all of it is not found.
+    """
+
+    period, listed = None, False
+
+    def __init__(self, channels, build, turn, refusal):
+        self.channels, self.build, self.turn, self.refusal = channels, build, turn, refusal
+
+    def segments(self, until, work=None):
+        """The segments that start before `until`; PhysicsError where that is infinite."""
+        if until == inf:
+            raise self.refusal
+        return [piece for piece in self.build(until, work) if piece.start < until or not piece.start]

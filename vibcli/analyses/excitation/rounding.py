@@ -1,0 +1,78 @@
+"""From exact rationals to numbers: floats, or mpmath numbers at the working precision."""
+
+import cmath
+import math
+from fractions import Fraction
+
+from vibcli.symbolic.evaluation import Floats, multiprecision
+
+PI = Fraction(3141592653589793238462643383279502884197169399375105820974944592307816406286208998628034825342117068,
+              10**99)
+
+
+class Floating:
+    """Python floats; phases are reduced before they are rounded."""
+
+    arithmetic, pi, same = Floats, PI, Fraction(1, 2**46)
+    number, real, complex = float, float, complex
+
+    @staticmethod
+    def exact(value):
+        return Fraction(value) if math.isfinite(value) else None
+
+    @staticmethod
+    def turned(growth, phase, quarters=0):
+        """i^quarters e^{growth + i phase} of rationals, quarters 0 or 1."""
+        phase = phase - 2 * PI * round(phase / (2 * PI)) if phase else 0
+        found = cmath.rect(math.exp(growth), float(phase))
+        return found * 1j if quarters else found
+
+    @staticmethod
+    def polar(size):
+        return abs(size), Fraction(cmath.phase(size))
+
+    @staticmethod
+    def arc_sine(x):
+        return Fraction(math.asin(x))
+
+
+def multiprecise():
+    """The same in mpmath numbers."""
+    import mpmath
+
+    def rational(x):
+        sign, man, exp, _ = mpmath.mpf(x)._mpf_
+        return (-1) ** sign * Fraction(int(man)) * Fraction(2) ** exp
+
+    with mpmath.workprec(mpmath.mp.prec + 200):
+        pi = rational(+mpmath.mp.pi)
+
+    class Multiple:
+        arithmetic = multiprecision()
+        same = Fraction(1, 2 ** (mpmath.mp.prec - 7))
+        real, complex = mpmath.mpf, mpmath.mpc
+
+        @staticmethod
+        def number(value):
+            return mpmath.mpf(value.numerator) / value.denominator if hasattr(value, "numerator") else value
+
+        @staticmethod
+        def exact(value):
+            return rational(value) if mpmath.isfinite(value) else None
+
+        @classmethod
+        def turned(cls, growth, phase, quarters=0):
+            phase = phase - 2 * pi * round(phase / (2 * pi)) if phase else 0
+            found = mpmath.exp(mpmath.mpc(cls.number(growth), cls.number(phase)))
+            return found * 1j if quarters else found
+
+        @staticmethod
+        def polar(size):
+            return abs(size), rational(mpmath.arg(size))
+
+        @staticmethod
+        def arc_sine(x):
+            return rational(mpmath.asin(x))
+
+    Multiple.pi = pi
+    return Multiple

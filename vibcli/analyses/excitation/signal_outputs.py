@@ -1,0 +1,54 @@
+"""Signals as Outputs of the response methods, each with the channel of what drives it directly."""
+
+from fractions import Fraction
+
+from vibcli.analyses.excitation.linear_output import Output
+from vibcli.mechanics.inputs_outputs.linear_functions import rate
+from vibcli.mechanics.inputs_outputs.outputs import linear_row, squares
+from vibcli.symbolic.rationals import ONE
+
+
+def linear_output(problem, text, order=0, channel=None):
+    """(Output, {channel: what it carries, a node of the time}) of the order-th derivative of a signal, x' and x''
+    included; `channel`: the number of its own channel, that after the coordinates if none is given."""
+    row = linear_row(problem, text)
+    for _ in range(order):
+        row = rate(row, problem.opened.scene)
+    return as_output(problem, row, channel)
+
+
+def quadratic_output(problem, text, channel=None):
+    """[(weight, Output, {channel: node})] with signal = Σ weight·output²: the energy of a spring, the power of a
+    damper; further outputs take the next channels."""
+    first = len(problem.scene.q) if channel is None else channel
+    return [(weight, *as_output(problem, row, first + i)) for i, (weight, row) in enumerate(squares(problem, text))]
+
+
+def as_output(problem, row, channel=None):
+    """(Output, {channel: node of the time}) of a Row."""
+    channel = len(problem.scene.q) if channel is None else channel
+    opened, n = problem.opened, problem.opened.n
+    kept = [{i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a)]
+    node = _direct(opened, row)
+    if node is None:
+        return Output(row.constant, *kept), {}
+    return Output(row.constant, *kept, {channel: 1.0}), {channel: node}
+
+
+def _direct(opened, row):
+    """What depends on the time alone: terms of its own, and what driven displacements add; None where nothing does."""
+    scene = opened.scene
+    terms = [scene.table.product((_number(scene, factor), ONE), (node, ONE)) for factor, node in row.time]
+    for i, opening in enumerate(scene.inputs.values(), opened.n):
+        if opening.node is not None:
+            node = opening.node
+            for part in (row.q, row.v, row.a):
+                if part.get(i):
+                    terms.append(_number(scene, part[i]) * node)
+                node = scene.rate(node)
+    total = scene.table.sum(*((term, ONE) for term in terms))
+    return None if total.is_zero else total
+
+
+def _number(scene, value):
+    return scene.table.number(Fraction(value))

@@ -1,0 +1,129 @@
+"""Maxima and minima of |H(iΩ)| over Ω > 0: zeros of d log|H|/dΩ = Re(i H′/H), bracketed near poles and zeros of H.
+
+Each is narrowed down to rounding. A maximum where H has no bound is that of an undamped mode; a minimum where H is
+zero, an antiresonance without damping.
+"""
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.frequency_response.evaluate import sampled, sloped
+from vibcli.analyses.frequency_response.poles_and_zeros import endless, pace, poles, zeros
+
+SPREAD = np.array([0.0, 0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 20.0])     # places about a pole, in widths
+COARSE, FEW = np.array([0.0, 0.25, 1.0, 5.0]), 40                       # where there are more poles and zeros
+NARROWEST, WIDE, ROUNDS, SAME = 1e-9, 1e4, 150, 2.0**-51
+ANYWHERE = np.array([0.37, 1.19, 3.1])  # times a typical frequency
+BESIDE, ENDLESS = 1e-9, 3e3     # a peak that is so much higher than beside it has a damping ratio below 3e-13: none
+
+
+class Extreme(NamedTuple):
+    """Omega in rad/s; value |H|, None where it has no bound; maximum or minimum."""
+
+    Omega: float
+    value: float
+    maximum: bool
+
+
+def extremes(system):
+    """The Extremes of |H(iΩ)| for Ω > 0, ascending; none where the input does not reach the output."""
+    if not sampled(system, pace(system) * ANYWHERE)[0].any():
+        return []
+    low, high = _brackets(system)
+    maximum = steepness(system, low) > 0
+    Omega = narrowed(lambda at: steepness(system, at), low, high)
+    values, _, resonant = sloped(system, Omega)
+    if system.undamped:
+        turning = ~_through(system, low, high) & ~resonant
+        found = [*map(_extreme, Omega[turning], np.abs(values[turning]), maximum[turning])]
+        for marks, value in zip(endless(system), (None, 0.0), strict=True):
+            found += [_extreme(at, value, value is None) for at in marks]
+        return sorted(found, key=lambda one: one.Omega)
+    beside = [np.abs(sloped(system, Omega * (1 + sign * BESIDE))[0]) for sign in (1, -1)]
+    resonant |= maximum & (np.abs(values) > ENDLESS * np.maximum(*beside))
+    Omega[resonant] = _nearest(poles(system).imag, Omega[resonant])
+    return [_extreme(at, None if lost else size, top)
+            for at, size, lost, top in zip(Omega, np.abs(values), resonant, maximum, strict=True)]
+
+
+def _extreme(Omega, size, maximum):
+    return Extreme(float(Omega), None if size is None else float(size), bool(maximum))
+
+
+def _through(system, low, high):
+    """Whether H passes a pole or a zero between the ends of each interval, without damping."""
+    ends = [(sloped(system, edge)[0] / 1j**system.order).real for edge in (low, high)]
+    return ends[0] * ends[1] < 0
+
+
+def _nearest(places, Omega):
+    """The place next to each Ω: H is unbounded there but for rounding, so that a slope does not tell more."""
+    return places[np.abs(Omega[:, None] - places).argmin(axis=1)] if len(Omega) else Omega
+
+
+def steepness(system, Omega):
+    """d log|H|/dΩ; NaN where H is zero or unbounded."""
+    values, slopes, _ = sloped(system, Omega)
+    with np.errstate(all="ignore"):
+        return np.where(values == 0, np.nan, (1j * slopes / np.where(values == 0, 1.0, values)).real)
+
+
+def places(system, low=None, high=None):
+    """Frequencies near poles and zeros, and between them, ascending and different."""
+    marks = np.concatenate([poles(system), zeros(system)])
+    marks = marks[(marks.imag > 0) & np.isfinite(marks)]
+    middle, width = marks.imag, np.maximum(np.abs(marks.real), NARROWEST * marks.imag)
+    spread = SPREAD if len(marks) <= FEW else COARSE
+    near = (middle[:, None] + width[:, None] * np.concatenate([spread, -spread])).ravel()
+    near = np.concatenate([near, np.abs(marks)])
+    between = np.sort(middle)
+    near = np.concatenate([near, (between[1:] + between[:-1]) / 2, between * 0.9, between * 1.1])
+    typical = pace(system)
+    low = low or min([typical, *middle]) / WIDE
+    high = high or max([typical, *middle]) * WIDE
+    near = np.concatenate([near, np.geomspace(low, high, 161)])
+    return np.unique(near[(near >= low) & (near <= high)])
+
+
+def _brackets(system):
+    """(low, high) of the intervals in which the slope changes its sign."""
+    Omega = places(system)
+    sign = np.sign(steepness(system, Omega))
+    known = np.flatnonzero(np.isfinite(sign) & (sign != 0))
+    ends = [(i, j) for i, j in pairwise(known) if sign[i] != sign[j]]
+    return tuple(Omega[[pair[k] for pair in ends]] if ends else np.zeros(0) for k in (0, 1))
+
+
+def narrowed(function, low, high):
+    """The zero of a function in each of the intervals at whose ends its signs differ, to rounding.
+
+    Chords, each third step a halving; a chord that falls near an end is moved inwards, so that both ends close in.
+    """
+    low, high = low.copy(), high.copy()
+    at_low, at_high = function(low), function(high)
+    for step in range(ROUNDS):
+        wide = np.flatnonzero(high - low > SAME * high)
+        if not len(wide):
+            break
+        a, b, fa, fb = (part[wide] for part in (low, high, at_low, at_high))
+        trial = _trial(a, b, fa, fb, step)
+        f = np.nan_to_num(np.array(function(trial)), nan=0.0)
+        left = (np.sign(f) == np.sign(fa)) | (f == 0)
+        right = ~left | (f == 0)
+        low[wide], at_low[wide] = np.where(left, trial, a), np.where(left & (f != 0), f, fa)
+        high[wide], at_high[wide] = np.where(right, trial, b), np.where(right & (f != 0), f, fb)
+    return (low + high) / 2
+
+
+def _trial(a, b, fa, fb, step):
+    middle = (a + b) / 2
+    if step % 3 == 2:
+        return middle
+    with np.errstate(all="ignore"):
+        chord = a + (b - a) * (fa / (fa - fb))
+        share = (b - a) * (0.0 if step % 3 == 0 else 1e-3)
+        chord = np.where(chord - a < b - chord, np.maximum(chord + (chord - a), a + share),
+                         np.minimum(chord - (b - chord), b - share)) if step % 3 else chord
+    return np.where((chord > a) & (chord < b), chord, middle)

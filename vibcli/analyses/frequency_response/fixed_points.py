@@ -1,0 +1,76 @@
+"""Fixed points: frequencies at which |H| does not depend on a damper (Den Hartog 1956, §3.3).
+
+A damper c adds s c r rᵀ to K + sC + s²M, so that H = (A + c B)/(1 + c E) at each frequency. Where nothing else damps,
+|H| is the same for all c exactly where it is the same for c = 0 and c → ∞: |A| = |B/E|.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vibcli.analyses.frequency_response.evaluate import sampled
+from vibcli.analyses.frequency_response.extremes import narrowed, places
+from vibcli.analyses.frequency_response.poles_and_zeros import pace
+from vibcli.analyses.frequency_response.transfer_function import Transfer
+
+SAME, STATIC, STRONG, FELT = 1e-8, 1e-3, 1e4, 1e-6
+
+
+class FixedPoint(NamedTuple):
+    """Omega in rad/s and |H| there."""
+
+    Omega: float
+    value: float
+
+
+def fixed_points(without, with_one):
+    """The FixedPoints with Ω > 0, ascending, from the Transfers with c = 0 and c = 1 (in any unit)."""
+    typical = _typical(without, with_one)
+    systems = [without, *(blended(without, with_one, typical * share) for share in (1.0, 2.0, STRONG))]
+    Omega = np.unique(np.concatenate([places(system) for system in systems]))
+
+    def difference(Omega):
+        values = [sampled(system, Omega)[0] for system in systems[:3]]
+        free, held = values[0], limit(*values)
+        with np.errstate(all="ignore"):
+            return np.log(np.abs(free)) - np.log(np.abs(held))
+
+    def felt(Omega):    # elsewhere the limit is lost in rounding
+        free, once = (sampled(system, Omega)[0] for system in systems[:2])
+        return np.abs(once - free) > FELT * np.abs(free)
+
+    gaps = difference(Omega)
+    gaps[(np.abs(gaps) <= 1e-12) | ~felt(Omega)] = np.nan
+    known = np.flatnonzero(np.isfinite(gaps))
+    change = known[:-1][np.sign(gaps[known[:-1]]) != np.sign(gaps[known[1:]])]
+    after = known[np.searchsorted(known, change) + 1]
+    found = narrowed(difference, Omega[change], Omega[after]) if len(change) else np.zeros(0)
+    heights = [np.abs(sampled(system, found)[0]) for system in systems]
+    low = STATIC * pace(without)
+    return [FixedPoint(float(at), float(height)) for at, height, *others in zip(found, *heights, strict=True)
+            if at > low and all(abs(other - height) <= SAME * height for other in others)]
+
+
+def limit(free, once, twice):
+    """H for c → ∞ from those for c = 0, c₁ and 2c₁."""
+    with np.errstate(all="ignore"):
+        one, two = once - free, (twice - free) / 2
+        E = (one - two) / (twice - once)
+        return (one + once * E) / E
+
+
+def blended(without, with_one, c):
+    """The Transfer with a damper c, from those with c = 0 and c = 1."""
+    def part(name):
+        zero = getattr(without, name)
+        return zero + c * (getattr(with_one, name) - zero)
+
+    return Transfer(*map(part, ("M", "C", "K", "b", "c", "d")), without.order)
+
+
+def _typical(without, with_one):
+    """A damper that is felt, neither weak nor strong: such that c Ω is of the size of K."""
+    added = np.abs(np.diag(with_one.C - without.C))
+    stiff = np.abs(np.diag(without.K))
+    felt = (added > 0) & (stiff > 0)
+    return float(np.median(stiff[felt] / added[felt]) / pace(without)) if felt.any() else 1.0

@@ -1,0 +1,56 @@
+"""Frequencies at which H(iΩ) is drawn: every peak and antiresonance among them, the others where the curve bends.
+
+Between neighbours the curve of log |H| and arg H is straight to TOLERANCE, seen over log Ω or Ω.
+"""
+
+import numpy as np
+
+from vibcli.analyses.frequency_response.evaluate import sampled
+from vibcli.analyses.frequency_response.extremes import extremes, places
+
+TOLERANCE, ROUNDS, MOST, EVEN = 0.004, 12, 4000, 61
+CLOSEST, NARROW = 1e-5, 1e-13       # nearest place to where H is zero or unbounded, and to each other, relative to Ω
+LEAST = 1e-14                       # of the largest value, where a curve ends
+
+
+def adaptive(system, low, high, log=True, known=None):
+    """(Ω ascending, H) between two frequencies; poles and zeros are left out, as are places next to them."""
+    known = extremes(system) if known is None else known
+    endless = np.array([one.Omega for one in known if not one.value])
+    even = np.geomspace(low, high, EVEN) if log else np.linspace(low, high, EVEN)
+    near = [*places(system), *(one.Omega for one in known)]
+    Omega = _clear(_apart(np.unique([*even, *(x for x in near if low < x < high)])), endless)
+    values = sampled(system, Omega)[0]
+    for _ in range(ROUNDS):
+        gaps = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
+        if not len(gaps):
+            break
+        middle = np.sqrt(Omega[gaps] * Omega[gaps + 1]) if log else (Omega[gaps] + Omega[gaps + 1]) / 2
+        middle = _clear(middle, endless)
+        order = np.argsort(np.concatenate([Omega, middle]), kind="stable")
+        Omega, values = (np.concatenate(pair)[order] for pair in ((Omega, middle),
+                                                                   (values, sampled(system, middle)[0])))
+    return Omega, values
+
+
+def _apart(Omega):
+    return Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])]
+
+
+def _clear(Omega, endless):
+    """Without what is as good as at a pole or a zero."""
+    if not len(endless):
+        return Omega
+    return Omega[np.abs(Omega[:, None] - endless).min(axis=1) > CLOSEST * Omega]
+
+
+def _bent(Omega, values, log):
+    """Whether the curve of log |H| or arg H bends at either end of each gap that can still be halved."""
+    x, size = np.log(Omega) if log else Omega, np.abs(values)
+    gaps = np.zeros(len(x) - 1, bool)
+    width = np.diff(x)
+    for curve in (np.log(np.maximum(size, size.max() * LEAST or 1.0)), np.unwrap(np.angle(values))):
+        bend = np.abs(np.diff(np.diff(curve) / width)) * np.minimum(width[1:], width[:-1]) / 4
+        gaps[1:] |= bend > TOLERANCE
+        gaps[:-1] |= bend > TOLERANCE
+    return gaps & (np.diff(Omega) > NARROW * Omega[1:])

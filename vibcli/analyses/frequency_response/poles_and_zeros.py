@@ -1,0 +1,103 @@
+"""Poles and zeros of H(s) in floats: eigenvalues of K + sC + s²M, and of the same bordered by b, c and d,
+
+    [ K + sC + s²M   −b(s) ]
+    [ c(s)ᵀ           d(s) ].
+
+With s = σ(1 + 1/μ) about a point σ to the right of all poles the leading matrix is regular, masses or none, and what is
+at infinity goes to μ = 0. They are starting values: what is told of H is located on H itself.
+"""
+
+import numpy as np
+
+from vibcli.analyses.frequency_response.evaluate import undifferentiated
+from vibcli.numerics.fixed_point import count_floats
+
+FAR = 1e-7      # |μ| of what counts as infinite
+STEPS, NEAR, STILL = 6, 0.03, 1e-6
+BESIDE = 1e-9   # where Newton's method for a pole starts that rounding hides at its own place
+
+
+def poles(system):
+    """The poles with Im s ≥ 0."""
+    return _roots([system.K, system.C, system.M], pace(system))
+
+
+def zeros(system):
+    """The zeros with Im s ≥ 0."""
+    parts = [np.block([[matrix, -b[:, None]], [c[None, :], np.atleast_2d(d)]]) for matrix, b, c, d in
+             zip((system.K, system.C, system.M), system.b, system.c, system.d, strict=True)]
+    if np.iscomplexobj(parts[0]) and not any(part.imag.any() for part in parts):
+        parts = [part.real for part in parts]
+    if system.undamped:
+        return _kept(system, np.sqrt(-_squares(parts[0].real, parts[2].real, pace(system))) * 1j)
+    return _kept(system, _roots(parts, pace(system)))
+
+
+def endless(system):
+    """(poles, zeros) of H on the axis, without damping: Ω > 0 of the modes that take part, to rounding."""
+    found = [_kept(system, poles(system), 1), zeros(system)]
+    return [np.unique(marks.imag[marks.imag > 0]) for marks in found]
+
+
+def _kept(system, places, sign=-1):
+    """Those to which Newton's method on H converges, or with `sign` 1 that on 1/H: rounding scatters zeros at infinity
+    anywhere, and a mode that takes no part is no pole of H."""
+    at, step = places, np.zeros(len(places))
+    if sign == 1 and len(places):
+        at = np.where(undifferentiated(system, places)[2], places, places * (1 + BESIDE))
+    for _ in range(STEPS if len(places) else 0):
+        values, slopes, resonant = undifferentiated(system, at, True)
+        with np.errstate(all="ignore"):
+            step = np.where((values == 0) | resonant, 0.0, sign * values / slopes)
+        step = np.where(np.isfinite(step), step, np.inf)
+        at = np.where(np.abs(step) <= NEAR * np.abs(at), at + step, at)
+    return at[(np.abs(step) <= STILL * np.abs(at)) & (np.abs(at - places) <= NEAR * np.abs(places))]
+
+
+def pace(system):
+    """A frequency between the lowest and the highest: the geometric mean of √(Kᵢᵢ/Mᵢᵢ)."""
+    K, M, C = (np.abs(np.diag(matrix)) for matrix in (system.K, system.M, system.C))
+    both, slow = (K > 0) & (M > 0), (K > 0) & (C > 0)
+    rates = [*np.sqrt(K[both] / M[both]), *(K[slow] / C[slow])]
+    return float(np.exp(np.mean(np.log(rates)))) if rates else 1.0
+
+
+def _roots(parts, pace):
+    """s with Im s ≥ 0 of A₀ + s A₁ + s² A₂."""
+    A0, A1, A2 = _balanced([part * pace**k for k, part in enumerate(parts)])
+    n, shift = len(A0), 1.0
+    at, steep = A0 + shift * (A1 + shift * A2), A1 + 2 * shift * A2
+    try:
+        lower = np.linalg.solve(at, np.hstack([steep, A2]))
+    except np.linalg.LinAlgError:
+        return np.zeros(0, complex)
+    companion = np.vstack([-lower, np.eye(n, 2 * n)])
+    count_floats(2 * n)
+    inverse = np.linalg.eigvals(companion)
+    inverse = inverse[np.abs(inverse) > FAR]
+    found = pace * (shift + 1 / inverse)
+    return found[found.imag >= 0]
+
+
+def _squares(A0, A2, pace):
+    """s² of A₀ + s² A₂ where it is real and negative."""
+    A0, A2 = _balanced([A0, A2 * pace**2])
+    try:
+        inverse = np.linalg.eigvals(np.linalg.solve(A0 + A2, -A2))
+    except np.linalg.LinAlgError:
+        return np.zeros(0)
+    inverse = inverse[(np.abs(inverse) > FAR) & (np.abs(inverse.imag) <= 1e-3 * np.abs(inverse))].real
+    found = pace**2 * (1 + 1 / inverse)
+    return found[found < 0]
+
+
+def _balanced(parts):
+    """The same with rows and columns of one size."""
+    parts = [part.copy() for part in parts]
+    for _ in range(3):
+        for axis in (0, 1):
+            size = sum(np.abs(part) for part in parts).max(axis=1 - axis)
+            factor = np.where(size > 0, np.exp2(-np.round(np.log2(np.where(size > 0, size, 1.0)))), 1.0)
+            factor = factor[:, None] if axis == 0 else factor[None, :]
+            parts = [part * factor for part in parts]
+    return parts

@@ -1,0 +1,81 @@
+"""The transfer function of one output to one input, H(s) = c(s)ᵀ (K + s C + s² M)⁻¹ b(s) + d(s), s = iΩ.
+
+An input cos Ωt gives the output Re(H e^{iΩt}) in the steady state: amplitude |H|, lag θ = −arg H.
+"""
+
+import numpy as np
+
+from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, named_input
+from vibcli.mechanics.inputs_outputs.outputs import linear_row
+
+
+class Transfer:
+    """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); `order`:
+    how often the output is differentiated (receptance 0, mobility 1, accelerance 2); `method`: how it is evaluated at
+    many frequencies, once that is decided."""
+
+    __slots__ = ("C", "K", "M", "b", "c", "d", "method", "order")
+
+    def __init__(self, M, C, K, b, c, d=(0.0, 0.0, 0.0), order=0):
+        self.M, self.C, self.K = (np.asarray(matrix, dtype=float) for matrix in (M, C, K))
+        self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
+        self.order, self.method = order, None
+
+    @property
+    def n(self):
+        return len(self.K)
+
+    @property
+    def undamped(self):
+        """Are numerator and denominator functions of s² with real coefficients?"""
+        odd = self.C.any() or self.b[1].any() or self.c[1].any() or self.d[1]
+        return not odd and not any(np.iscomplexobj(part) and part.imag.any() for part in (self.b, self.c, self.d))
+
+    def differentiated(self, times):
+        """The same of the derivative of the output."""
+        return Transfer(self.M, self.C, self.K, self.b, self.c, self.d, self.order + times)
+
+
+def polynomial(coefficients, s):
+    """Σ coefficientₖ sᵏ; s (N,) gives (N, …)."""
+    s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
+    return coefficients[0] + s * (coefficients[1] + s * coefficients[2])
+
+
+def slope(coefficients, s):
+    """The derivative of the same polynomial."""
+    s = np.asarray(s).reshape(-1, *[1] * (np.ndim(coefficients) - 1))
+    return coefficients[1] + 2 * s * coefficients[2]
+
+
+def transfer(problem, signal, driven_by, order=0):
+    """The Transfer of a signal of a problem to a named input."""
+    row, chosen, n = linear_row(problem, signal), named_input(problem, driven_by), len(problem.scene.q)
+    M, C, K = system(problem)
+    b = _dense(input_columns(problem, chosen), n)
+    c = _dense((row.q, row.v, row.a), n)
+    return Transfer(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
+
+
+def system(problem):
+    """(M, C + G, K) of the small oscillations as arrays."""
+    n = len(problem.scene.q)
+    M, C, G, K = (_matrix(entries, n) for entries in problem.elements.matrices())
+    return M, C + G, K
+
+
+def _matrix(entries, n):
+    found = np.zeros((n, n))
+    for (i, j), x in entries.items():
+        found[i, j] = x
+    return found
+
+
+def _dense(parts, n):
+    kind = complex if any(isinstance(x, complex) for part in parts for x in part.values()) else float
+    found = np.zeros((3, n), kind)
+    for power, part in enumerate(parts):
+        for i, x in part.items():
+            if i < n:
+                found[power, i] = x
+    return found

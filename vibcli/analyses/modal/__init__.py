@@ -1,0 +1,1 @@
+"""Natural frequencies, damping, mode shapes, stability, and what is read off them."""

@@ -1,0 +1,75 @@
+"""How near an equilibrium is to a bifurcation: the condition number of its stiffness along the modes.
+
+Along a mode x the stiffness xᵀKx is a sum of terms of both signs; the sum of their magnitudes over it is the factor by
+which a relative change of the data grows in ω², and it has no bound where equilibria meet. A potential that is written
+out is one term: there the change of xᵀKx over the size of the figure, from its derivatives, stands for them.
+"""
+
+import math
+
+import numpy as np
+
+NEAR = 1e6
+LEAST, STEP = 6, 1e-2             # how many modes are looked at; the step of the differences
+EPSILON = 2.0**-52
+
+
+def stiffness_condition(problem):
+    """The largest condition number over the modes of lowest frequency, rigid ones aside; 1 where nothing cancels, and
+    where K is singular and its elements are known in floats alone (mechanics/degenerate.py); None where nothing has
+    inertia."""
+    from vibcli.analyses.modal.stability import inertless
+    from vibcli.analyses.modal.undamped import factored
+
+    if inertless(problem.elements):
+        return None
+    if factored(problem.elements) or problem.sources[0] is None:
+        return 1.0
+    modes = sorted((mode for mode in problem.modes if not mode.rigid), key=_rate)[:LEAST]
+    return max((_condition(problem, mode) for mode in modes), default=1.0)
+
+
+def bifurcation_warning(condition):
+    """A sentence where the condition number is large, else None."""
+    if condition is None or not condition > NEAR:
+        return None
+    return (f"near a bifurcation: the stiffness is nearly singular (condition {condition:.0e}); frequencies have about "
+            f"{round(math.log10(condition / 2))} digits fewer than the data").replace("e+0", "e").replace("e+", "e")
+
+
+def _rate(mode):
+    return float(mode.omega if mode.omega is not None else mode.growth_rate)
+
+
+def _condition(problem, mode):
+    """Σ |terms of xᴴKx| over |xᴴKx|."""
+    elements, x = problem.elements, [complex(value) for value in mode.shape]
+    springs = [k * abs(sum(a * x[i] for i, a in row.items())) ** 2 for k, row in elements.springs]
+    others = {(i, j): (value * x[i].conjugate() * x[j]).real for (i, j), value in elements.K.items()}
+    sizes = [value * abs(x[i]) * abs(x[j]) for (i, j), value in (elements.K_size or elements.K).items()]
+    size = sum(map(abs, springs)) + sum(map(abs, sizes))
+    left = abs(sum(springs) + sum(others.values()))
+    return (size + _change(problem, np.real(x))) / max(left, EPSILON * size) if size else 1.0
+
+
+def _change(problem, x):
+    """By how much xᵀKx changes over the size of the figure, as its first and second derivatives tell."""
+    if problem.is_linear or not any(problem.form.K):
+        return 0.0
+    from vibcli.mechanics.equilibrium.scaled_forces import typical_length
+    from vibcli.mechanics.numeric_linearisation import in_numbers
+    from vibcli.symbolic.evaluation import Floats
+
+    names, at = problem.scene.coordinates, problem.equilibrium.values
+    length = typical_length(problem) or 1.0
+    unit = max(abs(a) / (length if problem.dimension(name) else 1.0) for name, a in zip(names, x, strict=True))
+
+    def along(step):
+        moved = {name: at[name] + step * a / unit for name, a in zip(names, x, strict=True)}
+        place = problem.closed(at, {**at, **moved})
+        K = in_numbers(problem.form, Floats, {**problem.floats, **place}).elements.stiffness()
+        return sum(value * x[i] * x[j] for (i, j), value in K.items())
+
+    before, here, after = (along(step) for step in (-STEP, 0.0, STEP))
+    change = abs(after - before) / (2 * STEP) + abs(after - 2 * here + before) / (2 * STEP**2)
+    return change if math.isfinite(change) else 0.0

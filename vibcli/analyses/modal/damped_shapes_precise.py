@@ -1,0 +1,55 @@
+"""Damped mode shapes to many digits: a bordered solve for each eigenvalue, which is known to all of them."""
+
+import mpmath
+import numpy as np
+
+from vibcli.analyses.modal.mode_numbers import Digits
+
+
+def shapes(system, found, scale):
+    """The vectors in all coordinates as mpmath numbers, a column for each eigenvalue."""
+    out = np.empty((len(system.basis), len(found)), object)
+    with mpmath.workprec(system.bits):
+        basis = Digits.array(system.basis, system.bits)
+        for i, p in enumerate(scale.coordinates):
+            basis[i] = [mpmath.ldexp(x, p) / mpmath.sqrt(mpmath.ldexp(1, scale.mass)) for x in basis[i]]
+        c, k = Digits.array(system.c, system.bits), _stiffness(system)
+        for place, d in enumerate(found):
+            x = _vector(system, d, c, k)
+            q = basis.dot(x)
+            lead = max(q.tolist(), key=abs)
+            out[:, place] = [component * abs(lead) / lead for component in q.tolist()]
+    return out
+
+
+def _stiffness(system):
+    if hasattr(system, "k"):
+        return Digits.array(system.k, system.bits)
+    return np.diag(Digits.array(system.values, system.bits))
+
+
+def _vector(system, d, c, k):
+    """x with (λ² m + λ c + k) x = 0 and xᴴ m x = 1, next to the one known in floats."""
+    n = len(c)
+    massive = getattr(system, "massive", n)
+    start = [mpmath.mpmathify(complex(x)) for x in d.x]
+    if d.mode is not None or not (d.re or d.im):
+        return np.array(start, object)
+    value = Digits.complex(d.re, d.im, system.bits)
+    a = mpmath.zeros(n + 1, n + 1)
+    for i in range(n):
+        for j in range(n):
+            a[i, j] = value * c[i, j] + k[i, j]
+        if i < massive:
+            a[i, i] += value * value
+        a[i, n], a[n, i] = start[i], mpmath.conj(start[i])
+    right = mpmath.zeros(n + 1, 1)
+    right[n] = 1
+    try:
+        x = mpmath.lu_solve(a, right)
+    except ZeroDivisionError:  # a multiple eigenvalue: a step beside it turns to its vectors
+        for i in range(n):
+            a[i, i] += mpmath.ldexp(1, -system.bits // 2)
+        x = mpmath.lu_solve(a[:n, :n], mpmath.matrix(start))
+    size = mpmath.sqrt(sum(abs(x[i]) ** 2 for i in range(massive or n)))
+    return np.array([x[i] / size for i in range(n)], object)

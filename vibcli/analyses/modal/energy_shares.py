@@ -1,0 +1,61 @@
+"""Where the energy of a mode is: the share of each spring, of each body, and of each damper in what is dissipated.
+
+    spring s   ½ k |∇s·φ|² / ½ φᴴKφ        body   ½ Σ w |∇s·φ|² / ½ φᴴMφ        damper   c |∇s·u|² / uᴴCu
+
+K and M are the sums of their parts, so the shares of a mode add up to one. A part that lowers K, such as the weight of
+an inverted pendulum, has a negative share. Of gyroscopic and damped modes they are those of the mean over a period.
+"""
+
+from vibcli.analyses.modal.modes_precise import WORKING, coinciding
+from vibcli.mechanics.element_contributions import owned_forms
+from vibcli.mechanics.inner_products import inner
+
+NONE = 1e-20    # a share, or of its scale a sum, that is rounding
+
+
+class Shares:
+    """potential, kinetic: {index of a mode: {name: share}}; dissipation: [(damped mode, {name: share})], None where
+    nothing damps. Where there is no such energy, as V of a rigid mode, there are no shares. coinciding: lists of the
+    indices of modes of one frequency, whose shapes may be mixed at will."""
+
+    __slots__ = ("coinciding", "dissipation", "kinetic", "potential")
+
+    def __init__(self, potential, kinetic, dissipation, coinciding):
+        self.potential, self.kinetic, self.dissipation = potential, kinetic, dissipation
+        self.coinciding = coinciding
+
+
+def shares(problem):
+    """The Shares of a numeric problem."""
+    import mpmath
+
+    with mpmath.workdps(WORKING):
+        owned, modes, dissipation = owned_forms(problem), problem.sharp_modes, None
+        kinetic = {mode.index: _shares(owned.kinetic, mode.shape) for mode in modes}
+        potential = {mode.index: {} if mode.rigid else _shares(
+            owned.potential, mode.shape, _energy(owned, mode.shape, mode.omega or mode.growth_rate)) for mode in modes}
+        if problem.damped is not None:
+            dissipation = []
+            for mode in (mode for mode in problem.damped if mode.omega):
+                shape = [mpmath.mpmathify(complex(x)) for x in mode.shape]
+                lost = _shares(owned.dissipation, shape, _energy(owned, shape, mode.omega) / mode.omega)
+                dissipation.append((mode, lost))
+    return Shares(potential, kinetic, dissipation, coinciding(modes))
+
+
+def _shares(parts, shape, scale=0):
+    """{name: share} of the quadratic forms of parts in their sum, as floats; nothing where that is none of `scale`."""
+    sizes = _sizes(parts, shape)
+    total = sum(sizes.values())
+    if not abs(total) > NONE * scale:
+        return {}
+    return {name: float(size / total) if abs(size) > NONE * abs(total) else 0.0 for name, size in sizes.items()}
+
+
+def _energy(owned, shape, rate):
+    """|λ|² φᴴMφ: what the forms of a mode are measured by."""
+    return rate**2 * sum(_sizes(owned.kinetic, shape).values())
+
+
+def _sizes(parts, shape):
+    return {name: inner(rows, matrix, shape, shape).real for name, (rows, matrix) in parts.items()}

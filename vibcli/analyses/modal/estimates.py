@@ -1,0 +1,98 @@
+"""Two estimates of the lowest natural frequency beside its exact value, an upper and a lower bound.
+
+    Rayleigh    ω² ≤ δᵀKδ / δᵀMδ     with the static deflection K δ = M d, all coordinates pulled alike by their inertia
+    Dunkerley   1/ω² ≤ tr(K⁻¹M) = Σ 1/ωⱼⱼ²     ωⱼⱼ the frequency with the inertia of body j alone
+
+Both hold where K is positive definite and nothing gyroscopic acts (Rayleigh 1873; Dunkerley 1894). d is 1 in each
+coordinate that measures what the first one with inertia does, lengths or angles, and 0 in the others.
+"""
+
+from vibcli.analyses.modal.modes_precise import WORKING
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.element_contributions import owned_forms
+from vibcli.mechanics.inner_products import along
+
+
+class Estimates:
+    """omega, rayleigh, dunkerley in rad/s; deflection: δ by coordinate, its largest part 1; alone: {body: ωⱼⱼ}."""
+
+    __slots__ = ("alone", "deflection", "dunkerley", "omega", "rayleigh")
+
+    def __init__(self, omega, rayleigh, dunkerley, deflection, alone):
+        self.omega, self.rayleigh, self.dunkerley = omega, rayleigh, dunkerley
+        self.deflection, self.alone = deflection, alone
+
+
+def estimates(problem):
+    """The Estimates of a numeric problem; PhysicsError where the bounds do not hold."""
+    import mpmath
+
+    with mpmath.workdps(WORKING):
+        _require_bounds(problem)
+        elements = problem.precise_elements(WORKING)
+        M, _, _, K = (_matrix(entries, elements.n) for entries in elements.matrices())
+        flexibility = _flexibility(K)
+        pulled = M * mpmath.matrix(_unit_displacement(problem, elements))
+        deflection = flexibility * pulled
+        rayleigh = mpmath.sqrt(_dot(deflection, pulled) / _dot(deflection, M * deflection))
+        alone = {name: _trace(rows, matrix, flexibility)
+                 for name, (rows, matrix) in owned_forms(problem).kinetic.items()}
+        largest = max(deflection, key=abs)
+        return Estimates(
+            float(problem.sharp_modes[0].omega), float(rayleigh), float(1 / mpmath.sqrt(sum(alone.values()))),
+            {name: float(x / largest) for name, x in zip(problem.scene.coordinates, deflection, strict=True)},
+            {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
+
+
+def _require_bounds(problem):
+    """Refuse a scene of which K is not positive definite, or which has gyroscopic terms."""
+    what = "the estimates of Rayleigh and Dunkerley need "
+    if any(problem.elements.G.values()):
+        raise PhysicsError(what + "a system without gyroscopic terms", "their bounds hold for M and K alone")
+    first = problem.sharp_modes[0]
+    if first.rigid:
+        raise PhysicsError(what + "a stiffness along every motion, and mode 1 is a rigid-body mode",
+                           "hold the scene by a spring, or ask for omega[i]")
+    if first.omega is None:
+        raise PhysicsError(what + "a stable equilibrium, and mode 1 is unstable", "see `vibcli frequencies`")
+
+
+def _flexibility(K):
+    """K⁻¹; PhysicsError where K is not positive definite, which massless coordinates may hide from the modes."""
+    import mpmath
+
+    try:
+        mpmath.cholesky(K)
+    except ValueError:
+        raise PhysicsError("the estimates of Rayleigh and Dunkerley need a positive definite stiffness matrix, and a "
+                           "massless coordinate has none", "see `vibcli frequencies`") from None
+    return mpmath.inverse(K)
+
+
+def _unit_displacement(problem, elements):
+    heavy = [i for i in range(elements.n) if i not in elements.massless]
+    kinds = [problem.dimension(name) for name in problem.scene.coordinates]
+    return [int(kind == kinds[heavy[0]]) for kind in kinds]
+
+
+def _matrix(entries, n):
+    import mpmath
+
+    found = mpmath.zeros(n)
+    for pair, entry in entries.items():
+        found[pair] = entry
+    return found
+
+
+def _trace(rows, matrix, flexibility):
+    """tr(K⁻¹M) of a part Σ w ∇s ∇sᵀ + M₊ of the inertia: the 1/ω² of that part alone."""
+    n = flexibility.rows
+    total = sum(entry * flexibility[i, j] for (i, j), entry in matrix.items())
+    for weight, row in rows:
+        bent = {i: along(row, [flexibility[i, j] for j in range(n)]) for i in row}
+        total += weight * along(row, bent)
+    return total
+
+
+def _dot(a, b):
+    return sum(x * y for x, y in zip(a, b, strict=True))

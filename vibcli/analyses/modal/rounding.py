@@ -1,0 +1,62 @@
+"""What the rounding of the data does to damped eigenvalues, to first order.
+
+δλ = −y (λ² δM + λ δC + δK) x with the vectors normalised to y Q'(λ) x = 1.
+"""
+
+import math
+
+import numpy as np
+
+from vibcli.analyses.modal.damped_in_modal_coordinates import turning
+from vibcli.numerics import fixed_point as fx
+
+
+def add_data_error(found, system, elements, scale, unit):
+    """Widens every radius by the effect of a relative rounding 2^unit of every weight and component.
+
+    K given with K_size carries 2⁻⁵³ of it even where the other data are exact.
+    """
+    m, c, k = magnitudes(system, elements, scale, unit)
+    unit = last_bit(unit)
+    for d in found:
+        if d.re or d.im:
+            value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
+            change = (value * value * m + value * c + k) @ np.abs(d.x)
+            first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
+            if d.mode is not None:
+                first = min(first, math.sqrt(float(change[d.mode])) * 2.0 ** min(-unit / 2, 1000.0))
+            if first:
+                d.radius = float(np.logaddexp2(d.radius, math.log2(first) + unit))
+
+
+def last_bit(unit):
+    """log2 of the rounding that numbers carry which are exact but for the sums in K."""
+    return unit if math.isfinite(unit) else -53.0
+
+
+def magnitudes(system, elements, scale, unit):
+    """What the roundings of M, C and K are proportional to, in the columns of the system."""
+    right, p = np.abs(fx.floats(system.basis, system.bits)), scale.coordinates
+    left = np.abs(fx.floats(system.left, system.bits)) if hasattr(system, "left") else right
+    rounded = math.isfinite(unit)
+    m = _size(elements.inertias, elements.M, p, scale.mass, left, right) * rounded
+    c = _size(elements.dampers, turning(elements), p, scale.damping, left, right) * rounded
+    k = _size(elements.springs, {}, p, scale.stiffness, left, right) * rounded
+    k += _size((), elements.K_size or elements.K, p, scale.stiffness, left, right) / 3
+    return m, c, k
+
+
+def _size(terms, matrix, powers, scale, left, right):
+    """3 Σ |w| |sᵀ left|ᵀ|sᵀ right| + 3 |left|ᵀ |matrix| |right|, in scaled coordinates."""
+    out = np.zeros((left.shape[1], right.shape[1]))
+    for weight, row in terms:
+        ends = [sum(abs(_scaled(x, powers[i])) * basis[i] for i, x in row.items()) for basis in (left, right)]
+        out += abs(_scaled(weight, -scale)) * np.multiply.outer(*ends)
+    for (i, j), x in matrix.items():
+        out += abs(_scaled(x, powers[i] + powers[j] - scale)) * np.multiply.outer(left[i], right[j])
+    return 3 * out
+
+
+def _scaled(x, power):
+    m, e = fx.mantissa(x)
+    return fx.to_float(m, -(e + power))

@@ -1,0 +1,99 @@
+"""Is an equilibrium stable? By the eigenvalues of the linearised system about it, and beyond them where they are zero.
+
+Without gyroscopic terms a damper does not change the answer that K gives (Thomson & Tait 1879, Chetaev 1955); with
+them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in.
+"""
+
+from vibcli.base.errors import Inertless, PhysicsError
+
+STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
+OPEN = "open"
+ROUNDING = 1e-13        # of the largest entry of K
+WORDS = {STABLE: "stable", HELD: "stable, but only terms beyond the linear ones hold it",
+         NEUTRAL: "neutral: it can move freely", UNSTABLE: "unstable",
+         FALLING: "unstable: terms beyond the linear ones drive it away"}
+
+
+class Stability:
+    """kind: one of the WORDS, or OPEN; growth_rate: the largest Re λ > 0 in 1/s, else None."""
+
+    __slots__ = ("growth_rate", "kind")
+
+    def __init__(self, kind, growth_rate=None):
+        self.kind, self.growth_rate = kind, growth_rate
+
+    @property
+    def stable(self):
+        """Neutral counts as stable; None where it is left open."""
+        return None if self.kind == OPEN else self.kind not in (UNSTABLE, FALLING)
+
+
+def stability(problem):
+    """The Stability of the equilibrium of a numeric problem."""
+    if inertless(problem.elements):
+        return _of_springs(problem)
+    modes = (problem.damped if _dampers_decide(problem.elements) else None) or problem.modes
+    if not modes:
+        return _of_first_order(problem.damped)
+    if growing(modes):
+        return Stability(UNSTABLE, float(max(growing(problem.damped or ()) or growing(modes))))
+    kinds = problem.zero_modes.values()
+    if "falling" in kinds:
+        return Stability(FALLING)
+    if "free" in kinds:
+        return Stability(NEUTRAL)
+    return Stability(HELD if kinds else STABLE)
+
+
+def inertless(elements):
+    """Do springs, weights and loads alone act on it?"""
+    return len(elements.massless) == elements.n and not elements.dampers and not any(
+        any(part.values()) for part in (elements.C, elements.drag, elements.G))
+
+
+def _of_springs(problem):
+    """By the signs of K, which is that of a potential: what dampers and masses are added does not matter."""
+    import numpy as np
+
+    elements = problem.elements
+    if elements.circulatory:
+        raise Inertless
+    sizes = [1.0 if not problem.dimension(name) else problem.figure_size or 1.0 for name in problem.scene.coordinates]
+    K = np.zeros((elements.n, elements.n))
+    for (i, j), value in elements.stiffness().items():
+        K[i, j] = value * sizes[i] * sizes[j]
+    values = np.linalg.eigvalsh(K) / (np.abs(K).max() or 1.0)
+    if values[0] < -ROUNDING:
+        return Stability(UNSTABLE)
+    if values[0] > ROUNDING:
+        return Stability(STABLE)
+    if not problem.is_linear:
+        raise PhysicsError("K is singular in the equilibrium, and nothing has inertia: terms beyond the linear ones "
+                           "decide whether it is stable", "give a mass")
+    return Stability(NEUTRAL)
+
+
+def _of_first_order(damped):
+    """Where nothing would oscillate without the dampers."""
+    if growing(damped):
+        return Stability(UNSTABLE, float(max(growing(damped))))
+    return Stability(NEUTRAL if any(not mode.omega for mode in damped) else STABLE)
+
+
+def judged(problem):
+    """The Stability, OPEN where there are no small oscillations that would tell."""
+    try:
+        return stability(problem)
+    except PhysicsError:
+        return Stability(OPEN)
+
+
+def growing(modes):
+    """The growth rates of the modes that grow."""
+    return [mode.growth_rate for mode in modes if mode.kind in ("flutter", "divergence")]
+
+
+def _dampers_decide(elements):
+    """May dampers feed energy in, or take away what gyroscopic or circulatory terms hold?"""
+    loads = any(any(part.values()) for part in (elements.C, elements.drag, elements.G))
+    return loads or elements.circulatory or any(c < 0 for c, _ in elements.dampers)

@@ -1,0 +1,191 @@
+"""Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
+
+Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic
+(certified.py). Larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their
+rounding (floating.py); up to CERTIFIABLE coordinates they are enclosed too where that bound is above ENOUGH.
+"""
+
+import math
+
+from vibcli.analyses.modal.rigid_body_modes import rigid_count
+from vibcli.analyses.modal.scaling import mechanism, scaling
+from vibcli.base.errors import Inertless
+
+CERTIFIED = 40
+CERTIFIABLE = 120
+ENOUGH = 5e-13
+EXACT = -math.inf
+EVALUATED = -51.0
+ESCALATE = 1e-13
+DIGITS = 60
+
+
+class Mode:
+    """One mode, q = Re(shape e^{λt}), λ = growth_rate + i omega, with shapeᴴ M shape = 1.
+
+    omega: 0 exactly if rigid, None where nothing oscillates (divergence); growth_rate: Re λ, None where it is zero;
+    both in flutter. error: bound of the relative error of each. direction: shape but for one factor, its bits
+    independent of units.
+    """
+
+    __slots__ = ("direction", "error", "growth_rate", "index", "omega", "rigid", "shape")
+
+    def __init__(self, index, omega, growth_rate, shape, direction, error):
+        self.index, self.shape, self.direction, self.error = index, shape, direction, error
+        self.omega, self.growth_rate = omega, growth_rate
+        self.rigid = not omega and growth_rate is None
+
+    @property
+    def kind(self):
+        """rigid, oscillation, decay, flutter or divergence."""
+        return kind(self.growth_rate, self.omega)
+
+
+def kind(growth, omega):
+    """What a motion e^{(growth + i omega)t} is called; either number may be None for zero."""
+    if growth and growth > 0:
+        return "flutter" if omega else "divergence"
+    return "oscillation" if omega else "decay" if growth else "rigid"
+
+
+def undamped(elements, precise=None, digits=None):
+    """The modes by ascending ω²: unstable, then rigid, then the others, each with its relative error bound.
+
+    `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
+    without it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
+    """
+    import numpy as np
+
+    try:
+        with np.errstate(all="ignore"):
+            return _undamped(elements, precise, digits)
+    except OverflowError:
+        from vibcli.analyses.modal.mode_numbers import beyond
+
+        raise beyond() from None
+
+
+def _undamped(elements, precise, digits):
+    scale, zeros = prepared(elements)
+    if digits is not None:
+        return undamped_digits(elements, scale, zeros, precise, digits)
+    if elements.n > CERTIFIED:
+        from vibcli.analyses.modal.undamped_large import approximate
+
+        answer = approximate(elements, scale, zeros)
+        if elements.n > CERTIFIABLE or answer.errors.max() <= ENOUGH:
+            return many_modes(answer, scale)
+    from vibcli.analyses.modal.mode_numbers import Floats
+
+    return modes(certain(elements, scale, zeros, precise), scale, Floats)
+
+
+def prepared(elements, dragged=False):
+    """The powers of two that scale the data, and the number of rigid modes or None where K has to tell.
+
+    `dragged`: massless coordinates may be held by dampers alone.
+    """
+    scale = scaling(elements)
+    if not dragged:
+        check_ties(elements)
+        if len(elements.massless) == elements.n:
+            raise Inertless
+    return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
+
+
+def certain(elements, scale, zeros, precise):
+    """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
+    from vibcli.analyses.modal.undamped_certified import enclosed
+
+    answer = enclosed(elements, scale, zeros)
+    if precise is None:
+        if elements.K_size:
+            answer.add_data_error(elements, scale, EXACT)
+        return answer
+    answer.add_data_error(elements, scale, EVALUATED)
+    if not answer.settled(ESCALATE):
+        exact = precise(DIGITS)
+        answer = enclosed(exact, scale, zeros)
+        answer.add_data_error(exact, scale, decimal(DIGITS))
+    return answer
+
+
+def undamped_digits(elements, scale, zeros, precise, digits):
+    """The modes to `digits` correct digits, in numbers of mpmath."""
+    from vibcli.analyses.modal.mode_numbers import Digits
+    from vibcli.analyses.modal.undamped_certified import enclosed
+    from vibcli.numerics.precision import working_bits
+
+    goal = working_bits(digits)
+    if precise is None:
+        return modes(enclosed(elements, scale, zeros, goal), scale, Digits)
+    for guard in (30, 90, 270):
+        exact = precise(digits + guard)
+        answer = enclosed(exact, scale, zeros, goal)
+        answer.add_data_error(exact, scale, decimal(digits + guard))
+        if (answer.errors() <= -digits * math.log2(10)).all():
+            break
+    return modes(answer, scale, Digits)
+
+
+def decimal(dps):
+    """log2 of the rounding of numbers evaluated to dps digits."""
+    return (2 - dps) * math.log2(10)
+
+
+def factored(elements):
+    """Whether all stiffness is Σ k ∇s ∇sᵀ with k >= 0."""
+    return not any(elements.K.values()) and all(k >= 0 for k, _ in elements.springs)
+
+
+def spring_rows(elements):
+    """The rows of springs that have stiffness: as floats, and as Fractions or None."""
+    kept = [i for i, (k, _) in enumerate(elements.springs) if k]
+    exact = elements.rational_rows
+    return [elements.springs[i][1] for i in kept], None if exact is None else [exact[i] for i in kept]
+
+
+def check_ties(elements):
+    """Refuses a coordinate with neither inertia nor stiffness."""
+    tied = {i for k, row in elements.springs if k for i, x in row.items() if x}
+    tied.update(i for (i, j), x in elements.K.items() if x)
+    for i in elements.massless:
+        if i not in tied:
+            raise mechanism(i)
+
+
+def modes(answer, scale, numbers):
+    """Mode objects of enclosed eigenvalues, in floats or mpmath's numbers."""
+    import numpy as np
+
+    bits = answer.bits
+    powers = bits - np.broadcast_to(np.array(scale.coordinates)[:, None], answer.shapes.shape)
+    direction = numbers.array(answer.shapes, powers)
+    shapes = answer.shapes
+    if scale.mass % 2:
+        shapes = shapes * math.isqrt(1 << (2 * bits - 1)) >> bits
+    full = numbers.array(shapes, powers + scale.mass // 2)
+    errors = answer.errors()
+    values = [0 if zero else int(x) for x, zero in zip(answer.values, answer.zero, strict=True)]
+    out = []
+    for place, i in enumerate(sorted(range(len(values)), key=values.__getitem__), 1):
+        rate = numbers.number(math.isqrt(abs(values[i]) << bits), bits - scale.time)
+        rates = (None, rate) if values[i] < 0 else (rate, None)
+        error = numbers.error(errors[i]) if values[i] else 0.0
+        out.append(Mode(place, *rates, full[:, i], direction[:, i], error))
+    return out
+
+
+def many_modes(answer, scale):
+    """Mode objects of approximate eigenvalues in floats."""
+    import numpy as np
+
+    from vibcli.analyses.modal.mode_numbers import in_units
+
+    (direction, full), out = in_units(answer.shapes, scale), []
+    for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):
+        value = float(answer.values[i])
+        rate = math.ldexp(math.sqrt(abs(value)), scale.time)
+        rates = (None, rate) if value < 0 else (rate, None)
+        out.append(Mode(place, *rates, full[:, i], direction[:, i], float(answer.errors[i])))
+    return out

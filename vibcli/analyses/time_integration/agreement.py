@@ -1,0 +1,75 @@
+"""What two solutions of one motion share: how well it is known, and until when.
+
+The second solution is of another order, has other steps, and starts from a state that differs in the last digit. Of a
+motion that is not sensitive to these both differ by rounding; where it is chaotic, or leaves an unstable place, their
+difference grows as e^(λt), and from some instant on no digit of either is right.
+"""
+
+import numpy as np
+
+from vibcli.analyses.time_integration.collocation_step import CLOSE
+from vibcli.analyses.time_integration.error_scales import EPSILON
+from vibcli.analyses.time_integration.trajectory import POINTS
+from vibcli.numerics.collocation_rule import rule
+
+ROUNDED = CLOSE / 2   # last digits of a place: what rounding may leave of an iteration that comes no nearer
+LOST = 1e-3         # of the motion: where two solutions differ by more, neither is known
+NEAR = POINTS       # places before and after an instant, at which two signals are compared
+STILL = 1e-3        # of the size of a coordinate: its error is not compared with less, however little it moves
+
+
+class Shared:
+    """Two Trajectories of one motion; error: the largest difference of their states at the places `times` or before,
+    relative to how far each coordinate goes and how fast; lost: may less than three digits be left of it there, and is
+    it more than rounding? still: is all of the motion no more? units: the size of the figure along each coordinate."""
+
+    def __init__(self, one, other, units):
+        self.one, self.other = one, other
+        end = min(one.end, other.end)
+        c = rule(POINTS).c      # not the ends of windows: there forces may jump, in the other solution a little later
+        times = np.concatenate([window.start + c * window.end for window in one.windows])
+        self.times = times[times <= end]
+        both = [trajectory.at(self.times)[:2] for trajectory in (one, other)]
+        skipped = [trajectory.fast for trajectory in (one, other) if trajectory.fast is not None]
+        fast = [sum((getattr(part, row) for part in skipped), np.zeros(len(one.names))) for row in ("q", "v")]
+        rounding = self._rounding(units, both[0][0])
+        self.still = bool((np.ptp(both[0][0], axis=1) <= rounding[0].max(axis=1)).all())
+        compared = [_compared(*row) for row in zip(*both, [one.sizes] * 2, rounding, fast, strict=True)]
+        worst, gone = zip(*compared, strict=True)
+        self.error, self.lost = np.maximum.accumulate(np.maximum(*worst)), np.logical_or(*gone)
+
+    def _rounding(self, units, q):
+        """What rounding may make of q and q̇ at the times: that of a place at the end of each window, and that of the
+        forces. Springs know their lengths to the last digit of the figure."""
+        sizes, reach = self.one.sizes, np.maximum(units, np.abs(q).max(axis=1))
+        windows = np.sqrt(np.arange(len(self.times)) // POINTS + 1.0)       # as errors that add up at random
+        places = ROUNDED * EPSILON * reach[:, None] * windows
+        forces = (sizes.noise + EPSILON * (sizes.slopes @ reach))[:, None]
+        return forces * self.times**2 + places, forces * self.times + places / sizes.radian
+
+    @property
+    def horizon(self):
+        """The last place before the two share less than three digits; None where they share all of the motion."""
+        first = int(np.argmax(self.lost))
+        return float(self.times[max(first - 1, 0)]) if self.lost[first] else None
+
+    def of_state(self, t):
+        """The error of the states up to an instant, relative to the motion."""
+        error = float(self.error[min(np.searchsorted(self.times, t), len(self.error) - 1)])
+        return error if self.one.fast is None else max(error, self.one.fast.part)
+
+    def of_signal(self, values, t):
+        """How far the two differ in a signal about an instant; values(trajectory, times)."""
+        k = int(np.searchsorted(self.times, t))
+        times = np.minimum(np.append(self.times[max(k - NEAR, 0):k + NEAR], t), min(self.one.end, self.other.end))
+        return float(np.abs(values(self.one, times) - values(self.other, times)).max())
+
+
+def _compared(a, b, sizes, rounding, fast):
+    """(the largest |a − b| of each instant relative to how far a row goes, or to rounding where that is more; is a row
+    lost there?). fast: what is stepped over, which is told apart."""
+    size = sizes.lifted(np.maximum(np.ptp(a, axis=1), STILL * np.abs(a).max(axis=1)))[:, None]
+    gap = np.maximum(np.abs(a - b) - fast[:, None], 0.0)
+    known = np.maximum(size, rounding)
+    error = np.divide(gap, known, out=np.zeros_like(a), where=known > 0)
+    return error.max(axis=0), (gap > LOST * size + rounding).any(axis=0)

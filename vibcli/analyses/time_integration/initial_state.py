@@ -1,0 +1,50 @@
+"""Where a motion starts: what is given, and for the rest where the scene is at rest."""
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.initial_state import at_rest
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+
+def start(problem, initial):
+    """({coordinate: float} positions, {coordinate: float} velocities) of all coordinates, those that follow from the
+    constraints included."""
+    given = {name: float(value) for name, value in (initial or {}).items()}
+    known = problem.scene.coordinates
+    for name in given:
+        if name.removesuffix("'") not in known:
+            raise PhysicsError(f"'{name}' is no coordinate that this scene can start from",
+                               "it can start from " + ", ".join(known))
+    drawn = problem.drawn_floats
+    places = {name: value for name, value in given.items() if not name.endswith("'")}
+    rest = drawn if set(places) >= set(known) else _rest(problem)
+    q = problem.closed_at_start(rest, {**rest, **places})
+    v = {name: given.get(name + "'", 0.0) for name in known}
+    return _with_dependent(problem, q, v)
+
+
+def _rest(problem):
+    try:
+        return at_rest(problem)
+    except PhysicsError as error:
+        error.hint = "give the start of every coordinate under `initial`: " + ", ".join(problem.scene.coordinates)
+        raise
+
+
+def _with_dependent(problem, q, v):
+    """The same with what follows from the constraints."""
+    scene = problem.scene
+    values = {**problem.floats, scene.time.name: 0.0, **q, **{name + "'": speed for name, speed in v.items()}}
+    nodes = list(scene.dependent.values())
+    places = evaluate(nodes, Floats, values)
+    values |= dict(zip(scene.dependent, places, strict=True))
+    speeds = evaluate([scene.rate(node) for node in nodes], Floats, values)
+    return ({**q, **dict(zip(scene.dependent, places, strict=True))},
+            {**v, **dict(zip(scene.dependent, speeds, strict=True))})
+
+
+def vectors(scene, places, speeds):
+    """(q, q̇) in the order of the scene's coordinates."""
+    return (np.array([places[name] for name in scene.coordinates]),
+            np.array([speeds[name] for name in scene.coordinates]))

@@ -1,0 +1,106 @@
+"""Passages through a level, and extremes, of any signal along a trajectory: by the roots of its polynomial per window.
+
+A signal is a function of times, smooth within each window as the motion is. Its Legendre series there comes from its
+values at the Gauss points; the roots are those of that series (Boyd 2013), polished by Newton's method.
+"""
+
+import numpy as np
+from numpy.polynomial import legendre
+
+from vibcli.numerics.collocation_rule import rule
+
+POINTS = 40
+NOTHING = 1e-15         # of the largest coefficient
+ALIKE = 4e-15           # of the range of a signal
+EDGE = 1e-12            # how far beyond the ends of a window a root may be, by rounding
+CLEAR = 64              # roundings by which a signal has left a level
+TOUCH = 1e-6            # of a window: how far apart the two roots of a touch may be by rounding
+SAME = 1e-11            # of a window: roots closer than this are one
+
+
+def passages(trajectory, signal, start, end, level=0.0):
+    """Instants in [start, end] at which a signal passes the level, ascending; a place from which it starts counts."""
+    found, parts = [], list(_series(trajectory, signal, start, end))
+    begins = np.asarray(signal(np.array([window.start for window, _, _ in parts])), dtype=float) - level
+    for (window, t, series), begin in zip(parts, begins, strict=True):
+        size = np.abs(series).max(initial=0.0)
+        if not size:
+            continue
+        times = [float(t(x)) for x in _roots(series - level * np.eye(1, len(series))[0])]
+        if abs(begin) <= NOTHING * size:
+            away = window.start + _away(signal, level, window, size)
+            times = [window.start, *(time for time in times if time > away)]
+        found += [(time, window.end, size) for time in times if start <= time <= end]
+    return _distinct(sorted(found), lambda times: np.asarray(signal(times), dtype=float) - level)
+
+
+def _distinct(found, signal):
+    """The times of [(time, length of its window, size of the signal there)], those once between which the signal is
+    but rounding away from the level: it touches the level there."""
+    if not found:
+        return []
+    times, lengths, sizes = np.array(found).T
+    gaps, middles = np.diff(times), 0.5 * (times[1:] + times[:-1])
+    same = gaps <= SAME * lengths[1:] + 4e-16 * times[1:]
+    near = ~same & (gaps <= TOUCH * lengths[1:])
+    touch = near & (np.abs(signal(middles)) <= CLEAR * NOTHING * sizes[1:]) if near.any() else near
+    kept = []
+    for k, time in enumerate(times):
+        if k and touch[k - 1]:
+            kept[-1] = float(middles[k - 1])
+        elif not k or not same[k - 1]:
+            kept.append(float(time))
+    return kept
+
+
+def _away(signal, level, window, size):
+    """How long after the start of a window a signal that starts at the level is but rounding away from it."""
+    sooner = window.end * 2.0 ** np.arange(-60, 1)
+    clear = np.abs(np.asarray(signal(window.start + sooner), dtype=float) - level) > CLEAR * NOTHING * size
+    return float(sooner[clear.argmax()]) if clear.any() else window.end
+
+
+def extreme(trajectory, signal, start, end, sense):
+    """(instant, value) of the largest (sense 1) or smallest (−1) value in [start, end]."""
+    candidates = [start, end]
+    for window, t, series in _series(trajectory, signal, start, end):
+        candidates += [window.start, window.start + window.end]
+        slope = legendre.legder(series)
+        if np.abs(slope).max(initial=0.0) > NOTHING * np.abs(series).max(initial=0.0):
+            candidates += [t(x) for x in _roots(slope)]
+    times = np.array(sorted({float(time) for time in candidates if start <= time <= end}))
+    values = sense * signal(times)
+    best = int(np.argmax(values >= values.max() - ALIKE * np.ptp(values)))     # the first of those that are alike
+    return float(times[best]), float(sense * values[best])
+
+
+def _series(trajectory, signal, start, end):
+    """(window, map of [−1, 1] to its times, Legendre series of the signal on it) of the windows that [start, end]
+    meets."""
+    gauss = rule(POINTS)
+    windows = [window for window in trajectory.windows if window.start <= min(end, trajectory.end)
+               and window.start + window.end >= start]
+    lengths = [min(window.end, trajectory.end - window.start) for window in windows]
+    times = np.concatenate([window.start + gauss.c * length for window, length in zip(windows, lengths, strict=True)])
+    values = np.asarray(signal(times), dtype=float).reshape(len(windows), POINTS)
+    for window, length, row in zip(windows, lengths, values @ gauss.to_series, strict=True):
+        yield window, (lambda x, window=window, length=length: window.start + 0.5 * (x + 1) * length), row
+
+
+def _roots(series):
+    """The real roots of a Legendre series in [−1, 1]."""
+    used = np.flatnonzero(np.abs(series) > NOTHING * np.abs(series).max(initial=0.0))
+    if not len(used) or used[-1] == 0:
+        return []
+    kept = series[:used[-1] + 1]
+    if np.abs(kept[1:]).sum() < abs(kept[0]):
+        return []
+    roots = legendre.legroots(kept)
+    real = roots[np.abs(roots.imag) <= 1e-7].real
+    real = np.clip(real[np.abs(real) <= 1 + 1e-6], -1.0, 1.0)
+    slope = legendre.legder(kept)
+    for _ in range(3):
+        bottom = legendre.legval(real, slope)
+        step = np.where(bottom == 0, 0.0, legendre.legval(real, kept) / np.where(bottom == 0, 1.0, bottom))
+        real = np.where(np.abs(step) < 1e-5, real - step, real)
+    return [x for x in real.tolist() if abs(x) <= 1 + EDGE]

@@ -1,0 +1,62 @@
+"""A motion that starts at rest in its equilibrium, or where friction holds it, and rests there until something acts.
+
+That is a solution of the equations, stable or not, and nothing is integrated: the rounding of the forces, which an
+integration follows, would move it. From the first instant at which what holds the time acts on it is integrated.
+"""
+
+import numpy as np
+
+from vibcli.analyses.time_integration.collocation_step import Window
+from vibcli.analyses.time_integration.driven_places import driven_places
+from vibcli.analyses.time_integration.impulses import blow
+from vibcli.symbolic.numeric_code import Compiled
+
+BALANCED, ROUNDED = 1e-9, 8     # of the forces that are in equilibrium; of their rounding, beside what holds the time
+
+
+def starts_at_rest(initial):
+    """Does a motion with these values of `initial` start in its equilibrium?"""
+    return all(name.endswith("'") and not value for name, value in (initial or {}).items())
+
+
+def stay(march, stops, in_equilibrium):
+    """Let the march stay where it is as long as nothing acts: in its equilibrium, or where friction holds it."""
+    moving = _of_time(march.system)
+    while march.t < march.until and blow(march, stops) is None:
+        start, limit = march.t, stops.after(march.t, march.until)
+        march.begin(limit)
+        held = in_equilibrium or len(march.slides) == len(march.q)
+        if not held or not _silent(march, limit, moving, in_equilibrium):
+            break
+        nothing = np.zeros((len(march.q), march.rule.points))
+        march.windows.append(Window(march.rule, start, limit - start, march.q, march.v, nothing, march.g, march.slides))
+        march.ends.append((march.q, march.v))
+        march.t = limit
+
+
+def _of_time(system):
+    """What holds the time: in the equations, in the places of bodies and points, and in loads on what is driven."""
+    scene = system.scene
+    loads = [node for term in scene.forces for node in term[:3] if node is not None]
+    nodes = dict.fromkeys([*system.parts.nodes(), *system.parts.gaps, *driven_places(scene), *loads,
+                           *scene.energies.values()])
+    return [node for node in nodes if node.mask & scene.time.mask]
+
+
+def _silent(march, limit, moving, in_equilibrium):
+    """Is nothing of what holds the time felt until then, and are the forces in equilibrium? Of smooth forces without
+    the time the search for it tells, of others without the time nearly."""
+    times = march.t + (limit - march.t) * march.rule.c
+    state = [np.repeat(x[:, None], len(times), 1) for x in (march.q, march.v)]
+    a = march.accelerations(times, *state)
+    bound = ROUNDED * march.sizes.noise
+    if moving:
+        values = Compiled(march.system.scene, march.system.floats, None, moving)(times, *state)
+        if any(np.ptp(value) for value in values):
+            return False
+    elif in_equilibrium and march.switching.count:
+        size = march.system.sizes(times[0], march.q, march.v, march.g)
+        bound = np.maximum(bound, BALANCED * size / march.sizes.weight**2)
+    elif in_equilibrium:
+        bound = np.full(len(march.q), np.inf)
+    return bool((np.abs(a) <= bound[:, None]).all() and np.isfinite(a).all())

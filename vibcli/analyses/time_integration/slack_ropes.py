@@ -1,0 +1,52 @@
+"""Tensions of ropes along a motion, and when one of them would have to push: there it goes slack.
+
+A scene whose ropes are taut is integrated with the coordinates that they leave; λ of M q̈ + h + Σ λ ∂G/∂q = 0 over all
+its coordinates is the tension.
+"""
+
+import numpy as np
+
+from vibcli.analyses.time_integration.level_crossings import passages
+from vibcli.analyses.time_integration.switch_senses import senses
+from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.numeric_code import Compiled
+
+NOTHING = 1e-10         # of the largest tension: no push
+
+
+def slack(problem, loose, trajectory):
+    """(instant, name of the rope) at which a rope first goes slack; None where none does. `loose`: the System with all
+    coordinates of the scene."""
+    ropes = [k for k, tie in enumerate(loose.scene.constraints) if tie.form == "rope" and tie.name in loose.parts.names]
+    found = []
+    for k in ropes:
+        name = loose.scene.constraints[k].whole
+        number = loose.parts.names.index(loose.scene.constraints[k].name)
+
+        def tension(times, number=number):
+            return tensions(problem, loose, trajectory, times)[number]
+
+        largest = float(np.abs(tension(trajectory.starts)).max())
+        for instant in [0.0, *passages(trajectory, tension, 0.0, trajectory.until)]:
+            later = instant + 1e-6 * (trajectory.until - instant)
+            if tension(np.array([later]))[0] < -NOTHING * largest:
+                found.append((instant, name))
+                break
+    return min(found, default=None)
+
+
+def tensions(problem, loose, trajectory, times):
+    """The multipliers of all constraints at the times, of shape (constraints, times)."""
+    q, v, _ = trajectory.at(times)
+    scene = problem.scene
+    if trajectory.system is not loose:
+        values = {**problem.floats, scene.time.name: times}
+        for primes, rows in (("", q), ("'", v)):
+            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
+        nodes = [scene.symbol(name, primes) for primes in (0, 1) for name in loose.scene.coordinates]
+        found = [np.broadcast_to(value, times.shape) for value in evaluate(nodes, Arrays, values)]
+        q, v = np.array(found[:loose.n]), np.array(found[loose.n:])
+    arguments = list(loose.switches)
+    values = Compiled(loose.scene, loose.floats, None, arguments)(times, q, v) if arguments else ()
+    return loose.solved(times, q, v, senses(trajectory, loose.scene, arguments, values, times))[1]

@@ -1,0 +1,259 @@
+"""The march through time: windows as long as their polynomials resolve the motion, none beyond a given instant."""
+
+import numpy as np
+
+from vibcli.analyses.time_integration.collocation_step import Window, iterated, newton
+from vibcli.analyses.time_integration.driven_places import Driven
+from vibcli.analyses.time_integration.error_scales import EPSILON, Sizes
+from vibcli.analyses.time_integration.fast_oscillation import fast_part
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Spent
+from vibcli.numerics.collocation_rule import rule
+from vibcli.symbolic.numeric_code import rooted
+
+FIRST, SECOND = (40, 24), (32, 18)      # points (of Gauss, of Radau) of the first solution and of the second
+TAIL = 3                    # coefficients which must be small
+LOOKS = 4                   # at the last iterations of a window, taken to be as many as before
+RADIANS = 5.0               # of the fastest oscillation in the first window
+PACE, HOPELESS = 2_000, 10   # steps after which the pace is looked at; how far beyond the limit is hopeless
+LONG = 0.05                 # of the limit: so much work a fast oscillation is not worth that moves next to nothing
+SHORTEST = 1e-13            # of the time gone
+SOON, TINY = 1e-10, 1e-300
+MOST_UNKNOWNS = 1200        # of Newton's method
+STRAINED = 20               # Picard iterations: those of longer windows amplify rounding errors
+UNUSED = 0.2                # of the coefficients used: only the iteration keeps the windows short
+PATIENCE = 3                # such windows before the scene counts as stiff
+LEAP, SETTLING = 2000.0, 8  # radians of what is stepped over in a window; windows until it has died out
+MOST_CUTS = 40              # of a window at a root
+CALM = 6                    # windows without a failure before they grow by much again
+
+
+class March:
+    """The state of an integration: time, position, velocity, senses of switches, and what steers the next window."""
+
+    def __init__(self, system, switching, q, v, rtol, until, task, points=FIRST):
+        self.system, self.switching, self.rtol, self.until, self.task = system, switching, rtol, until, task
+        self.t, self.q, self.v, self.g, self.slides = 0.0, q, v, None, ()
+        self.points = points
+        self.rule, self.windows, self.ends, self.struck = rule(points[0]), [], [], []
+        self.stiff, self.held, self.calm, self.tries, self.unseen = False, 0, CALM, 0, 0
+        self.sizes, self.guess, self.H, self.paced = Sizes(q), None, None, 0.0
+        self.slow, self.fast, self.factored, self.settling = False, None, (None, None), 0
+        self.rooted, self.driven = rooted(system.parts.nodes()), Driven(system)
+
+    def begin(self, limit, zero=()):
+        """Look at the system as it is from now on: at the start, and after an event or break. zero: the switches whose
+        arguments vanish now."""
+        soon = self._soon(limit)
+        self.g, self.slides = self.switching.settled(soon, self.q, self.v, self.g, zero, self.slides)
+        self.sizes.measure(self.system, self.accelerations, soon, self.q, self.v, self.g)
+        self.H = min(self.H or np.inf, RADIANS * self.sizes.radian)
+        self.guess = None
+        if self.fast is not None:
+            self._leap()
+
+    def _soon(self, limit):
+        """An instant shortly after the present one, at which what begins now has begun."""
+        return self.t + min(SOON * (limit - self.t), SOON * max(self.t, limit - self.t))
+
+    def accelerations(self, t, q, v, c=None):
+        if self.slides:
+            return self.switching.sliding(self.slides, t, q, v, self.g, c)[0]
+        return self.system.accelerations(t, q, v, self.g, c)
+
+    def advance(self, limit):
+        """The next Window, at most up to the instant `limit`."""
+        a = self.accelerations(np.array([self._soon(limit)]), self.q[:, None], self.v[:, None])
+        if not np.isfinite(a).all():
+            raise self.undefined()
+        left = limit - self.t
+        wanted = min(self.H, left if left <= self.H or left >= 2 * self.H else 0.5 * left)
+        H = self.driven.resolved(self.t, wanted, self.rule)
+        begins = self.guess is None
+        guess = np.repeat(a, self.rule.points, 1) if begins else self.guess
+        tails = []
+        while True:
+            self._count()
+            done, tail, used = self._attempt(H, guess, self._ahead(H, a[:, 0]) if begins else a[:, 0])
+            if done is not None:
+                if tail <= 1:
+                    break
+                root = self.rooted and len(tails) < MOST_CUTS and self._at_a_root(H, done)
+                if root and self._no_blow(H, done):
+                    break
+                if not root and len(tails) >= 4 and tail > 0.25 * tails[-4]:    # it does not fall with the window:
+                    self.sizes.noise = self.sizes.noise * max(tail, 1.0)        # it is rounding
+                    break
+                tails.append(tail)
+            H *= 0.5 if done is None else 0.7
+            guess = np.repeat(a, self.rule.points, 1)
+            if max(SHORTEST * self.t, 1e-300) > H:
+                raise self.singular()
+        window = Window(self.rule, self.t, H, self.q, self.v, done.A, self.g, self.slides)
+        self.settling -= 1
+        self._steer(H, done.iterations, used, wanted > H, bool(tails))
+        if self.slow and not self.stiff:
+            self._step_over(window, a[:, 0])
+        return window
+
+    def _at_a_root(self, H, done):
+        """Does the argument of a switch vanish within a window, or where it begins, in a scene whose forces are roots
+        there? What is left of their series falls with the window, if slowly. Where there are no switches the root is of
+        the time alone, and a break."""
+        if not self.switching.count:
+            return True
+        steps = np.concatenate([[0.0], self.rule.c])
+        Q = self.q[:, None] + self.v[:, None] * (H * steps)
+        Q[:, 1:] += H * H * (done.A @ self.rule.V2)
+        V = np.repeat(self.v[:, None], len(steps), 1)
+        values = self.switching.values(self.t + H * steps, Q, V, self.g)
+        least, most = np.sort(values.T * np.asarray(self.g), axis=0)[[0, -1]]
+        return bool((least <= 1e-9 * most).any())
+
+    def _no_blow(self, H, done):
+        """Does what is left of the series of q̈ change no velocity?"""
+        return bool((H * self._series(H, done.A)[:, -TAIL:].max(axis=1) <= self.rtol * np.abs(self.v)).all())
+
+    def _ahead(self, H, a):
+        """|q̈| at its largest within a window, the velocities being kept: a force that begins at zero grows there, and
+        the motion with it."""
+        steps = H * self.rule.c
+        with np.errstate(all="ignore"):
+            A = self.force(self.t + steps)(self.q[:, None] + self.v[:, None] * steps, np.repeat(
+                self.v[:, None], len(steps), 1))
+        largest = np.abs(A).max(axis=1)
+        return np.where(np.isfinite(largest), np.maximum(largest, np.abs(a)), np.abs(a))
+
+    def _count(self):
+        """Stop a motion which takes too many windows, or would at the pace of the last ones."""
+        self.task.step(self.t / self.until)
+        self.tries += 1
+        if self.tries % PACE == 0:
+            before, self.paced = self.paced, self.t
+            needed = PACE * (self.until - self.t) / (self.t - before) if self.t > before else np.inf
+            self.slow = needed > LONG * self.task.limit
+            if needed > HOPELESS * self.task.limit and (self.stiff or self.tries > PACE):
+                raise Spent(self.task)
+
+    def _attempt(self, H, guess, a):
+        """(the Attempt, None where it failed; its tail relative to what is allowed; the part of the coefficients that
+        is used)."""
+        scale = self.sizes.scale(H, self.v, a)[:, None]
+        solve, part, known = (newton, 1e-4, self._factored(H)) if self.stiff else (iterated, 1e-2, self.unseen)
+        with np.errstate(all="ignore"):
+            done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
+                         (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
+                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)
+        self.factored = (H, self.g, self.slides), done.inverse
+        if done.A is None:
+            return None, np.inf, 1.0
+        self.sizes.meet(done.A)
+        sizes = (self._series(H, done.A) / self._allowed(H, scale)).max(axis=0)
+        used = np.flatnonzero(sizes > 1)
+        return done, float(sizes[-TAIL:].max()), (used[-1] + 1 if len(used) else 1) / self.rule.points
+
+    def _factored(self, H):
+        """The inverse that Newton's method used last, where it was for a window like this one."""
+        like, inverse = self.factored
+        return inverse if like == (H, self.g, self.slides) else None
+
+    def _step_over(self, window, a):
+        """Leave a fast oscillation alone that is too small to be worth the work."""
+        self.slow = False
+        self.fast = fast_part(window, self.sizes, self.sizes.scale(window.length, window.v, a))
+        if self.fast is not None:
+            self._stiffen()
+            self._leap()
+
+    def _leap(self):
+        """Go on in windows of so many radians of the fast oscillation that Radau's points damp it: in those of some ten
+        it would be followed badly."""
+        self.H, self.settling = max(self.H, LEAP / self.fast.speed), SETTLING
+
+    def _series(self, H, A):
+        """|Legendre coefficients| of q̈; of q in stiff scenes, where what is left of fast parts roughens q̈ alone."""
+        if self.stiff:
+            A = self.v[:, None] * (H * self.rule.c) + H * H * (A @ self.rule.V2)
+        return np.abs(A @ self.rule.to_series)
+
+    def _allowed(self, H, scale):
+        """Which of them need not be resolved."""
+        if self.stiff:
+            found = self.rtol * scale
+            return found if self.fast is None else np.maximum(found, self.fast.allowed(self.settling))
+        from_q = 0.1 * self.rtol * scale * (2 * self.rule.points / H) ** 2
+        allowed = np.minimum(10 * self.rtol * self.sizes.largest[:, None], from_q) + 8 * self.sizes.noise[:, None]
+        return np.maximum(allowed, TINY)
+
+    def force(self, times):
+        """q̈ at the points as a function of (q, q̇, copies of the points)."""
+        c = self.system.prepared(times)
+        if not self.slides and not self.stiff:
+            accelerations, g = self.system.accelerations, self.g
+            return lambda Q, V: accelerations(times, Q, V, g, c)
+
+        def force(Q, V, copies=1):
+            if copies == 1:
+                return self.accelerations(times, Q, V, c)
+            many = np.tile(times, copies)
+            return self.accelerations(many, Q, V, self.system.prepared(many))
+        return force
+
+    def _steer(self, H, iterations, used, failed, unresolved):
+        """The length of the next window, and whether the scene is stiff."""
+        self.calm, self.unseen = 0 if failed else self.calm + 1, max(iterations - LOOKS, 0)
+        grown = 0.9 / used if used > 0.6 else 1.5 if self.calm >= CALM else 1.0 if self.stiff else 1.03
+        if not self.stiff:
+            grown = min(grown, STRAINED / iterations)
+            pace = STRAINED / iterations if self.rooted else grown  # near a root windows are short without strain
+            strained = pace < 1.2 or (failed and not unresolved)
+            self.held = self.held + 1 if strained and used < UNUSED else 0
+        self.H = grown * H if failed else max(self.H, grown * H) if grown > 1 else min(self.H, grown * H)
+        if self.held >= PATIENCE and not self.stiff:
+            self._stiffen()
+
+    def _stiffen(self):
+        """Go on with Radau's points and Newton's method, where that is not too much work."""
+        if len(self.q) * self.points[1] <= MOST_UNKNOWNS:
+            self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(self.points[1], radau=True), None
+
+    def finish(self, window, end=None):
+        """Keep a window and move to its end, or keep it up to an earlier instant `end` of it alone."""
+        self.sizes.move(window.q)
+        if end is None:
+            H, A = window.length, window.values
+            self.q = self.q + (H * self.v + H * H * (A @ window.rule.b2))
+            self.v = self.v + H * (A @ window.rule.w)
+            self.guess = np.repeat(window.series.sum(axis=1)[:, None], self.rule.points, 1)
+            self.t = window.start + H
+        else:
+            self.q, self.v, _ = window.state(end)
+            self.t, self.guess, window.end = window.start + end, None, end
+        self.close(np.nextafter(self.t, window.start))      # with the speed that it was driven at
+        self.sizes.move(self.q)
+        if window.end:
+            self.windows.append(window)
+            self.ends.append((self.q, self.v))
+
+    def close(self, t):
+        """Put the state on the constraints of an instant, from which it drifts by rounding."""
+        if self.system.m:
+            self.q, self.v = self.system.projected(t, self.q, self.v, self.g)
+
+    def undefined(self):
+        return PhysicsError(f"the forces of this scene are not defined at t = {self.t:.6g} s, in the position that the "
+                            "motion reaches", "look for roots of what becomes negative, or ends that meet")
+
+    def singular(self):
+        return PhysicsError(f"the motion cannot be followed beyond t = {self.t:.9g} s: it grows without bound there, "
+                            "or a force or a linkage is singular", "ask for an earlier end, or mind the signs of "
+                            "stiffness and damping")
+
+    def endless(self):
+        """(why it was stopped, what may be done)."""
+        H = self.windows[-1].length
+        return (f"after {self.task.steps:.0f} of at most {self.task.limit:.0f} steps the motion has come to "
+                f"t = {self.t:.6g} s of {self.until:.6g} s: its fastest part takes steps of {H:.3g} s",
+                f"ask for a shorter time, damp what vibrates fast, or let what is very stiff be rigid; "
+                f"{self.task.hint()}")
+

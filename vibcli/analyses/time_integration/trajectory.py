@@ -1,0 +1,138 @@
+"""A motion in time: its state at any instant, its energy balance, its events."""
+
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from vibcli.base.errors import Unknown
+from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
+from vibcli.numerics.collocation_rule import rule
+from vibcli.symbolic.numeric_code import Compiled
+
+POINTS = 40             # at most in a window
+LATE = 1e-12
+
+
+class Event(NamedTuple):
+    """Something that happens at an instant: `kind` is what, `name` to which element."""
+
+    time: float
+    kind: str
+    name: str
+
+
+class Balance(NamedTuple):
+    """E(t) − E(0) = work of the loads − dissipated + work of what drives the motion, at the ends of all windows.
+
+    error: the largest difference of both sides, relative to the largest of all these energies; of what rests, where all
+    but T + V are nothing but rounding, to T + V, or to the terms that cancel in it; `driven`: does the motion depend on
+    the time by what drives it? The energy then is Σ q̇ ∂T/∂q̇ − T + V."""
+
+    times: np.ndarray
+    energy: np.ndarray
+    work: np.ndarray
+    dissipated: np.ndarray
+    driving: np.ndarray
+    error: float
+
+    @property
+    def gap(self):
+        """The largest difference of both sides [J]."""
+        return float(np.abs(self.energy - self.energy[0] - self.work + self.dissipated - self.driving).max())
+
+
+class Trajectory:
+    """names: the coordinates; windows: their polynomials; until: the end asked for, and `end` that which was reached,
+    earlier where a rope goes slack; events; balance; drift: the largest gaps of the constraints
+    (positions, velocities) relative to the motion, None without closed loops; shared: with a second solution; sizes:
+    those of the motion; fast: the oscillation that was stepped over, None where all is followed; rests: the instant up
+    to which it stays in the equilibrium in which it starts."""
+
+    def __init__(self, system, switching, windows, until, events, balance, drift, sizes):
+        self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
+        self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
+        self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
+        self.shared, self.sizes, self.fast, self.rests = None, sizes, None, 0.0
+        self.lengths = np.array([window.length for window in windows])
+        self.starts = np.array([window.start for window in windows])
+
+    def at(self, times):
+        """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
+        times = np.atleast_1d(np.asarray(times, dtype=float))
+        self._require(times)
+        found = np.empty((3, len(self.names), len(times)))
+        number = self._numbers(times)
+        P = rule(POINTS).basis(2 * (times - self.starts[number]) / self.lengths[number] - 1)
+        order = np.argsort(number, kind="stable")
+        cuts = np.flatnonzero(np.diff(number[order])) + 1
+        for group in np.split(order, cuts):
+            if len(group):
+                window = self.windows[number[group[0]]]
+                found[:, :, group] = window.summed(times[group] - window.start,
+                                                         P[:window.rule.points + 2, group])
+        return found[0], found[1], found[2]
+
+    def _numbers(self, times):
+        """Of the windows in which the times lie."""
+        return np.clip(np.searchsorted(self.starts, times, side="right") - 1, 0, len(self.windows) - 1)
+
+    def held(self, times):
+        """{number of a switch: σ by which it is held at the times, NaN where it is not}."""
+        found, number = {}, self._numbers(times)
+        for i in np.unique(number):
+            window = self.windows[i]
+            if window.slides:
+                here = number == i
+                q, v, _ = self.at(times[here])
+                sigma = self.switching.sliding(window.slides, times[here], q, v, window.g)[1]
+                for k, values in zip(window.slides, sigma, strict=True):
+                    found.setdefault(k, np.full(times.shape, np.nan))[here] = values
+        return self._with_carried(found, number, times) if found and self.friction.possible else found
+
+    @cached_property
+    def friction(self):
+        """The Redundancy of the signs of speeds."""
+        return Redundancy(self.system.scene, self.system.parts.h, self.system.parts.slopes)
+
+    def _with_carried(self, found, number, times):
+        """Those as well whose arguments vanish as others are held: they go on with the sense that they had."""
+        scene, parts, none = self.system.scene, self.friction.parts, np.full(times.shape, np.nan)
+        places = {name + "'" * primes: row for primes, rows in enumerate(self.at(times)[:2])
+                  for name, row in zip(self.names, rows, strict=True)}
+        switches = {argument: k for k, argument in enumerate(self.system.switches[:self.switching.count])}
+        numbers = [switches.get(part.argument) for part in parts]
+        held = np.array([~np.isnan(found.get(k, none)) for k in numbers])
+        carried = self.friction.carried({**self.system.floats, scene.time.name: times, **places}, len(times), held)
+        for k, before, after in zip(numbers, held, carried, strict=True):
+            if k is not None and (after & ~before).any():
+                senses = np.array([self.windows[i].g[k] for i in number])
+                found[k] = np.where(after & ~before, senses, found.get(k, none))
+        return found
+
+    def cut(self, instant, name):
+        """End at the instant at which a rope goes slack."""
+        self.stop(instant, f"the rope '{name}' goes slack at t = {instant:.6g} s",
+                  "let the rope be an elastic one: a spring that `acts: tension`")
+        self.events = (*(event for event in self.events if event.time <= instant), Event(instant, "slack", name))
+
+    def stop(self, instant, reason, advice):
+        """End at an instant, for a reason that is told where more is asked for."""
+        self.end, self.reason, self.advice = instant, reason, advice
+
+    def _require(self, times):
+        late = times.max(initial=0.0)
+        if late > self.end * (1 + LATE):
+            raise self.unknown(late)
+
+    def unknown(self, t):
+        """The refusal of an instant after the end."""
+        reason = self.reason or f"this motion was followed up to t = {self.end:.6g} s"
+        return Unknown(f"{reason}: its motion is not known at t = {t:.6g} s", self.advice or "follow it for longer")
+
+    def values(self, nodes, times):
+        """Expressions of the coordinates, velocities and the time at the times: an array for each."""
+        compiled = Compiled(self.system.scene, self.system.floats, None, nodes)
+        times = np.atleast_1d(np.asarray(times, dtype=float))
+        q, v, _ = self.at(times)
+        return [np.broadcast_to(value, times.shape) for value in compiled(times, q, v)]

@@ -1,0 +1,157 @@
+"""Functions of outputs of linear motions, as what searches look at: values, slopes and curvatures with bounds of them.
+
+On a stretch of half width h about its middle m, a sum of exponentials lies within |y(m)| + |y'(m)| h + B h²/2, B the
+bound of its second derivative; what is composed of such sums follows by interval arithmetic with rates (jets.py).
+"""
+
+import numpy as np
+
+from vibcli.analyses.transient.jets import Jet, Jets
+from vibcli.numerics.bracketed_newton import EPSILON, Cells, instants
+from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.interval_arithmetic import Interval, exact
+
+LOST = 1e-290       # what underflows in products counts as 0
+FINEST = 1e6        # first stretches within the time that is looked at, where no speed is known
+WORTH = 8           # exponentials whose values take as long as one bound
+
+
+class Line:
+    """starts: of the segments between which all is smooth but for corners and jumps of its own."""
+
+    def __init__(self, starts):
+        self.starts = starts
+        self.lengths = np.append(np.diff(starts), np.inf)
+
+    def place(self, times):
+        segment = np.searchsorted(self.starts, times, "right") - 1
+        return segment, times - self.starts[segment]
+
+
+class Leaf:
+    """An output of a linear motion."""
+
+    def __init__(self, pieces, output):
+        self.starts = pieces.timeline.starts
+        self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
+        self.nodes = [nodes for terms in (self.y, self.slope, self.curvature) for nodes in terms.nodes()]
+
+    def at(self, segment, tau):
+        return self.y.at(segment, tau)
+
+    def size(self, segment, early, late):
+        """The value as any number up to its bound."""
+        bound = self.y.bound(segment, early, late)
+        return Jet(Interval(-bound, bound))
+
+    def jet(self, segment, early, late):
+        half, middle = 0.5 * (late - early), 0.5 * (early + late)
+        bends = self.curvature.bound(segment, early, late)
+        return Jet(*(_within(terms, segment, (early, middle, late), reach) for terms, reach in (
+            (self.y, np.abs(self.slope.at(segment, middle)) * half + bends * half**2 / 2), (self.slope, bends * half),
+            (self.curvature, np.inf))))
+
+
+def _within(terms, segment, instants, reach):
+    """What lies within a reach of its value in the middle, and within its bounds."""
+    early, middle, late = instants
+    bound = terms.bound(segment, early, late) * (1 + 4 * EPSILON)
+    value = terms.at(segment, middle)
+    reach = reach + 16 * EPSILON * bound
+    return Interval(np.maximum(value - reach, -bound), np.minimum(value + reach, bound))
+
+
+class Decay:
+    """A e^{rate t}."""
+
+    starts = np.zeros(1)
+
+    def __init__(self, amplitude, rate):
+        self.amplitude, self.rate, self.nodes = amplitude, rate, [(complex(rate),)]
+
+    def at(self, segment, tau):
+        return self.amplitude * np.exp(self.rate * tau)
+
+    def jet(self, segment, early, late):
+        ends = [self.at(segment, tau) for tau in (early, late)]
+        value = Interval(np.minimum(*ends), np.maximum(*ends)) * Interval(1 - 8 * EPSILON, 1 + 8 * EPSILON)
+        return Jet(value, exact(self.rate) * value, exact(self.rate**2) * value)
+
+    size = jet
+
+
+class Composition:
+    """node of the leaves {name: leaf}, of the time and of numbers {name: value}, up to an end; check(values, times)
+    gives the values where all are finite."""
+
+    def __init__(self, node, leaves, floats, time, check, end):
+        self.node, self.leaves, self.floats, self.time, self.check = node, leaves, floats, time, check
+        self.starts = np.unique(np.concatenate([np.zeros(1), *(leaf.starts for leaf in leaves.values())]))
+        self.timeline = Line(self.starts)
+        self.segments = {name: np.searchsorted(leaf.starts, self.starts, "right") - 1 for name, leaf in leaves.items()}
+        self.later = {name: self.starts - leaf.starts[self.segments[name]] for name, leaf in leaves.items()}
+        self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]
+        self.constants = {name: Jet(exact(value)) for name, value in floats.items() if isinstance(value, float)}
+
+    def terms(self, output, order):
+        """What Pieces.terms gives of one output."""
+        return Derivative(self, order)
+
+    def at(self, segment, tau):
+        values = {name: leaf.at(self.segments[name][segment], tau + self.later[name][segment])
+                  for name, leaf in self.leaves.items()}
+        times = self.starts[segment] + tau
+        with np.errstate(all="ignore"):
+            found = evaluate([self.node], Arrays, {**self.floats, **values, self.time: times})[0]
+        return self.check(np.broadcast_to(found, times.shape), times)
+
+    def jet(self, segment, early, late):
+        return self._composed("jet", segment, early, late)
+
+    def size(self, segment, early, late):
+        return self._composed("size", segment, early, late)
+
+    def _composed(self, which, segment, early, late):
+        values = {name: getattr(leaf, which)(self.segments[name][segment], *(
+            tau + self.later[name][segment] for tau in (early, late))) for name, leaf in self.leaves.items()}
+        values[self.time] = Jet(Interval(self.starts[segment] + early, self.starts[segment] + late), exact(1.0))
+        with np.errstate(all="ignore"):
+            found = evaluate([self.node], Jets, {**self.constants, **values})[0]
+        return Jet(*(Interval(*(np.broadcast_to(end, early.shape) for end in (part.low, part.high)))
+                     for part in (found.value, found.slope, found.curvature)))
+
+
+class Derivative:
+    """The order-th derivative of a Composition, 0, 1 or 2."""
+
+    def __init__(self, whole, order):
+        self.whole, self.order = whole, order
+
+    def nodes(self):
+        return self.whole.nodes * WORTH
+
+    def at(self, segment, tau):
+        if not self.order:
+            return self.whole.at(segment, tau)
+        found = self.whole.jet(segment, tau, tau)
+        part = found.slope if self.order == 1 else found.curvature
+        with np.errstate(invalid="ignore"):
+            middle = 0.5 * (part.low + part.high)
+        return np.where(np.isfinite(middle), middle, 0.0)
+
+    def bound(self, segment, early, late):
+        """Of the value as if nothing cancelled, where that is bounded: roundings are in proportion to it. Of the
+        curvature what the slope can change by, at most."""
+        found = self.whole.jet(segment, early, late)
+        if self.order == 0:
+            alone = self.whole.size(segment, early, late).value.size
+            size = np.where(np.isfinite(alone), alone, found.value.size)
+            return np.where(size < LOST, 0.0, size)
+        if self.order == 1:
+            return found.slope.size
+        width = late - early
+        with np.errstate(all="ignore"):
+            change = 2 * (found.slope.high - found.slope.low) / width
+        size = np.fmin(found.curvature.size, change)
+        return np.where(instants(self.whole.timeline, Cells(segment, early, late), self), 0.0, size)

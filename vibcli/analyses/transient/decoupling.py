@@ -1,0 +1,83 @@
+"""A linear system as independent blocks."""
+
+import numpy as np
+
+from vibcli.analyses.transient.eigenvalue_clusters import components
+from vibcli.analyses.transient.modal_block import Block, apart
+from vibcli.analyses.transient.single_degree import one_degree, pair, poles_of_mode
+from vibcli.analyses.transient.static_condensation import whole
+from vibcli.base.errors import PhysicsError
+
+COUPLED, EPSILON = 1e-14, 2.0**-52
+FLAT = 0.1
+
+
+def spectrum(M, C, K, modes=None, system=None):
+    """The Blocks of M q̈ + C q̇ + K q = f: of each set of coordinates that nothing couples to others.
+
+    modes: undamped modes that replace those of the matrices where damping does not couple them. system: the Condensed
+    of coordinates that have no inertia, or None where all have one.
+    """
+    check_inertia(M, np.flatnonzero(M.diagonal()) if system is not None else range(len(M)))
+    if system is not None:
+        return [whole(block, system) for block in _blocks(system.M, system.C, system.K)]
+    if modes is not None:
+        found = modal(M, C, modes)
+        if found:
+            return found
+    return _blocks(M, C, K)
+
+
+def _blocks(M, C, K):
+    sets = components((M != 0) | (C != 0) | (K != 0) | ((M != 0) | (C != 0) | (K != 0)).T)
+    return [apart(block, places, len(M)) for places in sets
+            for block in _coupled(*(matrix[np.ix_(places, places)] for matrix in (M, C, K)))]
+
+
+def check_inertia(M, heavy):
+    """Refuses an M that is not positive definite over the coordinates `heavy`: q̈ is not determined then."""
+    if not len(heavy):
+        return
+    M = M[np.ix_(heavy, heavy)]
+    diagonal = np.diagonal(M)
+    weak = int(np.argmin(diagonal))
+    if diagonal[weak] > 0:
+        unit = np.ldexp(1.0, -(np.frexp(diagonal)[1] // 2))
+        values, vectors = np.linalg.eigh(unit[:, None] * M * unit)
+        if values[0] > len(M) * EPSILON * values[-1]:
+            return
+        weak = int(np.argmax(np.abs(vectors[:, 0])))
+    weak = int(heavy[weak])
+    error = PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
+                         hint="give what it moves a mass or inertia")
+    error.coordinate = weak
+    raise error
+
+
+def _coupled(M, C, K):
+    if len(M) == 1:
+        return [one_degree(M[0, 0], C[0, 0], K[0, 0])]
+    from vibcli.analyses.transient.complex_modes import general
+
+    return general(M, C, K)
+
+
+def modal(M, C, modes):
+    """The Blocks of undamped modes with φᵀMφ = 1, one each; None where φᵀCφ is not diagonal."""
+    shapes = np.array([[float(x) for x in mode.shape] for mode in modes]).T
+    damping = shapes.T @ C @ shapes
+    own = np.sqrt(np.abs(damping.diagonal()))
+    np.fill_diagonal(coupling := np.abs(damping), 0.0)
+    if (coupling > COUPLED * np.multiply.outer(own, own)).any():
+        return None
+    return [_mode(mode, c, shape, shape @ M) for mode, c, shape in
+            zip(modes, damping.diagonal().tolist(), shapes.T, strict=True)]
+
+
+def _mode(mode, c, shape, momentum):
+    slow, fast = poles_of_mode(float(mode.omega or 0.0), float(mode.growth_rate or 0.0), c / 2)
+    if abs(slow.imag) <= FLAT * abs(slow):
+        return pair(slow, fast, shape, momentum, shape)
+    gap = slow - fast
+    return Block(X=2 * shape[:, None].astype(complex), B=np.array([[slow]]), P=-fast * momentum[None] / gap,
+                 R=momentum[None] / gap, W=shape[None] / gap, half=True)

@@ -1,0 +1,124 @@
+"""Where an output is largest or smallest: nothing is missed between the points looked at.
+
+Between two points a distance h apart a function strays from the straight line by no more than B h²/8, B a bound of its
+second derivative there, which sums of exponentials give. Stretches that cannot hold more than what was found are left
+out, the others divided: all at once, and where they are very many those with the highest bounds first.
+"""
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Spent
+from vibcli.numerics.bracketed_newton import (
+    EPSILON,
+    LEVELS,
+    MOST,
+    batches,
+    first_cells,
+    instants,
+    root,
+    steps,
+    stretches,
+)
+
+FINE = 1e-6
+
+
+def extreme(pieces, output, start, end, sense, work):
+    """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
+    search = Search(pieces, output, start, end, sense)
+    with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST) as task:
+        try:
+            return search.run(task)
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            raise search.refusal(task) from None
+
+
+class Search:
+    """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
+    how often they were divided, Cells)]; tops: [(values, times, whether these are peaks)] of ends and peaks that may be
+    the largest."""
+
+    def __init__(self, pieces, output, start, end, sense):
+        self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
+        self.timeline, self.start, self.end = pieces.timeline, start, end
+        self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
+        self.value, self.time, self.scale = -np.inf, start, 0.0
+        self.left, self.tops = [(np.inf, 0, first_cells(self.timeline, self.y, start, end))], []
+
+    def run(self, task):
+        """(t, value), the earliest of equals."""
+        while self.left:
+            most, level, cells = max(self.left, key=lambda part: part[0])
+            task.step(steps=steps(cells, self.y))
+            self.left = [part for part in self.left if part[2] is not cells]
+            if most >= self.value - self.rounding:
+                self._look(level, cells)
+        whole = stretches(self.timeline, self.start, self.end)
+        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]))
+        values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
+        near = values >= max(self.value, values.max()) - self.rounding
+        if not near.any():
+            return float(self.time), float(self.sign * self.value)
+        values, times, peaks = values[near], times[near], peaks[near]
+        first = np.argmin(times)
+        of_it = np.flatnonzero(peaks & (times <= times[first] + self._flat(times[first])))
+        if len(of_it):
+            first = of_it[np.argmin(times[of_it])]
+        return float(times[first]), float(self.sign * values[first])
+
+    def _flat(self, t):
+        """How wide the top about an instant is within which values are one but for rounding."""
+        bend = np.abs(self.curvature.at(*self.timeline.place(np.array([t]))))[0]
+        return 2 * np.sqrt(8 * self.rounding / bend) if bend else 0.0
+
+    @property
+    def rounding(self):
+        return 4 * EPSILON * self.scale
+
+    def _look(self, level, cells):
+        ends = [self.sign * self.y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
+        for found, tau in zip(ends, (cells.early, cells.late), strict=True):
+            top = np.argmax(found)
+            if found[top] > self.value:
+                self.value, self.time = found[top], self.timeline.starts[cells.segment[top]] + tau[top]
+            self.scale = max(self.scale, np.abs(found).max())
+        bound = self.y.bound(cells.segment, cells.early, cells.late)
+        room = self.curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2 / 8
+        room = np.minimum(room, 2 * bound)
+        most = np.minimum(np.maximum(*ends) + room, bound)
+        held = most >= self.value - self.rounding
+        cells, room, most = cells.where(held), room[held], most[held]
+        settled = instants(self.timeline, cells, self.y) | (room <= self.rounding)
+        if settled.any():
+            for tau in (cells.early, cells.late):
+                self._keep(cells.segment[settled], tau[settled])
+            self._narrow(cells.where(settled))
+        cells, room, most = cells.where(~settled), room[~settled], most[~settled]
+        if level + 1 == LEVELS or not (room > FINE * self.scale).any():
+            self._narrow(cells)
+        else:
+            self.left += [(most[part].max(), level + 1, some) for part, some in batches(cells, self.y)]
+
+    def _narrow(self, cells):
+        """The peaks within the cells."""
+        rises, falls = (self.sign * self.slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
+        peaks = cells.where((rises >= 0) & (falls <= 0))
+        self._keep(peaks.segment, root(self.slope, self.curvature, peaks), True)
+
+    def _keep(self, segment, tau, peak=False):
+        values = self.sign * self.y.at(segment, tau)
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
+        times = self.timeline.starts[segment[near]] + tau[near]
+        self.tops.append((values[near], times, np.full(len(times), peak)))
+
+    def refusal(self, task):
+        """What is said of a search that was given up, and what is known by then."""
+        refused = task.refusal()
+        more = max(0.0, *(most - self.value for most, *_ in self.left))
+        known = f"so far {self.sign * self.value:.6g} at t = {self.time:.6g} s is the {self.which} (in SI units)"
+        if np.isfinite(more):
+            known += f", and none is {'above' if self.sign > 0 else 'below'} it by more than {1.05 * more:.2g}"
+        return PhysicsError(f"{refused.message}: {known}", f"ask for a shorter interval; {refused.hint}")

@@ -1,0 +1,205 @@
+"""The response itself: any linear output and its derivatives at any times, without steps in time."""
+
+import math
+from functools import cached_property
+
+import numpy as np
+
+from vibcli.analyses.modal.mode_numbers import beyond
+from vibcli.analyses.transient.decoupling import spectrum
+from vibcli.analyses.transient.exponential_sum import Terms
+from vibcli.analyses.transient.extremes import zeros
+from vibcli.analyses.transient.forced import drives, ends, marched
+from vibcli.analyses.transient.forcing_arrays import Timeline
+from vibcli.analyses.transient.largest import extreme
+from vibcli.analyses.transient.static_condensation import condensed
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Work
+
+MOST, STRETCHES = 20_000, 1000      # steps, each so many stretches of time of one exponential
+
+
+def linear_motion(M, C, K, forcing, q0, v0, modes=None, work=None):
+    """The motion of M q̈ + C q̇ + K q = f(t) from q(0) = q0, q̇(0) = v0.
+
+    M symmetric positive definite, but for coordinates that have no inertia; C and K any real matrices; forcing:
+    segments.Forcing whose first n channels are the generalised forces. modes: undamped modes (modal.Mode) where they
+    are known better than the assembled matrices tell. work: what counts its long work.
+    """
+    M, C, K = (np.array(matrix, float, ndmin=2) for matrix in (M, C, K))
+    if not all(np.isfinite(part).all() for part in (M, C, K, q0, v0)):
+        raise PhysicsError("inertia, damping, stiffness or what the motion starts from is not a finite number",
+                           hint="look for a length, an angle or a law that is singular there")
+    try:
+        system = condensed(M, C, K)
+        return LinearMotion((M, C, K, system), spectrum(M, C, K, modes, system), forcing, q0, v0, work)
+    except (OverflowError, ZeroDivisionError):
+        raise beyond() from None
+
+
+class LinearMotion:
+    """q(t) for t >= 0; outputs are output.Output. matrices: (M, C, K, Condensed or None). constants: whether the
+    constants of outputs count."""
+
+    constants = True
+
+    def __init__(self, matrices, blocks, forcing, q0, v0, work=None):
+        self.work = work or Work()
+        self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
+        self.M, self.C, self.K, self.system = matrices
+        self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
+        self._pieces = None
+
+    def values(self, output, times, order=0):
+        """The order-th derivative of the output at an array of times; just after what jumps there."""
+        times = np.asarray(times, float)
+        t = times.ravel()
+        pieces = self.pieces(t.max(initial=0.0))
+        return pieces.terms(output, order).at(*pieces.timeline.place(t)).reshape(times.shape)
+
+    def extreme(self, output, start, end, sense="max"):
+        """(t, value) of the largest ("max") or smallest ("min") value for start <= t <= end, the earliest of equals."""
+        return extreme(self.pieces(end), output, start, end, sense, self.work)
+
+    def zeros(self, output, start, end):
+        """All times from `start` to `end` where the output passes or touches zero, ascending."""
+        return zeros(self.pieces(end), output, start, end, self.work)
+
+    def crossings(self, output, level, start, end):
+        """All times from `start` to `end` where the output passes or touches a level, ascending."""
+        return self.zeros(output._replace(constant=output.constant - level), start, end)
+
+    def final(self, output):
+        """The limit of the output as t → ∞; PhysicsError where there is none."""
+        from vibcli.analyses.transient.final_value import final
+
+        return final(self, output)
+
+    @cached_property
+    def steady(self):
+        """The SteadyMotion that is reached; PhysicsError where there is none."""
+        from vibcli.analyses.transient.steady_state import check_stable, steady_forcing
+
+        check_stable(self.blocks)
+        return SteadyMotion(self, steady_forcing(self.forcing))
+
+    @cached_property
+    def transient(self):
+        """The motion less its steady state, a free motion in the end."""
+        from vibcli.analyses.transient.steady_state import transient_forcing
+
+        steady = self.steady
+        forcing = transient_forcing(self.forcing, steady.forcing)
+        rest = self.like(forcing, self.q0 - steady.q0, self.v0 - steady.v0)
+        rest.constants = False
+        return rest
+
+    @property
+    def start(self):
+        """q at t = 0, before any blow: what nothing holds back has followed the forces."""
+        if self.system is None:
+            return self.q0
+        forces = np.zeros(len(self.M))
+        for wave in self.forcing.segments(0.0)[0].waves:
+            if wave.channel < len(forces) and not wave.power:
+                forces[wave.channel] += complex(wave.coefficient).real
+        return self.system.T @ (self.system.places @ self.q0) + self.system.follow @ forces
+
+    def like(self, forcing, q0, v0):
+        """The same system, driven and started otherwise."""
+        return LinearMotion(self.matrices, self.blocks, forcing, q0, v0, self.work)
+
+    def pieces(self, until):
+        """The Pieces of the motion up to a time."""
+        if self._pieces is None or until > self._pieces.until:
+            if self.forcing.listed:
+                until = math.inf
+            further = until if self._pieces is None else max(until, 2 * self._pieces.until)
+            try:
+                self._pieces = Pieces(self, further)
+            except PhysicsError:
+                if further == until:
+                    raise
+                self._pieces = Pieces(self, until)
+        return self._pieces
+
+
+class SteadyMotion(LinearMotion):
+    """The steady state of a motion, continued back to t = 0.
+
+    lasting: free vibrations or a drift that nothing damps remain beside it. period: of periodic forcing, or None.
+    """
+
+    def __init__(self, motion, forcing):
+        from vibcli.analyses.transient import steady_state
+
+        self.lasting, self.period, self._waves = steady_state.undying(motion.blocks), forcing.period, None
+        if self.period is None:
+            self._waves = steady_state.amplitudes(motion, forcing)
+            q0, v0 = (sum((np.real(s**order * Q) for s, Q, _ in self._waves), np.zeros(len(motion.M)))
+                      for order in range(2))
+        else:
+            q0, v0 = steady_state.repeating(motion, forcing)
+        super().__init__(motion.matrices, motion.blocks, forcing, q0, v0, motion.work)
+
+    def phasors(self, output):
+        """[(Ω, X)] with Re Σ X e^{iΩt} the output, Ω ascending; a constant has Ω = 0. Not of periodic forcing."""
+        found = {0.0: complex(output.constant)} if output.constant else {}
+        for s, Q, F in self._waves:
+            found[s.imag] = found.get(s.imag, 0j) + read(output, s, Q, F)
+        return sorted((rate, complex(X)) for rate, X in found.items())
+
+    def harmonic(self, output, n):
+        """X of the n-th harmonic Re(X e^{inωt}) of the output under periodic forcing, ω = 2π/period; X of n = 0 is the
+        mean."""
+        from vibcli.analyses.transient.steady_state import harmonic
+
+        return read(output, *harmonic(self, self.forcing, n)) + (output.constant if not n else 0.0)
+
+    def mean(self, output):
+        """The mean of the output."""
+        if self.period is None:
+            return dict(self.phasors(output)).get(0.0, 0j).real
+        return self.harmonic(output, 0).real
+
+    def rms(self, output):
+        """The root of the mean square of the output."""
+        if self.period is None:
+            return math.sqrt(sum(abs(X) ** 2 / (2 if rate else 1) for rate, X in self.phasors(output)))
+        from vibcli.numerics.gauss_quadrature import mean_square
+
+        return math.sqrt(mean_square(self, output, 0.0, self.period))
+
+
+def read(output, s, Q, F):
+    """The output of q = Re(Q e^{st}) under the forces Re(F e^{st}), without its constant."""
+    parts = ((output.q, 1.0), (output.v, s), (output.a, s * s))
+    return complex(sum(x * factor * Q[i] for coefficients, factor in parts for i, x in coefficients.items())
+                   + sum(x * F[channel] for channel, x in output.channels.items()))
+
+
+class Pieces:
+    """The motion up to a time, segment by segment: c of each block at their starts, and what drives it."""
+
+    def __init__(self, motion, until):
+        self.motion, self.until = motion, until
+        forcing = motion.forcing
+        pieces = forcing.segments(math.nextafter(until, math.inf), motion.work)
+        self.timeline = timeline = Timeline(forcing.channels, pieces)
+        self.drives, self.states = drives(motion.blocks, timeline, len(motion.M) == 1), []
+        jumps = timeline.impulses[:, :len(motion.M)]
+        struck = np.flatnonzero(jumps.any(axis=1))
+        if motion.system is not None and (jumps @ motion.system.follow).any():
+            raise PhysicsError("a blow falls on what neither inertia nor a damper holds back: it would be displaced "
+                               "without bound", hint="give it an inertia or a damper, or let the blow last")
+        marching = motion.work.task("the motion from one jump or bend of its loads to the next", MOST)
+        with marching as task, np.errstate(over="ignore", invalid="ignore"):
+            for number, (block, found) in enumerate(zip(motion.blocks, self.drives, strict=True)):
+                task.step(number / len(motion.blocks), len(timeline.starts) * len(block.B)**2 / STRETCHES)
+                step, added = ends(block, found, timeline)
+                added[struck] += jumps[struck] @ block.W.T
+                self.states.append(marched(step, added, block.P @ motion.q0 + block.R @ motion.v0))
+
+    def terms(self, output, order):
+        """What the order-th derivative of the output is the sum of."""
+        return Terms(self, output, order)

@@ -1,0 +1,160 @@
+"""The steady state of a motion: what is left of it when its free vibrations have died out.
+
+After its last breakpoint a force Re(F e^{iΩt}) keeps up q = Re((K + iΩ C − Ω² M)⁻¹ F e^{iΩt}); periodic forcing the
+motion that repeats, (1 − e^{BT}) c = what one period from rest brings. Where modes without damping are free their
+vibration does not die out: the steady state is then what the force keeps up.
+"""
+
+import cmath
+import math
+
+import numpy as np
+
+from vibcli.analyses.excitation.forcing import Forcing, Segment
+from vibcli.analyses.transient.modal_block import paths
+from vibcli.analyses.transient.time_shift import difference, later, turned
+from vibcli.base.errors import PhysicsError
+from vibcli.numerics.exponential_differences import differences
+
+RESONANT = 1e-12
+UNFORCED = 1e-13
+
+
+def steady_forcing(forcing):
+    """What drives the steady state, from t = 0 on; PhysicsError where the load grows."""
+    if forcing.period is not None:
+        return Forcing(forcing.channels, turned(forcing), forcing.period)
+    last = forcing.segments(math.inf)[-1]
+    for wave in last.waves:
+        if wave.coefficient and (wave.exponent.real > 0 or (wave.power and not wave.exponent.real)):
+            raise PhysicsError("there is no steady state: the load grows without end",
+                               hint="ask at a time, or let the load end")
+    waves = [wave for wave in last.waves if not wave.exponent.real]
+    return Forcing(forcing.channels, [Segment(0.0, tuple(part for wave in waves for part in later(wave, -last.start)))])
+
+
+def transient_forcing(forcing, steady):
+    """What drives the transient: the forcing less that of the steady state."""
+    if forcing.period is not None:
+        end, tail = forcing.since, []
+    else:
+        last = forcing.segments(math.inf)[-1]
+        end = last.start
+        tail = [last._replace(waves=tuple(wave for wave in last.waves if wave.exponent.real))]
+    pieces = difference(forcing.segments(end), steady.segments(end), end) if end else []
+    return Forcing(forcing.channels, pieces + (tail or [Segment(end)]))
+
+
+def check_stable(blocks):
+    """Refuses a system whose free motion grows."""
+    if any(node.real > 0 for block in blocks for node in block.nodes):
+        raise PhysicsError("there is no steady state: the free motion grows", hint="the equilibrium is unstable")
+
+
+def undying(blocks):
+    """Are there free vibrations, or a drift, that nothing damps?"""
+    return any(not node.real for block in blocks for node in block.nodes)
+
+
+def phasor(motion, s, force):
+    """Q of q = Re(Q e^{st}) under the forces Re(F e^{st})."""
+    near = [block for block in motion.blocks if any(_meets(node, s) for node in _spectrum(block))]
+    if not near:
+        return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
+    total = np.zeros(len(force), complex)
+    if motion.system is not None:
+        total += motion.system.follow @ force
+    for block in motion.blocks:
+        if block.half:
+            total += (_kept_up(block.B, block.X, block.W, s, force)
+                      + _kept_up(block.B.conj(), block.X.conj(), block.W.conj(), s, force)) / 2
+        else:
+            total += _kept_up(block.B, block.X, block.W, s, force)
+    return total
+
+
+def _spectrum(block):
+    return [*block.nodes, *(node.conjugate() for node in block.nodes if block.half)]
+
+
+def _meets(node, s):
+    return not node.real and abs(s - node) <= RESONANT * abs(s)
+
+
+def _kept_up(B, X, W, s, force):
+    """X c of c = (s − B)⁻¹ W f; where s is an eigenvalue that f does not reach, that part stays at rest."""
+    given, c = W @ force, np.zeros(len(B), complex)
+    for i in reversed(range(len(B))):
+        rest = given[i] + B[i, i + 1:] @ c[i + 1:]
+        if not _meets(B[i, i], s):
+            c[i] = rest / (s - B[i, i])
+        elif abs(rest) > UNFORCED * (np.abs(W[i]) @ np.abs(force) + np.abs(B[i, i + 1:]) @ np.abs(c[i + 1:])):
+            raise resonance(s)
+    return X @ c
+
+
+def resonance(s):
+    """The refusal of a steady state that is never reached."""
+    if not s:
+        return PhysicsError("there is no steady state: a constant force drives a motion that nothing holds",
+                            hint="tie it with a spring, or ask at a time")
+    return PhysicsError(f"there is no steady state: Ω = {abs(s.imag):.6g} rad/s is a natural frequency without "
+                        "damping, the amplitude grows without end", hint="add a damper, move Ω, or ask at a time")
+
+
+def amplitudes(motion, forcing):
+    """[(s, Q, F)] of the waves Re(F e^{st}) that never end, F over all channels; a constant has s = 0."""
+    found = {}
+    for wave in forcing.pieces[0].waves:
+        s, c = complex(0, wave.exponent.imag), wave.coefficient
+        if s.imag < 0:
+            s, c = s.conjugate(), c.conjugate()
+        row = found.setdefault(s, np.zeros(forcing.channels, complex))
+        row[wave.channel] += c if s else c.real
+    n = len(motion.M)
+    return [(s, phasor(motion, s, row[:n]), row) for s, row in sorted(found.items(), key=lambda item: item[0].imag)]
+
+
+def repeating(motion, forcing):
+    """(q, q̇) just before t = 0 of the motion that periodic forcing repeats."""
+    n, period = len(motion.M), forcing.period
+    once = Forcing(forcing.channels, [*forcing.pieces, Segment(period)])
+    rest = motion.like(once, np.zeros(n), np.zeros(n)).pieces(math.inf)
+    q, v = np.zeros(n), np.zeros(n)
+    for block, states in zip(motion.blocks, rest.states, strict=True):
+        kept = -_growth(block.B, period)
+        c = np.linalg.lstsq(kept, states[-1], rcond=RESONANT)[0] if len(kept) > 1 or abs(kept[0, 0]) < RESONANT else (
+            states[-1] / kept[0])
+        if np.abs(kept @ c - states[-1]).max() > UNFORCED * np.abs(states).max():
+            raise resonance(block.nodes[0])
+        q += np.real(block.X @ c)
+        v += np.real(block.X @ (block.B @ c))
+    return q, v
+
+
+def _growth(B, t):
+    """e^{Bt} − 1, its diagonal without loss."""
+    out = np.zeros(B.shape, complex)
+    for i, j, product, nodes in paths(B):
+        if len(nodes) > 1:
+            out[i, j] += product * differences(nodes, np.array([t]))[0]
+        else:
+            out[i, i] = nodes[0] * differences((nodes[0], 0j), np.array([t]))[0]
+    return out
+
+
+def harmonic(motion, forcing, n):
+    """(s, Q, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
+    s = complex(0, 2 * math.pi * n / forcing.period)
+    row = np.zeros(forcing.channels, complex)
+    for piece, after in zip(forcing.pieces, [*forcing.pieces[1:], Segment(forcing.period)], strict=True):
+        length, turn = np.array([after.start - piece.start]), cmath.exp(-s * piece.start)
+        for channel, size in piece.impulses:
+            row[channel] += 2 * size * turn
+        for wave in piece.waves:
+            for c, exponent in ((wave.coefficient, wave.exponent), (np.conj(wave.coefficient), np.conj(wave.exponent))):
+                nodes = (0j, *[complex(exponent) - s] * (wave.power + 1))
+                row[wave.channel] += c * turn * math.factorial(wave.power) * differences(nodes, length)[0]
+    row /= forcing.period * (1 if n else 2)
+    row = row if n else row.real
+    return s, phasor(motion, s, row[:len(motion.M)]), row

@@ -1,0 +1,115 @@
+"""The response as textbooks write it: A e^{−δt} cos(ω_d t − φ), (a + b t) e^{−δt}, a e^{λ₁t} + b e^{λ₂t}, and what the
+forces add.
+"""
+
+import cmath
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+SAME = 1e-6
+NOTHING, ROUNDING = 1e-14, 1e-15
+REGIMES = ("undamped", "under-damped", "critically damped", "over-damped", "relaxation")
+
+
+class Part(NamedTuple):
+    """amplitude τ^power e^{rate τ} cos(omega τ − phase), τ from the start of its segment; omega 0: no cosine. forced:
+    whether a force keeps it up (else it is free motion)."""
+
+    amplitude: float
+    power: int
+    rate: float
+    omega: float
+    phase: float
+    forced: bool
+
+    def at(self, tau):
+        return (self.amplitude * tau**self.power * np.exp(self.rate * tau)
+                * (np.cos(self.omega * tau - self.phase) if self.omega else 1.0))
+
+
+def regime(M, C, K):
+    """What free motion of one degree of freedom is called: one of REGIMES, "rigid", "drag" or "unstable"."""
+    from vibcli.analyses.transient.single_degree import poles
+
+    m, c, k = (float(np.ravel(matrix)[0]) for matrix in (M, C, K))
+    if not m:
+        return "relaxation" if k * c > 0 else "unstable" if k * c < 0 else "drag"
+    slow, fast = poles(m, c, k)
+    if slow.real > 0 or fast.real > 0:
+        return "unstable"
+    if not k:
+        return "drag" if c else "rigid"
+    if not c:
+        return "undamped"
+    if abs(slow - fast) <= SAME * abs(fast):
+        return "critically damped"
+    return "under-damped" if slow.imag else "over-damped"
+
+
+def formula(motion, output, segment=0):
+    """The Parts that add up to the output on a segment (−1: the last), free ones first, each kind by ascending
+    frequency and decay."""
+    pieces = motion.pieces(0.0 if motion.forcing.period else math.inf)
+    terms = pieces.terms(output, 0)
+    segment = segment % terms.count
+    found, summed = {}, {}
+    for nodes, factor in terms.on(segment):
+        for (node, power), c in fractions(nodes).items():
+            key = _known(found, node, power)
+            found[key] = found.get(key, 0j) + factor * c
+            summed[key] = summed.get(key, 0.0) + abs(factor * c)
+    real = {}
+    for (node, power), c in found.items():
+        if abs(c if node.imag else c.real) <= ROUNDING * summed[node, power]:
+            continue
+        if node.imag < 0:
+            node, c = node.conjugate(), c.conjugate()
+        real[node, power] = real.get((node, power), 0j) + c
+    size = max(map(abs, real.values()), default=0.0)
+    parts = [_part(node, power, c, power >= _multiplicity(motion.blocks, node)) for (node, power), c in real.items()
+             if abs(c) > NOTHING * size]
+    return sorted(parts, key=lambda part: (part.forced, part.omega, -part.rate, part.power))
+
+
+def _known(found, node, power):
+    """The key of an exponential that is there already, or that of a new one."""
+    return next((key for key in found if key[1] == power and _same(key[0], node)), (node, power))
+
+
+def _same(one, two):
+    return abs(one - two) <= SAME * max(abs(one), abs(two))
+
+
+def _multiplicity(blocks, node):
+    """How often an exponent is an eigenvalue of one block: so many powers of τ are in its free motion."""
+    return max((sum(_same(node, own) for own in block.nodes) for block in blocks), default=0)
+
+
+def _part(node, power, c, forced):
+    if node.imag:
+        return Part(float(abs(c)), power, node.real, node.imag, -cmath.phase(c) or 0.0, forced)
+    return Part(float(c.real), power, node.real, 0.0, 0.0, forced)
+
+
+def fractions(nodes):
+    """{(λ, k): c} with E[nodes](t) = Σ c tᵏ e^{λt}: the partial fractions of 1/Π(p − λ), nearly equal nodes as one."""
+    groups = []
+    for node in nodes:
+        near = next((group for group in groups if _same(group[0], node)), None)
+        groups.append([node]) if near is None else near.append(node)
+    found = {}
+    for group in groups:
+        mean, m = sum(group) / len(group), len(group)
+        series = np.zeros(m, complex)
+        series[0] = 1.0
+        for other in groups:
+            if other is not group:
+                gap = mean - sum(other) / len(other)
+                factor = (-1 / gap) ** np.arange(m) / gap
+                for _ in other:
+                    series = np.convolve(series, factor)[:m]
+        for k in range(m):
+            found[mean, k] = complex(series[m - 1 - k]) / math.factorial(k)
+    return found

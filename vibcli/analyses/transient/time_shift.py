@@ -1,0 +1,50 @@
+"""Pieces of forcing counted from other times, and the difference of two."""
+
+import cmath
+import math
+
+from vibcli.analyses.excitation.forcing import Segment, Wave
+
+
+def later(wave, by):
+    """The waves in τ' = τ − by that make up one in τ: Re(c (τ' + by)ᵏ e^{s(τ' + by)})."""
+    c, k = wave.coefficient * cmath.exp(wave.exponent * by), wave.power
+    if not by:
+        return (wave,)
+    return tuple(Wave(wave.channel, c * math.comb(k, j) * by ** (k - j), j, wave.exponent) for j in range(k + 1))
+
+
+def negative(wave):
+    return wave._replace(coefficient=-wave.coefficient)
+
+
+def running(pieces, time):
+    """The piece that runs at a time, its waves counted from there, without its impulses."""
+    piece = max((piece for piece in pieces if piece.start <= time), key=lambda piece: piece.start)
+    return Segment(time, tuple(part for wave in piece.waves for part in later(wave, time - piece.start)))
+
+
+def difference(pieces, others, until):
+    """pieces − others as pieces that start before `until`."""
+    impulses = {}
+    for sign, some in ((1, pieces), (-1, others)):
+        for piece in some:
+            impulses.setdefault(piece.start, []).extend((channel, sign * size) for channel, size in piece.impulses)
+    found = []
+    for start in sorted(start for start in impulses if start < until):
+        waves = (*running(pieces, start).waves, *map(negative, running(others, start).waves))
+        found.append(Segment(start, waves, tuple(impulses[start])))
+    return found
+
+
+def turned(forcing):
+    """The pieces of one period of periodic forcing, counted from t = 0 as if it had always run."""
+    first = forcing.since % forcing.period
+    pieces = [piece for piece in forcing.pieces if piece.start >= forcing.since]
+    moved = [piece._replace(start=(piece.start - forcing.since + first) % forcing.period) for piece in pieces]
+    moved.sort(key=lambda piece: piece.start)
+    if not moved[0].start:
+        return moved
+    last = moved[-1]
+    waves = (part for wave in last.waves for part in later(wave, forcing.period - last.start))
+    return [Segment(0.0, tuple(waves)), *moved]

@@ -1,0 +1,1 @@
+"""The ground floor: errors, units, diagnostics, files written whole, bounded work."""

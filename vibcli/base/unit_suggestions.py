@@ -1,0 +1,28 @@
+"""What is meant by a word that stands where a unit is due and is none: kgs, Nm, hours, t."""
+
+from vibcli.base.units import UNITS
+
+
+def unit_meant(word):
+    """The unit, or product of units, that a word most likely stands for; None where it is like none."""
+    from difflib import get_close_matches
+
+    one = word.removesuffix("s")
+    if len(word) > 2 and one in UNITS:
+        return one
+    split = [f"{word[:i]}*{word[i:]}" for i in range(1, len(word)) if word[:i] in UNITS and word[i:] in UNITS]
+    if word in TAKEN:
+        return TAKEN[word]
+    same = [unit for unit in UNITS if unit.lower() == word.lower()]
+    spelt = [_SPELT[one.lower()]] if one.lower() in _SPELT else []
+    found = split or same or spelt or get_close_matches(word, UNITS, 1)
+    return found[0] if found else None
+
+
+TAKEN = {"t": "tonne", "d": "day"}     # what books write so is the time and a deflection here
+_SPELT = {"meter": "m", "metre": "m", "centimeter": "cm", "millimeter": "mm", "kilogram": "kg", "gram": "g",
+          "second": "s", "sec": "s", "minute": "min", "newton": "N", "kilonewton": "kN", "joule": "J", "pascal": "Pa",
+          "hertz": "Hz", "degree": "deg", "radian": "rad", "percent": "%", "inch": "in", "foot": "ft", "feet": "ft",
+          "pound": "lb", "ounce": "oz", "yard": "yd", "mile": "mi", "hour": "h", "hr": "h", "kph": "km/h",
+          "kmh": "km/h", "kmph": "km/h", "revolution": "rev", "turn": "rev", "ton": "tonne", "watt": "W",
+          "horsepower": "hp"}

@@ -1,0 +1,107 @@
+"""How much a piece of long work may take, and how far it has come.
+
+Work is counted in steps (windows of an integration, evaluations of a condition, places at which forces are looked at),
+never in seconds: every machine answers and refuses the same. What is done within a task counts for those around it.
+"""
+
+from contextlib import contextmanager
+from contextvars import ContextVar
+from math import inf
+
+from vibcli.base.errors import PhysicsError
+
+_innermost = ContextVar("the task that is under way", default=None)
+
+
+def counted(steps):
+    """Steps of the task that is under way, where there is one: for what is far below whoever knows of tasks."""
+    task = _innermost.get()
+    if task is not None:
+        task.step(None, steps)
+
+
+def under_way():
+    """The task that is under way; None where there is none."""
+    return _innermost.get()
+
+
+class Spent(Exception):
+    """A task has reached its limit. No PhysicsError: a search that takes those of single places for an answer must not
+    take this one. Where its task ends it becomes one, if nobody has kept what was found."""
+
+    def __init__(self, task):
+        super().__init__(task.what)
+        self.task = task
+
+
+class Work:
+    """patience: the factor of all limits; cut: was a closed form given up at its limit? tell(what, part, bounded):
+    shows on a terminal how far the outermost task has come, what=None that it has ended."""
+
+    __slots__ = ("cut", "open", "patience", "tell")
+
+    def __init__(self, patience=1, tell=None):
+        self.patience, self.tell, self.open, self.cut = patience, tell, [], False
+
+    @contextmanager
+    def task(self, what, limit=inf):
+        """A Task: with work.task("the search for k", 20_000) as task: … task.step(). PhysicsError beyond the limit."""
+        task = Task(self, what, limit * self.patience)
+        self.open.append(task)
+        before = _innermost.set(task)
+        try:
+            yield task
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            raise task.refusal() from None
+        finally:
+            _innermost.reset(before)
+            self.open.remove(task)
+            if self.tell is not None and not self.open:
+                self.tell(None, 1.0, False)
+
+    def step(self, steps=1):
+        """Steps of the innermost task, where there is one."""
+        if self.open:
+            self.open[-1].step(None, steps)
+
+
+class Task:
+    """steps: how many were done, of `limit` that are allowed."""
+
+    __slots__ = ("limit", "steps", "what", "work")
+
+    def __init__(self, work, what, limit):
+        self.work, self.what, self.limit, self.steps = work, what, limit, 0
+
+    def step(self, part=None, steps=1):
+        """So many steps more, `part` (0 to 1) of all that is to be done being done where that is known. Spent where
+        this task or one around it comes beyond its limit."""
+        for task in self.work.open:
+            task.steps += steps
+            if task.steps > task.limit:
+                raise Spent(task)
+            if task is self:
+                break
+        self.tell(part)
+
+    def tell(self, part=None):
+        """Show how far it has come."""
+        tell = self.work.tell
+        if tell is not None:
+            outer = self.work.open[0]
+            known = part is not None and outer is self
+            tell(outer.what, part if known else outer.steps / outer.limit, known)
+
+    def refusal(self):
+        """What is said where the limit is reached."""
+        return PhysicsError(f"{self.what} is given up after {self.limit:.0f} steps", self.hint())
+
+    def hint(self):
+        return f"--patience {10 * self.work.patience:.0f} allows ten times as many"
+
+
+def longer(work):
+    """How a search for a closed form that was given up goes on."""
+    return f"--patience {10 * work.patience} lets computer algebra go on for ten times as long"

@@ -1,0 +1,257 @@
+"""Answers against results: a verdict per line of `answers`.
+
+Numbers are compared within the tolerance of the digits written, expressions to rounding and the result's own error
+bound; equations of motion up to a non-zero factor, V up to a constant, at random states. A scene with symbols is
+checked at several sets of random values of its symbols.
+"""
+
+import re
+
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.base.units import LENGTH
+from vibcli.language.signals import signal_dimension
+from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.quantities.modal import lowered, measure, number_of, value_of
+from vibcli.reader.quantity_check import coordinate_name
+from vibcli.results.random_states import Draws, at_states, reach, states
+from vibcli.symbolic.semantics import quantities_in, whole_literal
+
+EXACT, WIDEST, ROUNDING, EPSILON = 1e-9, 0.005, 1e-13, 2.0**-52
+
+
+class Verdict:
+    """One answer compared: expected and found (numbers or None), whether they agree, and a remark."""
+
+    __slots__ = ("agrees", "answer", "case", "expected", "found", "refusal", "remark")
+
+    def __init__(self, answer, agrees, expected=None, found=None, remark=None, case=None):
+        self.answer, self.agrees, self.expected, self.found = answer, agrees, expected, found
+        self.remark, self.case, self.refusal = remark, case, None
+
+
+def check(problem):
+    """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself."""
+    problem.draw()
+    verdicts = []
+    for case in (None, *problem.spec.cases):
+        part = problem if case is None else problem.case(case)
+        draws = Draws(part)
+        verdicts += [_verdict(draws, answer, case) for answer in part.spec.answers]
+    return verdicts
+
+
+def _verdict(draws, answer, case):
+    """Compare at every draw; of a scene with symbols, draws of a regime that has no such answer are passed over."""
+    verdict, compared = None, 0
+    for draw in draws:
+        try:
+            found = _compare(draw, answer)
+        except PhysicsError as error:
+            if verdict is None:
+                verdict = Verdict(answer, False, remark="no such answer: " + error.message)
+                verdict.refusal = error.told(answer.asked.where)
+            continue
+        verdict, compared = found, compared + 1
+        if not verdict.agrees or compared == draws.wanted:
+            break
+    verdict.case = case
+    return verdict
+
+
+def _worst(wanted, found, groups, rounding=0.0):
+    """(index, difference, size of the group) where two functions differ; None where they agree in each group."""
+    rounding = max(rounding, ROUNDING * max(abs(wanted).max(), abs(found).max()))
+    for group in groups:
+        off, size = abs(wanted - found)[group], max(abs(wanted[group]).max(), abs(found[group]).max())
+        if not off.max() <= EXACT * size + rounding:
+            return group.start + int(off.argmax()), float(off.max()), float(size)
+    return None
+
+
+def _compare(problem, answer):
+    tree = answer.asked.tree
+    head = tree[4] if tree[0] == "quantity" else None
+    if head in ("equation", "motion"):
+        return _compare_equation(problem, answer, head)
+    if head in ("T", "V", "Phi", "Q"):
+        return _compare_energy(problem, answer, head)
+    if head == "stable":
+        stable = measure(problem, tree)[0]
+        wanted = answer.expected.text == "true"
+        return Verdict(answer, stable == wanted, wanted, stable)
+    found, error = value_of(problem, answer.asked)
+    expected, _ = value_of(problem, answer.expected)
+    doubt = error * abs(found)      # absolute: of a number near zero it may be any part of what is expected
+    written, times = _tolerance(problem, answer, expected)
+    if problem.spec.get("motion") == "full" and times < 4 and doubt > max(written, EXACT * abs(expected)):
+        raise _beyond_known(answer, found, error)
+    tolerance = max(written, times * doubt + 4 * EPSILON * abs(expected))
+    agrees = bool(abs(found - expected) <= tolerance)
+    remark = None if agrees else likely_mistake(head, expected, found)
+    return Verdict(answer, agrees, expected, found, remark)
+
+
+def _beyond_known(answer, found, error):
+    """The refusal of an answer with more digits than two solutions of a full motion share."""
+    from vibcli.notation.numbers import figure, supported
+
+    shared = f"{answer.asked.text} = {supported(found, error * abs(found), 12)}, to {figure(error, digits=1)}"
+    return PhysicsError(f"two solutions of this motion agree on {shared}: the answer has more digits",
+                        "write fewer digits, or give a tolerance: {value: …, rtol: 1 %}", answer.expected.where)
+
+
+def _tolerance(problem, answer, expected):
+    """(absolute tolerance, how many times the error of what is found is allowed at least): the tolerance given; that of
+    the digits written, never finer than what is found; or rounding."""
+    rounding = EXACT * abs(expected) + 1e-300 if expected else _small(problem, answer)
+    if answer.rtol is not None:
+        rtol = value_of(problem, answer.rtol)[0]
+        if not 0 <= rtol < 1:
+            raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
+                                        "write for example rtol: 0.5 %")])
+        return (rtol * abs(expected), 0) if expected else (rounding, 0)
+    literal = whole_literal(answer.expected.tree)
+    if literal is None:
+        return rounding, 4
+    written = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", answer.expected.text)
+    whole, fraction, exponent = written.groups()
+    digits = (whole + fraction).lstrip("0")
+    if len(digits) < 3:
+        return rounding, 4
+    half = 0.5 * 10.0 ** (int(exponent or 0) - len(fraction))
+    return min(half / abs(float(literal[3])), WIDEST) * (1 + EXACT) * abs(expected), 1
+
+
+def _small(problem, answer):
+    """What counts as zero: rounding beside the largest number of its kind."""
+    tree = answer.asked.tree
+    head = tree[4] if tree[0] == "quantity" else None
+    if head is not None and tree[7]:
+        from vibcli.quantities.response import size_of
+
+        return EXACT * size_of(problem, tree)
+    if head in ("M", "C", "G", "K"):
+        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
+        return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
+    if head == "equilibrium":
+        return _small_signal(problem, tree[5][0])
+    if head in ("mode", "zeta"):
+        return 1e-11
+    if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
+        return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modes), default=0.0)
+    size = problem.figure_size
+    if head in ("J", "centre"):
+        body = problem.scene.bodies[tree[5][0]]
+        mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
+        return 1e-12 * (mass * size * size if head == "J" else size)
+    return 1e-12 * max((float(abs(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
+
+
+def _small_signal(problem, text):
+    """What counts as zero of a coordinate, place, turn or force in equilibrium."""
+    name = coordinate_name(problem.spec, text)
+    if name is not None:
+        return 1e-12 * reach(problem, name)
+    dimension = signal_dimension(problem.spec, text)
+    if dimension in ({}, LENGTH):
+        return 1e-12 * (problem.figure_size or 1.0) if dimension else 1e-12
+    return 1e-11 * max((abs(reaction.value) for reaction in problem.reactions if reaction.value), default=0.0)
+
+
+def _expected_node(problem, expression):
+    scene = problem.scene
+
+    def symbol(name, primes, part):
+        return scene.parameters.nodes[name] if name in scene.parameters.nodes else scene.symbol(name, primes)
+
+    return lowered(expression, scene.table, symbol)
+
+
+def _compare_energy(problem, answer, head):
+    scene = problem.scene
+    if head == "Q":
+        ours = generalised_force_at_rest(problem, number_of(problem, answer.asked.tree[5][0]))
+    else:
+        ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
+    verdict = _at_states(problem, answer, head, ours)
+    if not verdict.agrees and head in ("T", "V") and ours.mask & scene.time.mask:
+        left = scene.terms_with(ours, ~scene.time.mask)     # Lagrange's equations do not need the others
+        reduced = _at_states(problem, answer, head, left)
+        verdict = reduced if reduced.agrees else verdict
+    return verdict
+
+
+def _at_states(problem, answer, head, ours):
+    """Is an energy as expected at random states, V up to a constant?"""
+    expected = _expected_node(problem, answer.expected)
+    at, groups = states(problem)
+    wanted, found = at_states(problem, [expected, ours], at)
+    rounding = 0.0
+    if head == "V":
+        first = [group.start for group in groups for _ in range(group.start, group.stop)]
+        rounding = ROUNDING * max(abs(wanted).max(), abs(found).max())
+        wanted, found = wanted - wanted[first], found - found[first]
+    worst = _worst(wanted, found, groups, rounding)
+    i = worst[0] if worst else 0
+    return Verdict(answer, worst is None, float(wanted[i]), float(found[i]),
+                   "values at a random state of motion" if worst else None)
+
+
+def _compare_equation(problem, answer, head):
+    """Are the two left sides proportional at random states?"""
+    scene = problem.scene
+    i = number_of(problem, answer.asked.tree[5][0])
+    expected = _expected_node(problem, answer.expected)
+    at, groups = states(problem)
+    if head == "equation":
+        at = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in at.items()}
+        drive = problem.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
+        wanted, load = at_states(problem, [expected, drive], at)
+        found = _small_oscillation(problem, i, at) - load
+    else:
+        from vibcli.mechanics.lagrange import equation_of
+
+        wanted, found = at_states(problem, [expected, equation_of(scene, i)], at)
+    factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
+    worst = _worst(wanted, factor * found, groups)
+    agrees = factor != 0.0 and worst is None
+    remark = f"not proportional: off by {worst[1] / worst[2]:.2g} of its size" if worst else "it is empty"
+    return Verdict(answer, agrees, remark=None if agrees else remark)
+
+
+def _small_oscillation(problem, i, at):
+    """The left side of the linear equation of coordinate i at all states."""
+    M, C, G, K = problem.elements.matrices()
+    total = 0.0
+    for j, name in enumerate(problem.scene.coordinates):
+        total = total + (M.get((i, j), 0.0) * at[name + "''"] + K.get((i, j), 0.0) * at[name]
+                         + (C.get((i, j), 0.0) + G.get((i, j), 0.0)) * at[name + "'"])
+    return total
+
+
+_TURN = 6.283185307179586
+MISTAKES = (
+    (("omega", "omega_d"), 1 / _TURN, "the expected value looks like a frequency in Hz, not rad/s"),
+    (("frequency",), _TURN, "the expected value looks like an angular frequency in rad/s, not Hz"),
+    (("period",), 1 / _TURN, "the expected value looks like 1/ω, not 2π/ω"),
+    (("equilibrium", "mode"), 180 / 3.141592653589793, "the expected value looks like degrees, not radians"),
+    (("omega", "frequency", "omega_d"), 0.5, "half of it: is a factor 4 missing under the root?"),
+    (("omega", "frequency", "omega_d"), 2.0, "twice of it: is a factor 4 too much under the root?"),
+    (("zeta", "C"), 2.0, "twice of it: c/m instead of c/(2m)?"),
+    (("zeta", "C"), 0.5, "half of it: 2c/m instead of c/m?"),
+    (("J",), 4.0, "four times: diameter for radius?"),
+    (("J",), 0.25, "a quarter: radius for diameter?"),
+    (None, -1.0, "the sign differs: which direction is positive?"),
+)
+
+
+def likely_mistake(head, expected, found):
+    """A known mistake that explains the ratio, else the ratio."""
+    if not found or not expected:
+        return None
+    ratio = expected / found
+    for heads, factor, words in MISTAKES:
+        if (heads is None or head in heads) and abs(ratio / factor - 1) < 2e-3:
+            return words
+    return f"off by {abs(ratio - 1):.2g} of it" if abs(ratio - 1) < 1e-4 else f"ratio {ratio:.6g}"

@@ -1,0 +1,82 @@
+"""The frames of a mode, or of any motion given in time, as a GIF or a page."""
+
+from math import ceil, pi
+
+from vibcli.base.errors import PhysicsError
+from vibcli.drawing.layout import compose
+from vibcli.drawing.symbols import mode_shape
+from vibcli.drawing.vibration import Vibration, caption, magnification, mode, phases, response
+
+FRAMES, PACE = 36, 45               # of one period; milliseconds
+PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of the fastest; frames
+
+
+def of_mode(problem, index, normalise="first"):
+    """(frames, caption, names of the frames) of one period of a mode."""
+    found = mode(problem, index)
+    stage = compose.Stage(problem.scene)
+    vibration = Vibration(problem, index, stage, normalise)
+    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit) for theta in phases(FRAMES)]
+    return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
+
+
+def of_motion(problem, position, times):
+    """The same of a motion: `position(t)` gives {coordinate: value}, at each of the times in seconds."""
+    times = list(times)
+    return _of_positions(problem, [dict(position(t)) for t in times], times)
+
+
+def of_response(problem):
+    """The same of the motion that the scene asks for: a few of the slowest periods unless it is said until when."""
+    import numpy as np
+
+    from vibcli.symbolic.parser import parse
+
+    times = np.linspace(0.0, *_span(problem, problem.motion.known))
+    names = problem.scene.coordinates
+    values = [problem.motion.signal(parse(name)).values(times).tolist() for name in names]
+    return _of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],
+                         times.tolist())
+
+
+def _of_positions(problem, positions, times):
+    """The frames; what could not be seen, and is not driven, is magnified about its mean."""
+    stage = compose.Stage(problem.scene)
+    sketches, unit = response(stage, positions, times)
+    if all(one == positions[0] for one in positions) and not problem.scene.driven:
+        raise PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
+    middle = {name: sum(one[name] for one in positions) / len(positions) for name in positions[0]}
+    factor = 1.0 if problem.scene.driven else magnification(stage, stage.at(middle), sketches)
+    if factor > 1:
+        positions = [{name: middle[name] + factor * (x - middle[name]) for name, x in one.items()} for one in positions]
+        sketches, unit = response(stage, positions, times)
+    words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {factor:g}" if factor > 1 else "")
+    return [mode_shape.frame(stage, sketch, unit) for sketch in sketches], words, [f"{t:.4g} s" for t in times]
+
+
+def _span(problem, until):
+    """(the end, the number of frames): some periods of the slowest mode, each of the fastest seen in some frames."""
+    speeds = [float(mode.omega) for mode in _modes(problem) if mode.omega]
+    if not speeds:
+        return until, MOST
+    if problem.end is None:
+        until = min(until, PERIODS * 2 * pi / min(speeds))
+    return until, max(FRAMES, min(MOST, ceil(SEEN * until * max(speeds) / (2 * pi))))
+
+
+def _modes(problem):
+    try:
+        return problem.modes
+    except PhysicsError:
+        return ()
+
+
+def data(frames, words, names, title, kind, milliseconds=PACE):
+    """The bytes of an animation as gif or html."""
+    if kind == "gif":
+        from vibcli.drawing.canvas.pillow_canvas import gif
+
+        return gif(frames, words, milliseconds)
+    from vibcli.drawing.canvas.page import page
+
+    return page(frames, title, words, names, milliseconds).encode()

@@ -1,0 +1,1 @@
+"""What a drawing is made of, and the media that show it."""

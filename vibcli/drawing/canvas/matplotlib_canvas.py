@@ -1,0 +1,79 @@
+"""Drawings by Matplotlib: PNG, SVG and PDF, the same bytes each time. Its object interface alone is used."""
+
+import io
+
+from vibcli.drawing.canvas.palette import COLOURS
+from vibcli.drawing.canvas.primitives import Circle, Polygon, Text, extent
+from vibcli.drawing.layout import lettering
+from vibcli.plots import library
+
+MARGIN, DPI, WIDEST, SALT = 10.0, 150, 6000, "vibcli"
+SETTINGS = ("savefig.", "svg.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
+SILENT = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None},
+          "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None}}
+
+
+def figure(primitives, box=None, dpi=DPI):
+    """A Matplotlib Figure of a drawing; `box` (left, bottom, right, top) where it is not that of the primitives."""
+    from matplotlib.figure import Figure
+    from matplotlib.transforms import Affine2D
+
+    left, bottom, right, top = box or extent(primitives)
+    size = right - left + 2 * MARGIN, top - bottom + 2 * MARGIN
+    made = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=dpi, facecolor=COLOURS["paper"])
+    place = Affine2D().translate(MARGIN - left, MARGIN - bottom).scale(1 / 72) + made.dpi_scale_trans
+    for order, part in enumerate(sorted(primitives, key=lambda part: part.layer)):
+        artists = _letters(part) if isinstance(part, Text) else [_patch(part)]
+        for artist in artists:
+            artist.set_transform(place)
+            artist.set_zorder(order)
+            made.add_artist(artist)
+    return made
+
+
+def _patch(part):
+    """The patch of strokes, filled where the primitive is."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    closed = isinstance(part, (Polygon, Circle))
+    points, codes = [], []
+    for stroke in part.strokes():
+        points += stroke
+        codes += [Path.MOVETO] + [Path.LINETO] * (len(stroke) - 1)
+    if closed:
+        codes[-1] = Path.CLOSEPOLY
+    fill = getattr(part, "fill", None)
+    return PathPatch(Path(points, codes), facecolor=COLOURS[fill] if fill else "none", edgecolor=COLOURS[part.role],
+                     linewidth=part.width, linestyle=(0, (4, 3)) if part.dashed else "solid", capstyle="round",
+                     joinstyle="round")
+
+
+def _letters(part):
+    """One artist for each run; text is never taken for mathematics."""
+    import matplotlib
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.text import Text as Letters
+
+    x, y = part.place
+    found = []
+    for run in part.runs:
+        file = lettering.file_of(run.text, run.slanted)
+        font = FontProperties(fname=f"{matplotlib.get_data_path()}/fonts/ttf/{file}", size=run.size)
+        found.append(Letters(x, y + run.rise, run.text, fontproperties=font, color=COLOURS[part.role],
+                             horizontalalignment="left", verticalalignment="baseline", parse_math=False))
+        x += lettering.width((run,))
+    return found
+
+
+def picture(primitives, kind, box=None, dpi=DPI):
+    """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
+    matplotlib = library.matplotlib()
+    left, bottom, right, top = box or extent(primitives)
+    dpi = min(dpi, 72 * WIDEST / max(right - left, top - bottom))
+
+    ours = {key: value for key, value in matplotlib.rcParamsDefault.items() if key.startswith(SETTINGS)}
+    with matplotlib.rc_context({**ours, "svg.hashsalt": SALT, "svg.fonttype": "path"}):
+        data = io.BytesIO()
+        figure(primitives, box, dpi).savefig(data, format=kind, dpi=dpi, metadata=SILENT[kind])
+    return data.getvalue()

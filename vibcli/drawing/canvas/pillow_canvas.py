@@ -1,0 +1,90 @@
+"""Frames of a drawing as an animated GIF, by Pillow: bounded in pixels and in frames, the same bytes each time."""
+
+import io
+from itertools import combinations
+
+from vibcli.drawing.canvas.palette import COLOURS
+from vibcli.drawing.canvas.primitives import Circle, Polygon, Text, extent
+
+WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
+SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes
+
+
+def gif(frames, caption, milliseconds=40):
+    """The bytes of a GIF that repeats the frames (lists of primitives)."""
+    from PIL import Image
+
+    boxes = [extent(frame) for frame in frames]
+    box = (min(b[0] for b in boxes) - MARGIN, min(b[1] for b in boxes) - MARGIN - FOOT * bool(caption),
+           max(b[2] for b in boxes) + MARGIN, max(b[3] for b in boxes) + MARGIN)
+    spare = max(0.0, NARROW - (box[2] - box[0])) / 2
+    box = box[0] - spare, box[1], box[2] + spare, box[3]
+    scale = min(WIDEST / (box[2] - box[0]), HIGHEST / (box[3] - box[1]), 1.6)
+    size = max(1, round((box[2] - box[0]) * scale)), max(1, round((box[3] - box[1]) * scale))
+    frames = frames[:MOST]
+    pages = [_page(frame, caption, box, scale, size) for frame in frames]
+    palette = _palette(frames)
+    indexed = [page.quantize(palette=palette, dither=Image.Dither.NONE) for page in pages]
+    data = _animated(indexed, milliseconds)
+    while len(data) > LARGEST and len(indexed) > 8:
+        indexed, milliseconds = indexed[::2], 2 * milliseconds
+        data = _animated(indexed, milliseconds)
+    return data
+
+
+def _animated(pages, milliseconds):
+    data = io.BytesIO()
+    pages[0].save(data, format="GIF", save_all=True, append_images=pages[1:], duration=milliseconds, loop=0,
+                  optimize=False, disposal=1)
+    return data.getvalue()
+
+
+def _palette(frames):
+    """The colours of the roles that occur, and of edges between any two of them."""
+    from PIL import Image, ImageColor
+
+    roles = {"paper", "ink"} | {name for frame in frames for part in frame if not isinstance(part, Text)
+                                for name in (part.role, getattr(part, "fill", None)) if name}
+    colours = [ImageColor.getrgb(COLOURS[role]) for role in sorted(roles)]
+    blends = [tuple(round(x + (y - x) * i / 4) for x, y in zip(one, two, strict=True))
+              for one, two in combinations(colours, 2) for i in (1, 2, 3)]
+    flat = [part for colour in list(dict.fromkeys(colours + blends))[:SHADES] for part in colour]
+    found = Image.new("P", (1, 1))
+    found.putpalette(flat + flat[:3] * (256 - len(flat) // 3))
+    return found
+
+
+def _page(frame, caption, box, scale, size):
+    from PIL import Image, ImageDraw
+
+    fine = scale * FINER
+    page = Image.new("RGB", (size[0] * FINER, size[1] * FINER), COLOURS["paper"])
+    pen = ImageDraw.Draw(page)
+    for part in sorted(frame, key=lambda part: part.layer):
+        if not isinstance(part, Text):
+            _draw(part, pen, lambda p: ((p[0] - box[0]) * fine, (box[3] - p[1]) * fine), fine)
+    if caption:
+        _letters(caption, pen, (MARGIN * fine, (box[3] - box[1] - MARGIN - 4) * fine), fine)
+    return page.resize(size, Image.Resampling.BOX)
+
+
+def _draw(part, pen, place, fine):
+    width = max(1, round(part.width * fine))
+    closed = isinstance(part, (Polygon, Circle))
+    for stroke in part.strokes():
+        points = [place(p) for p in stroke]
+        if closed and part.fill:
+            pen.polygon(points, fill=COLOURS[part.fill])
+        pen.line(points, fill=COLOURS[part.role], width=width, joint="curve")
+
+
+def _letters(text, pen, place, fine):
+    from PIL import ImageFont
+
+    from vibcli.drawing.layout import lettering
+    from vibcli.plots import library
+
+    matplotlib = library.matplotlib()
+    run, = lettering.words(text)
+    file = f"{matplotlib.get_data_path()}/fonts/ttf/{lettering.file_of(run.text, False)}"
+    pen.text(place, run.text, fill=COLOURS["ink"], font=ImageFont.truetype(file, run.size * fine), anchor="ls")

@@ -1,0 +1,134 @@
+"""What a drawing is made of: lines, filled outlines, hatching and text, in points of 1/72 inch, y upwards.
+
+A role names what a line is, and the palette gives roles their colour. Layers are drawn in ascending order.
+"""
+
+from typing import NamedTuple
+
+from vibcli.drawing.layout import plane
+
+SURFACE, BEHIND, BODY, ELEMENT, JOINT, ARROW = range(6)
+SPACING, DEPTH = 5.0, 5.5       # of hatching
+
+
+class Line(NamedTuple):
+    """An open polyline."""
+
+    points: tuple
+    role: str = "ink"
+    width: float = 1.1
+    dashed: bool = False
+    layer: int = ELEMENT
+
+    def strokes(self):
+        return [self.points]
+
+
+class Polygon(NamedTuple):
+    """A closed outline, filled unless `fill` is None."""
+
+    points: tuple
+    fill: str | None = "body"
+    role: str = "ink"
+    width: float = 1.1
+    dashed: bool = False
+    layer: int = BODY
+
+    def strokes(self):
+        return [(*self.points, self.points[0])]
+
+
+class Circle(NamedTuple):
+    """A circle, filled unless `fill` is None."""
+
+    centre: tuple
+    radius: float
+    fill: str | None = None
+    role: str = "ink"
+    width: float = 1.1
+    dashed: bool = False
+    layer: int = BODY
+
+    @property
+    def points(self):
+        return plane.circle(self.centre, self.radius)
+
+    def strokes(self):
+        points = self.points
+        return [(*points, points[0])]
+
+
+class Arc(NamedTuple):
+    """A part of a circle between two angles in radians."""
+
+    centre: tuple
+    radius: float
+    start: float
+    end: float
+    role: str = "ink"
+    width: float = 1.1
+    dashed: bool = False
+    layer: int = ELEMENT
+
+    def strokes(self):
+        return [plane.arc(self.centre, self.radius, self.start, self.end)]
+
+
+class Hatch(NamedTuple):
+    """A line of the ground, hatched on its left (side 1) or right (−1)."""
+
+    points: tuple
+    side: int = 1
+    role: str = "ground"
+    width: float = 1.1
+    dashed: bool = False
+    layer: int = SURFACE
+
+    def strokes(self):
+        found, rest = [self.points], SPACING / 2
+        for a, b in zip(self.points, self.points[1:], strict=False):
+            length, at = plane.distance(a, b), plane.along(a, b)
+            while rest < length:
+                found.append((at(rest), at(rest - DEPTH * 0.8, self.side * DEPTH)))
+                rest += SPACING
+            rest -= length
+        return found
+
+
+class Run(NamedTuple):
+    """Letters of one size: `rise` is that of their baseline; slanted are the names of quantities."""
+
+    text: str
+    slanted: bool = False
+    size: float = 11.0
+    rise: float = 0.0
+
+
+class Text(NamedTuple):
+    """Runs of letters from the left end of their baseline on."""
+
+    place: tuple
+    runs: tuple
+    box: tuple              # (left, bottom, right, top) as measured
+    role: str = "ink"
+    layer: int = ARROW
+
+    def strokes(self):
+        return []
+
+
+def extent(primitives):
+    """(left, bottom, right, top) of a drawing; None of an empty one."""
+    points = [point for part in primitives for stroke in part.strokes() for point in stroke]
+    points += [corner for part in primitives if isinstance(part, Text) for corner in (part.box[:2], part.box[2:])]
+    return plane.bounds(points) if points else None
+
+
+def ghost(primitives):
+    """The same in grey and without its texts: the position from which something moves."""
+    found = []
+    for part in primitives:
+        if not isinstance(part, Text):
+            filled = {"fill": None} if isinstance(part, (Polygon, Circle)) else {}
+            found.append(part._replace(role="ghost", layer=SURFACE, **filled))
+    return found

@@ -1,0 +1,147 @@
+"""A problem as a drawing in the style of a textbook figure."""
+
+from vibcli.drawing.canvas.primitives import extent
+from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
+from vibcli.drawing.layout.space import Space
+from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, path
+
+GRAVITY = 30.0
+SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
+
+
+def draw(problem):
+    """The primitives of a scene as drawn, with its names."""
+    stage = letters.pleasing(problem, compose.Stage)
+    if not stage.scene.bodies:
+        found = abstract.draw(stage.scene)
+        return found + notes.lines(stage, extent(found))
+    found, where = compose.figure(stage, stage.sketch)
+    found += path.draw(stage)
+    return found + annotations(stage, found, where)
+
+
+def annotations(stage, found, where):
+    """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
+    sketch, space, made = stage.sketch, Space(found), []
+
+    def put(parts):
+        made.extend(parts)
+        space.add(parts)
+
+    thin = []
+    for runs, places, outside in _bodies(stage):
+        if outside:
+            thin.append((runs, places, "ink"))
+        else:
+            made.append(space.put(runs, places, inside=places))
+    words = []
+    for item in coordinate.wanted(sketch):
+        parts, places = coordinate.draw(item, sketch, stage.looks, space)
+        put(parts)
+        words.append((item[0], places, item[1]))
+    for record in (sketch.spec.get("forces") or {}).values():
+        drawn = load.draw(record, sketch, stage.looks, space)
+        if drawn is not None:
+            put(drawn[0])
+            words.append((drawn[1], drawn[2], "load"))
+    for layout in stage.rows:
+        for parts, runs, places, role in lumped.arrows(layout, stage.scene, sketch):
+            put(parts)
+            words.append((runs, places, role))
+    for runs, places, role in words + thin:
+        made.append(space.put(runs, places, role))
+    for parts, runs, places in _shaken(stage):
+        put(parts)
+        if runs:
+            made.append(space.put(runs, places, "driven"))
+    for name, (middle, normal) in where.items():
+        made.append(space.put(_element(name, sketch), _beside(middle, normal)))
+    for length in dimension.lengths(sketch):
+        drawn = dimension.draw(length, space)
+        if drawn is not None:
+            space.add(drawn[0])
+            label = space.put(drawn[1], drawn[2], "measure", most=dimension.ROOM)
+            made += [*drawn[0], label] if label is not None else []
+    put(_gravity(sketch, extent(found + made)))
+    return made + notes.lines(stage, extent(found + made))
+
+
+def _shaken(stage):
+    """[(primitives, runs, places)] of driven supports; those with the same motion are named once."""
+    found, named = [], set()
+    for name, record in stage.sketch.moving_points.items():
+        at = stage.sketch.frames[name].place
+        fields = [field for field in record["moves"] if captions.raw(field, stage.scene).mask]
+        direction = (1.0, 0.0) if fields and fields[0] is record["moves"][0] else (0.0, 1.0)
+        start = plane.plus(at, plane.left(direction), -20.0)
+        ends = [plane.plus(start, direction, side * 13.0) for side in (-1, 1)]
+        parts = arrow.straight(*ends, "driven", both=True)
+        words = captions.expression(fields[0], stage.sketch, 18) if len(fields) == 1 else None
+        text = fields[0].text if fields else name
+        runs = (words or lettering.named(name)) if text not in named else None
+        named.add(text)
+        found.append((parts, runs, [ends[1], start]))
+    return found
+
+
+def _beside(middle, normal):
+    return [plane.plus(middle, normal, 7.0), plane.plus(middle, normal, -7.0)]
+
+
+def _element(name, sketch):
+    for section, keys in (("springs", ("k", "torsion")), ("dampers", ("c", "torsion"))):
+        record = (sketch.spec.get(section) or {}).get(name)
+        if record is not None:
+            return captions.quantity(record, keys, sketch)
+    return lettering.named(name)
+
+
+def _bodies(stage):
+    """[(runs, places, is there no room within)] of the masses."""
+    found = []
+    for name, look in stage.looks.items():
+        runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
+        if runs is not None:
+            found.append((runs, _spots(name, look, stage.sketch), look.kind in SLENDER))
+    for layout in stage.rows:
+        for name, place in layout.places.items():
+            runs = captions.mass(stage.scene.bodies[name].record, stage.sketch)
+            if runs is not None:
+                middle = place.middle if not place.turns else plane.plus(place.middle, (0, -place.height))
+                found.append((runs, [middle], False))
+    return found
+
+
+def _spots(name, look, sketch):
+    """Where the name of a body belongs: the middle of its largest part; along a rod."""
+    if look.kind == "rod":
+        record = sketch.scene.bodies[name].record
+        ends = [sketch.frames[name].point(sketch.pair(record[key])) for key in ("from", "to")]
+        return [plane.plus(ends[0], plane.minus(ends[1], ends[0]), share) for share in (0.5, 0.65, 0.35)]
+    if look.kind in ("bob", "arm", "hub", "bar"):
+        return [sketch.centre(name)]
+    if look.kind in ("ring", "hoop", "rim", "arch"):
+        points = [sketch.frames[name].point(p) for p in look.pieces[0].points]
+        return [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
+    part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
+               key=lambda part: plane.distance(*_corners(part)))
+    return [plane.middle(*_corners(part))]
+
+
+def _corners(part):
+    left, bottom, right, top = plane.bounds(part.points)
+    return (left, bottom), (right, top)
+
+
+def _gravity(sketch, box):
+    """An arrow beside the upper right corner."""
+    gravity = sketch.scene.gravity
+    if gravity is None:
+        return []
+    direction = plane.unit([sketch.scene.number(part) for part in gravity], (0.0, -1.0))
+    middle = box[2] + 18.0, box[3] - GRAVITY / 2
+    start, tip = (plane.plus(middle, direction, side * GRAVITY / 2) for side in (-1, 1))
+    field = sketch.spec.get("gravity")
+    runs = lettering.named("g") if isinstance(field, list) else captions.expression(field, sketch) or \
+        lettering.named("g")
+    return [*arrow.straight(start, tip, "ink"), lettering.text(runs, middle[0] + 5, middle[1] - 4)]

@@ -1,0 +1,42 @@
+"""What is written beside an element: the quantity that the file gives it, else its name."""
+
+from vibcli.drawing.layout import lettering
+from vibcli.symbolic.semantics import lower
+
+SHORT = 14
+
+
+def quantity(record, keys, sketch):
+    """The runs that name an element by the first of some fields that it has."""
+    for key in keys:
+        if key in record and hasattr(record[key], "tree"):
+            return expression(record[key], sketch) or lettering.named(record.name)
+    return lettering.named(record.name)
+
+
+def expression(field, sketch, longest=SHORT):
+    """The runs of a field: its one name, its number as written, or the expression where it is short; else None."""
+    text = field.text.strip()
+    if field.tree[0] == "name":
+        return lettering.named(field.tree[3] + "'" * field.tree[4])
+    node = raw(field, sketch.scene)
+    if node.op == "number" or not any(letter.isalpha() for letter in text):
+        return lettering.words(text) if len(text) <= longest else None
+    runs = lettering.written(node)
+    return runs if len(lettering.letters(runs)) <= longest else None
+
+
+def raw(field, scene):
+    """The node of a field in the letters that it is written in, dependent coordinates included."""
+    def symbol(name, primes, tree):
+        return scene.parameters.nodes.get(name) or scene.table.variable(name + "'" * primes)
+
+    return lower(field.tree, scene.table, symbol)
+
+
+def mass(record, sketch):
+    """The runs for a body: its mass or inertia, else its name; None of a massless one."""
+    for key in ("mass", "inertia", "density"):
+        if key in record:
+            return quantity(record, (key,), sketch)
+    return lettering.named(record.name) if "parts" in record else None

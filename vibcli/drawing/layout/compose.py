@@ -1,0 +1,141 @@
+"""A scene as a drawing: everything that has a place, in one position."""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.drawing.canvas.primitives import BODY, Circle, Line, extent
+from vibcli.drawing.layout import lumped, plane, rows
+from vibcli.drawing.layout.scale import scale_of
+from vibcli.drawing.layout.sketch import Sketch
+from vibcli.drawing.layout.ties import Ties
+from vibcli.drawing.symbols import bodies, connection, joint, rope, support, tracks
+from vibcli.drawing.symbols.appearance import looks
+from vibcli.scene.closed_loops import drawn_values
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
+FINE = 1e9                  # points per metre at which what has a size on paper alone has none
+
+
+def values_at(scene, position=None, time=0.0):
+    """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
+    loops of the scene cannot follow."""
+    values = drawn_values(scene)
+    target = {**values, **(position or {}), scene.time.name: time}
+    if scene.loops is not None and (position or time):
+        target = scene.loops.followed(values, target)
+        if target is None:
+            return None
+    nodes = scene.dependent
+    return {**target, **dict(zip(nodes, evaluate(list(nodes.values()), Floats, target), strict=True))}
+
+
+class Stage:
+    """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
+
+    def __init__(self, scene):
+        if len(scene.bodies) > MOST:
+            raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
+        self.scene = scene
+        plain = Sketch(scene, values_at(scene), FINE)
+        self.sketch = Sketch(scene, plain.values, scale_of(plain) * FINE)
+        self.sketch.numbers["size"] = plain.numbers["size"] / FINE
+        self.ties = Ties(self.sketch)
+        self.looks = looks(self.sketch, self.ties)
+        self.room = {}
+        self.bunches = connection.bunches(self.sketch, self.looks)
+        self.ropes = {name: rope.stops(record, self.sketch, self.looks)
+                      for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
+        for number, found in enumerate(self.ties.implied):
+            self.ropes[f"implied {number}"] = rope.implied(found, self.sketch, self.looks)
+        box = extent(primitives(self, self.sketch)[0])
+        left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
+        self.rows = lumped.layouts(rows.rows(scene), scene, left, top)
+
+    def at(self, position=None, time=0.0):
+        """The Sketch in another position; None where its loops cannot follow."""
+        values = values_at(self.scene, position, time)
+        return None if values is None else self.sketch.at(values)
+
+
+def figure(stage, sketch, unit=1.0):
+    """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
+    lumped bodies are displaced by `unit` points for one metre."""
+    found, where = primitives(stage, sketch)
+    for layout in stage.rows:
+        moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit) for name, place in layout.places.items()}
+        lines, places = lumped.draw(layout, moved)
+        found += lines
+        where |= places
+    return found, where
+
+
+def primitives(stage, sketch):
+    """What has a place, without words and arrows."""
+    looks, ties = stage.looks, stage.ties
+    found = _surfaces(sketch, looks)
+    found += bodies.draw(sketch, looks, stage.room)
+    where = {}
+    for bunch in stage.bunches:
+        lines, places = connection.draw(bunch, sketch)
+        found += lines
+        where |= places
+    found += _pegs(sketch, ties)
+    for chain in stage.ropes.values():
+        found += rope.draw(chain, sketch)
+    found += _constraints(sketch)
+    found += connection.walls(_fixed_ends(stage, sketch), sketch)
+    lines, places = joint.draw(sketch, looks)
+    return found + lines, where | places
+
+
+def _surfaces(sketch, looks):
+    found = []
+    for name, record in (sketch.spec.get("surfaces") or {}).items():
+        if "body" in record and not sketch.is_fixed(record["body"].text):
+            continue
+        found += tracks.ground(record, tracks.contacts(name, sketch), sketch)
+    return found
+
+
+def _pegs(sketch, ties):
+    """Pulleys without a body: a smooth peg, or a wheel in a bearing."""
+    found = []
+    for at, radius in ties.pegs:
+        place = sketch.now(at)
+        if not radius:
+            found += support.peg(place)
+        else:
+            found += [Circle(place, radius, "body", layer=BODY), *support.bearing(place, (0.0, -1.0))]
+    return found
+
+
+def _constraints(sketch):
+    """Links, belts, and pins where points are joined."""
+    found = []
+    for record in (sketch.spec.get("constraints") or {}).values():
+        ends = [sketch.attachment(end) for end in record.get("link", record.get("join", ()))]
+        places = [sketch.now(end) for end in ends]
+        if "link" in record:
+            found += [Line(tuple(places), width=2.4), *(part for place in places for part in support.hinge(place))]
+        elif places:
+            found += support.hinge(places[0])
+        elif "belt" in record:
+            found += rope.belt(record, sketch)
+    return found
+
+
+def _fixed_ends(stage, sketch):
+    """[(Attachment, direction into the ground)] of what ends on the ground or on a driven support."""
+    ends = [(a, plane.unit(plane.minus(a.drawn, b.drawn))) for bunch in stage.bunches
+            for a, b in ((bunch.one, bunch.two), (bunch.two, bunch.one))]
+    for chain in stage.ropes.values():
+        for stop, other in ((chain[0], chain[1]), (chain[-1], chain[-2])):
+            if not stop.sense:
+                free = rope.draw([stop, other], stage.sketch)[0].points
+                ends.append((stop.at, plane.unit(plane.minus(free[0], free[1]))))
+    for record in (sketch.spec.get("constraints") or {}).values():
+        if "link" in record:
+            a, b = (sketch.attachment(end) for end in record["link"])
+            ends += [(a, plane.unit(plane.minus(a.drawn, b.drawn))), (b, plane.unit(plane.minus(b.drawn, a.drawn)))]
+    bearings = bodies.fixed_pivots(stage.sketch, stage.looks)
+    return [(end, out) for end, out in ends if (sketch.is_fixed(end.carrier) or end.carrier in sketch.moving_points)
+             and (round(end.drawn[0], 3), round(end.drawn[1], 3)) not in bearings]

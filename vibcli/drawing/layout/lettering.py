@@ -1,0 +1,115 @@
+"""Names and expressions as runs of letters, and their measures: quantities slanted, indices lowered.
+
+The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what neither has is shown as □.
+"""
+
+import re
+from functools import cache, lru_cache
+
+from vibcli.drawing.canvas.primitives import Run, Text
+from vibcli.notation.plain import GREEK, Plain, split_name
+from vibcli.plots import library
+
+SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
+ASCENT, DESCENT = 0.70, 0.22
+FONTS = {True: ("STIXGeneralItalic.ttf", "DejaVuSerif-Italic.ttf"), False: ("STIXGeneral.ttf", "DejaVuSans.ttf")}
+MISSING, LONGEST, BLANK, GAP = "□", 90, 0.25, 0.13
+_OPEN, _INDEX, _CLOSE = "\ue000", "\ue001", "\ue002"
+_HIGH = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−")
+_PARTS = re.compile(f"{_OPEN}([^{_INDEX}]*){_INDEX}([^{_CLOSE}]*){_CLOSE}|([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)|([^{_OPEN}⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)")
+
+
+class _Marked(Plain):
+    """Plain notation in which names are marked off with their indices."""
+
+    def symbol(self, name):
+        letter, rest, primes = split_name(name)
+        return f"{_OPEN}{GREEK.get(letter, letter)}{primes}{_INDEX}{rest.removeprefix('_')}{_CLOSE}"
+
+    def product(self, value, args):
+        return super().product(value, args).replace("·", " ")
+
+
+def named(name, size=SIZE):
+    """The runs of a name: φ₁ of phi1, a word as it is."""
+    return _runs(_Marked().symbol(name), size)
+
+
+def written(node, size=SIZE):
+    """The runs of an expression."""
+    return _runs(_Marked()(node).replace("\u00a0", " "), size)
+
+
+def words(text, size=SIZE):
+    """The runs of plain words."""
+    return (Run(_printable(text[:LONGEST], False), False, size),)
+
+
+def _runs(text, size):
+    found = []
+    for name, index, power, other in _PARTS.findall(text):
+        if name:
+            found.append(Run(_printable(name, True), True, size))
+        if index:
+            found.append(Run(_printable(index, not index.isdigit()), not index.isdigit(), SMALL * size, LOWER * size))
+        if power:
+            found.append(Run(power.translate(_HIGH), False, SMALL * size, RAISE * size))
+        if other:
+            found.append(Run(_printable(other, False), False, size))
+    return tuple(found)
+
+
+def letters(runs):
+    return "".join(run.text for run in runs)
+
+
+def width(runs):
+    return sum(_advance(run.text, run.slanted, run.size) for run in runs)
+
+
+def text(runs, left, bottom, role="ink"):
+    """A Text with the lower left corner of its box."""
+    low = min(run.rise - DESCENT * run.size for run in runs)
+    high = max(run.rise + ASCENT * run.size for run in runs)
+    box = left, bottom, left + width(runs), bottom + high - low
+    return Text((left, bottom - low), tuple(runs), box, role)
+
+
+def size(runs):
+    """(width, height) of the box of runs."""
+    box = text(runs, 0.0, 0.0).box
+    return box[2], box[3]
+
+
+@cache
+def font(file):
+    matplotlib = library.matplotlib()
+    from matplotlib.ft2font import FT2Font
+
+    return FT2Font(f"{matplotlib.get_data_path()}/fonts/ttf/{file}")
+
+
+@lru_cache(4096)
+def file_of(letters, slanted):
+    """The first font that has all of some letters."""
+    for file in FONTS[slanted]:
+        if all(font(file).get_char_index(ord(letter)) for letter in letters):
+            return file
+    return FONTS[slanted][-1]
+
+
+def _printable(letters, slanted):
+    files = FONTS[slanted]
+    return "".join(letter if letter.isprintable() and any(
+        font(file).get_char_index(ord(letter)) for file in files) else MISSING for letter in letters)
+
+
+@lru_cache(4096)
+def _advance(letters, slanted, size):
+    if not letters.strip():
+        return GAP * size * len(letters)
+    found = font(file_of(letters, slanted))
+    found.set_size(size, 72)
+    found.set_text(letters, 0.0)
+    blank = BLANK * size * (len(letters) - len(letters.rstrip()))
+    return found.get_width_height()[0] / 64 + 0.06 * size + blank

@@ -1,0 +1,94 @@
+"""Values of letters that make a good figure: those of the scene, unless bodies or fixed places then lie over others."""
+
+from vibcli.base.errors import SpecError
+from vibcli.drawing.layout import plane
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+TRIES, ENOUGH, SAME = 8, 0.05, 1e-9
+
+
+def pleasing(problem, stage_of):
+    """The stage (`stage_of(scene)`) whose letters draw the scene best; only that of the problem where it has none."""
+    stage = stage_of(problem.scene)
+    if not problem.symbolic or crowding(stage) <= ENOUGH:
+        return stage
+    from vibcli.scene.build import build_scene
+
+    attempt, best = problem.scene.attempt, (crowding(stage), stage)
+    for _ in range(TRIES):
+        try:
+            scene = build_scene(problem.spec, problem.given, attempt + 1)
+        except SpecError:
+            break
+        attempt = scene.attempt
+        if _same(problem.scene, scene):
+            other = stage_of(scene)
+            best = min(best, (crowding(other), other), key=lambda pair: pair[0])
+            if best[0] <= ENOUGH:
+                break
+    return best[1]
+
+
+def _same(scene, other):
+    """Do two scenes of one file move alike, with the values of the second?"""
+    values = [_rates(one, other.sample) for one in (scene, other)]
+    sizes = [1.0 + max(map(abs, row), default=0.0) for row in values]
+    return len(values[0]) == len(values[1]) and all(
+        abs(a - b) <= SAME * min(sizes) for a, b in zip(*values, strict=True))
+
+
+def _rates(scene, sample):
+    """How the places and angles of all bodies change with the coordinates, as drawn."""
+    nodes = [node for body in scene.bodies.values() if body.frame is not None
+             for node in (*body.frame.place, body.frame.angle)]
+    slopes = [gradient(node).get(q, scene.table.zero) for node in nodes for q in scene.q]
+    symbols = {node.name: value for node, value in scene.drawn.items()}
+    drawn = dict(zip(symbols, evaluate(list(symbols.values()), Floats, sample), strict=True))
+    rates = {v.name: 0.0 for v in scene.v}
+    return evaluate(slopes, Floats, {**sample, **drawn, **rates, scene.time.name: 0.0})
+
+
+def crowding(stage):
+    """How much bodies overlap that are not joined, and how many fixed places lie within bodies."""
+    sketch, looks, total = stage.sketch, stage.looks, 0.0
+    names = list(looks)
+    for i, one in enumerate(names):
+        for two in names[i + 1:]:
+            if not _joined(one, two, sketch):
+                total += _overlap(looks[one], looks[two])
+    for pair in stage.ties.ends:
+        for end in pair:
+            for name, look in looks.items():
+                if end.carrier != name and any(plane.inside(end.drawn, list(part.points)) for part in look.outlines):
+                    total += not _joined(name, end.carrier, sketch) or end.carrier is None
+    return total
+
+
+def _joined(one, two, sketch):
+    """Is one of two bodies carried by the other, or drawn at the same place?"""
+    if two is None or two not in sketch.scene.bodies:
+        return False
+    for a, b in ((one, two), (two, one)):
+        record = sketch.scene.bodies[a].record
+        pivot = sketch.pivot(a)
+        if (pivot is not None and pivot.carrier == b) or ("weld" in record and record["weld"].text == b):
+            return True
+        surface = sketch.scene.surfaces.get(getattr(record.get("roll", {}).get("surface"), "text", None))
+        if surface is not None and "body" in surface and surface["body"].text == b:
+            return True
+        for key in ("slide", "move"):
+            if key in record and "carrier" in record[key] and record[key]["carrier"].text == b:
+                return True
+    return plane.distance(sketch.centre(one), sketch.centre(two)) < 1e-6
+
+
+def _overlap(one, two):
+    """The part of the smaller body that the boxes of two bodies share; thin rods count for nothing."""
+    if "rod" in (one.kind, two.kind) or not (one.outlines and two.outlines):
+        return 0.0
+    a, b = (plane.bounds([p for part in look.outlines for p in part.points]) for look in (one, two))
+    wide, high = min(a[2], b[2]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[1], b[1])
+    if wide <= 1.0 or high <= 1.0:
+        return 0.0
+    return wide * high / max(1.0, min((c[2] - c[0]) * (c[3] - c[1]) for c in (a, b)))

@@ -1,0 +1,195 @@
+"""Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
+
+from math import sin
+from typing import NamedTuple
+
+from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Hatch, Line, Polygon
+from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout.rows import motion
+from vibcli.drawing.symbols import arrow, damper, spring, support
+
+BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
+HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
+
+
+class Place(NamedTuple):
+    """Where a lumped body stands: its middle, half its width and height, and whether it turns."""
+
+    middle: tuple
+    half: float
+    height: float
+    turns: bool
+
+
+class Layout(NamedTuple):
+    """A row on paper: `places` by body, the walls (None where there is none), the height of the highest lane."""
+
+    row: object
+    places: dict
+    left: float | None
+    right: float | None
+    y: float
+    top: float
+
+
+def layouts(found, scene, left, top):
+    """The Layouts of rows below one another, from the upper left corner on."""
+    made = []
+    for row in found:
+        turns = any(scene.bodies[name].lumped[0] == "turn" for name in row.bodies)
+        stack = max([len(edges) for edges in row.gaps.values()] or [1])
+        height = max(RIM if turns else HALF, 0.5 * STACK * stack + 4)
+        above = height + 26 + (LANE * len(row.lanes) + 8) * bool(row.lanes)
+        y = top - above
+        walled = 0 in row.gaps or any(low < 0 for low, _, _ in row.lanes)
+        x = left + (GAP if walled else 0.0)
+        places = {}
+        for name in row.bodies:
+            half = DISC / 2 if scene.bodies[name].lumped[0] == "turn" else BOX / 2
+            places[name] = Place((x + half, y), half, height, scene.bodies[name].lumped[0] == "turn")
+            x += 2 * half + GAP
+        end = len(row.bodies)
+        right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
+        made.append(Layout(row, places, left if walled else None, right, y, y + above - 12))
+        top = y - height - ROOM
+    return made
+
+
+def draw(layout, moved):
+    """The primitives of a row; `moved`: {body: displacement in points, or angle}. Also where its elements are, as
+    {name: (middle, normal)}."""
+    places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
+              for name, place in layout.places.items()}
+    found, where = _walls(layout), {}
+    for name, place in places.items():
+        found += _disc(place, moved.get(name, 0.0)) if place.turns else _box(place)
+    for column, edges in layout.row.gaps.items():
+        for i, edge in enumerate(edges):
+            t = (0.5 * (len(edges) - 1) - i) * STACK
+            start, end = _ends(layout, places, column, t)
+            drawn = plane.distance(*_ends(layout, layout.places, column, t))
+            found += _element(edge, start, end, drawn)
+            where[edge.name] = plane.middle(start, end), (0.0, 1.0)
+    for lane, (low, high, edge) in enumerate(layout.row.lanes):
+        lines, middle = _lane(layout, places, low, high, edge, lane)
+        found += lines
+        where[edge.name] = middle, (0.0, 1.0)
+    return found, where
+
+
+def _ends(layout, places, column, t):
+    """Where the elements of a gap begin and end."""
+    bodies = layout.row.bodies
+    start = layout.left if column == 0 else places[bodies[column - 1]].middle[0] + places[bodies[column - 1]].half
+    end = layout.right if column == len(bodies) else places[bodies[column]].middle[0] - places[bodies[column]].half
+    return (start, layout.y + t), (end, layout.y + t)
+
+
+def _element(edge, start, end, drawn):
+    if edge.kind == "dampers":
+        return damper.dashpot(start, end)
+    if "torsion" in edge.record:
+        return shaft(start, end)
+    return spring.zigzag(start, end, drawn)
+
+
+def shaft(start, end):
+    """An elastic shaft from the side."""
+    at, length = plane.along(start, end), plane.distance(start, end)
+    return [Polygon((at(0, SHAFT), at(length, SHAFT), at(length, -SHAFT), at(0, -SHAFT)), "paper", "spring",
+                    layer=ELEMENT)]
+
+
+def _lane(layout, places, low, high, edge, lane):
+    """An element that runs over the bodies between its ends."""
+    y = layout.y + max(place.height for place in places.values()) + 31 + LANE * lane
+    bodies, ends = layout.row.bodies, []
+    for column, side in ((low, 1), (high, -1)):
+        if column < 0 or column == len(bodies):
+            ends.append(((layout.left if column < 0 else layout.right), None))
+        else:
+            place = places[bodies[column]]
+            ends.append((place.middle[0] + side * (place.half - 6), layout.y + place.height))
+    (x1, y1), (x2, y2) = ends
+    legs = [Line(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
+    return legs + _element(edge, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
+
+
+def _box(place):
+    x, y = place.middle
+    wheels = [Circle((x + side * (place.half - 8), y - place.height - support.ROLLER), support.ROLLER, "paper")
+              for side in (-1, 1)]
+    return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))), *wheels]
+
+
+def _disc(place, angle):
+    """A disc from the side; a mark on its rim shows how far it has turned."""
+    x, y = place.middle
+    level = y + place.height * sin(angle)
+    return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))),
+            *([Line(((x - place.half, level), (x + place.half, level)), layer=BODY)] if angle else [])]
+
+
+def _walls(layout):
+    """The ground: a floor under boxes, walls at the ends."""
+    places = list(layout.places.values())
+    height = max(place.height for place in places)
+    foot = layout.y - height - (0 if places[0].turns else 2 * support.ROLLER)
+    first, last = places[0].middle[0] - places[0].half, places[-1].middle[0] + places[-1].half
+    left = layout.left if layout.left is not None else first - 16
+    right = layout.right if layout.right is not None else last + 16
+    head = max(layout.y + height, layout.top + 8 if layout.row.lanes else 0.0)
+    found = []
+    if places[0].turns:
+        foot, head = layout.y - 22, max(layout.y + 22, layout.top + 8 if layout.row.lanes else layout.y)
+    points = [*([(left, head)] if layout.left is not None else []),
+              *([(left, foot), (right, foot)] if not places[0].turns else []),
+              *([(right, head)] if layout.right is not None else [])]
+    if not places[0].turns:
+        found.append(Hatch(tuple(points), -1))
+    else:
+        found += [Hatch(((left, head), (left, foot)), -1)] if layout.left is not None else []
+        found += [Hatch(((right, head), (right, foot)), 1)] if layout.right is not None else []
+    return found
+
+
+def arrows(layout, scene, sketch):
+    """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
+    found = []
+    for name, place in layout.places.items():
+        body = scene.bodies[name]
+        field = motion(body)
+        x, y = place.middle[0], place.middle[1] + place.height + 9
+        driven = captions.raw(field, scene).mask == scene.time.mask
+        runs = captions.expression(field, sketch, 18) or lettering.words(field.text)
+        role = "driven" if driven else "coordinate"
+        tip = (x + 26, y)
+        if place.turns:
+            parts, tip = arrow.over((x, y), role), (x + 8, y + 6)
+        else:
+            parts = [Line(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW), *arrow.straight((x, y), tip, role)]
+        found.append((parts, runs, [tip], role))
+    for record in (scene.spec.get("forces") or {}).values():
+        found += _load(record, layout, sketch)
+    return found
+
+
+def _load(record, layout, sketch):
+    name = getattr(record.get("at", record.get("body")), "text", None)
+    if name not in layout.places:
+        return []
+    place = layout.places[name]
+    x, y = place.middle
+    if "moment" in record:
+        runs = captions.expression(record["moment"], sketch, 18) or lettering.named(record.name)
+        y += place.height + 22
+        return [(arrow.over((x, y), "load", 1.7), runs, [(x + 10, y + 6)], "load")]
+    if "unbalance" in record:
+        runs = captions.expression(record["unbalance"], sketch) or lettering.named(record.name)
+        mass = (x + 8, y + 10)
+        parts = [Line((place.middle, mass), "load"), Circle(mass, 2.3, "load", "load")]
+        return [(parts, runs, [mass], "load")]
+    runs = captions.expression(record["force"], sketch, 18) or lettering.named(record.name)
+    start = (x + place.half, y + place.height - 5)
+    return [(arrow.straight(start, plane.plus(start, (30.0, 0.0)), "load", 1.7), runs,
+             [plane.plus(start, (16.0, 3.0))], "load")]

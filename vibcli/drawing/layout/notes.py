@@ -1,0 +1,61 @@
+"""What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
+
+from vibcli.drawing.layout import captions, lettering, rows
+from vibcli.notation.plain import GREEK
+
+SIZE, LEADING, MOST = 9.5, 15.0, 8
+
+
+def lines(stage, box):
+    """The Texts of the notes, below the box of the drawing."""
+    left, bottom = (box[0], box[1] - 10.0) if box else (0.0, 0.0)
+    found = []
+    for runs in of(stage)[:MOST]:
+        bottom -= LEADING
+        found.append(lettering.text(runs, left, bottom, "note"))
+    return found
+
+
+def of(stage):
+    """The runs of each note."""
+    spec, scene = stage.scene.spec, stage.scene
+    shown = {edge.name for edge in rows.edges(scene)}
+    found = []
+    for section, keys in (("springs", ("k", "torsion")), ("dampers", ("c", "torsion"))):
+        for name, record in (spec.get(section) or {}).items():
+            if "stretch" in record and name not in shown:
+                field = next(record[key] for key in keys if key in record)
+                found.append(_note(f"{name}: ", scene, (field, " on "), (record["stretch"], "")))
+    for name, record in (spec.get("forces") or {}).items():
+        if "value" in record:
+            found.append(_note(f"{name}: ", scene, (record["value"], "")))
+    for name, record in (spec.get("constraints") or {}).items():
+        if "equation" in record:
+            found.append(_note(f"{name}: ", scene, (record["equation"], " = 0")))
+        for kind in ("gear", "belt"):
+            if kind in record and any(scene.bodies[end.text].frame is None for end in record[kind]):
+                names = " – ".join(end.text for end in record[kind])
+                found.append(lettering.words(f"{name}: {kind} {names}", SIZE))
+    for key, field in getattr(spec.get("energies"), "values", {}).items():
+        found.append(_note(f"{GREEK.get(key, key)} = ", scene, (field, "")))
+    return found
+
+
+def _note(head, scene, *parts):
+    runs = list(lettering.words(head, SIZE))
+    for field, after in parts:
+        runs += shortened(lettering.written(captions.raw(field, scene), SIZE))
+        if after:
+            runs += lettering.words(after, SIZE)
+    return tuple(runs)
+
+
+def shortened(runs, longest=lettering.LONGEST):
+    """The runs as far as there is room for them."""
+    found, left = [], longest
+    for run in runs:
+        if len(run.text) > left:
+            return (*found, run._replace(text=run.text[:left] + " …"))
+        found.append(run)
+        left -= len(run.text)
+    return tuple(found)

@@ -1,0 +1,149 @@
+"""A scene on paper in one position: where its bodies are, and where the ends of its elements, in points.
+
+Places are those of the drawing times the scale; letters stand for the sample values of the scene. What is drawn never
+depends on the position, except through the frames of the bodies.
+"""
+
+from math import isfinite
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.drawing.layout import plane
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+TORN = ("the scene cannot be drawn: its places are not finite numbers", "look at the values of its parameters")
+
+
+class Attachment(NamedTuple):
+    """A place as drawn and what carries it: the name of a body or driven point, None of the fixed plane; `loose` at the
+    edge of a box, where nothing shows that it is fastened."""
+
+    carrier: str | None
+    drawn: tuple
+    loose: bool = False
+
+
+class Frame(NamedTuple):
+    """Where a body's reference point was drawn and is now, and how far the body has turned."""
+
+    drawn: tuple
+    place: tuple
+    angle: float
+
+    def point(self, drawn):
+        return plane.plus(self.place, plane.turned(plane.minus(drawn, self.drawn), self.angle))
+
+    def turned(self, direction):
+        return plane.turned(direction, self.angle)
+
+
+STILL = Frame((0.0, 0.0), (0.0, 0.0), 0.0)
+
+
+class Sketch:
+    """The scene at `values` ({symbol: number}), one metre being `scale` points; `numbers` are kept from one position
+    to the next."""
+
+    def __init__(self, scene, values, scale=1.0, numbers=None):
+        self.scene, self.spec, self.values, self.scale = scene, scene.spec, values, scale
+        self.numbers = {} if numbers is None else numbers
+        self.moving_points = {name: record for name, record in (scene.spec.get("points") or {}).items()
+                              if "moves" in record}
+        self.frames, self.lumped = self._frames()
+
+    def at(self, values):
+        """The same in another position."""
+        return Sketch(self.scene, values, self.scale, self.numbers)
+
+    def _frames(self):
+        """({name: Frame} of bodies and driven points, {name: motion} of lumped bodies)."""
+        scene, nodes, names, lumps = self.scene, [], [], []
+        for name, body in scene.bodies.items():
+            if body.frame is not None:
+                names.append(name)
+                nodes += [*body.frame.drawn, *body.frame.place, body.frame.angle]
+            else:
+                lumps.append((name, body.lumped[1]))
+        for name, record in self.moving_points.items():
+            names.append(name)
+            drawn = scene.pair(record["at"])
+            nodes += [*drawn, *(x + scene.lower(part) for x, part in zip(drawn, record["moves"], strict=True)),
+                      scene.table.zero]
+        flat = evaluate([*nodes, *(node for _, node in lumps)], Floats, self.values)
+        if not all(map(isfinite, flat)):
+            raise PhysicsError(*TORN)
+        frames = {}
+        for i, name in enumerate(names):
+            x0, y0, x, y, angle = flat[5 * i:5 * i + 5]
+            frames[name] = Frame((x0 * self.scale, y0 * self.scale), (x * self.scale, y * self.scale), angle)
+        return frames, dict(zip([name for name, _ in lumps], flat[5 * len(names):], strict=True))
+
+    def number(self, expression):
+        """The value of a field as drawn."""
+        key = id(expression)
+        if key not in self.numbers:
+            value = self.scene.number(self.scene.lower(expression))
+            if not isfinite(value):
+                raise PhysicsError(*TORN, expression.where)
+            self.numbers[key] = value
+        return self.numbers[key]
+
+    def length(self, expression):
+        return self.number(expression) * self.scale
+
+    def pair(self, expressions):
+        return self.length(expressions[0]), self.length(expressions[1])
+
+    def centre(self, name):
+        """The mass centre of a body as drawn."""
+        key = ("centre", name)
+        if key not in self.numbers:
+            self.numbers[key] = [self.scene.number(part) for part in self.scene.bodies[name].centre]
+        x, y = self.numbers[key]
+        return x * self.scale, y * self.scale
+
+    def rim(self, end):
+        """The Attachment of what a rope, belt or gear runs about: the centre of a body's circle, or another place."""
+        body = self.scene.bodies.get(getattr(end, "text", end) if not isinstance(end, list) else None)
+        if body is None or body.name not in self.frames:
+            return self.attachment(end)
+        key = ("rim", body.name)
+        if key not in self.numbers:
+            self.numbers[key] = [self.scene.number(part) for part in self.scene.rim(body, body.record.where)]
+        x, y = self.numbers[key]
+        return Attachment(body.name, (x * self.scale, y * self.scale))
+
+    def attachment(self, end):
+        """The Attachment of an end: a place [x, y], or the name of a point or body; None without a place."""
+        if isinstance(end, list):
+            return Attachment(None, self.pair(end))
+        if end.text in self.scene.bodies:
+            return Attachment(end.text, self.centre(end.text)) if end.text in self.frames else None
+        record = (self.spec.get("points") or {}).get(end.text)
+        if record is None:
+            return None
+        carrier = record["body"].text if "body" in record else end.text if "moves" in record else None
+        return Attachment(carrier, self.pair(record["at"]))
+
+    def pivot(self, name):
+        """The Attachment of a body's pin, None of a body without one."""
+        record = self.scene.bodies[name].record
+        pin = record.get("pin")
+        if pin is None:
+            return None
+        carrier = pin["carrier"].text if "carrier" in pin else None
+        if "at" not in pin:
+            return Attachment(carrier, self.centre(name))
+        found = self.attachment(pin["at"])
+        return Attachment(carrier or found.carrier, found.drawn)
+
+    def frame(self, carrier):
+        return STILL if carrier is None else self.frames[carrier]
+
+    def now(self, attachment):
+        """Where an Attachment is in this position."""
+        return self.frame(attachment.carrier).point(attachment.drawn)
+
+    def is_fixed(self, carrier):
+        """Does a carrier never move?"""
+        return carrier is None or (carrier in self.scene.bodies and not self.scene.bodies[carrier].moves)

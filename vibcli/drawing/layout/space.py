@@ -1,0 +1,105 @@
+"""Room on paper: which cells of a fine grid are taken, and where a word or an arrow fits best."""
+
+from itertools import pairwise
+from math import ceil, cos, floor, hypot, pi, sin
+
+from vibcli.drawing.canvas.primitives import Circle, Polygon, Text
+from vibcli.drawing.layout import lettering, plane
+
+CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
+REACHES = (2.0, 4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 55.0, 75.0, 100.0, 140.0, 200.0, 280.0)
+DIRECTIONS = [(cos(pi * i / 8), sin(pi * i / 8)) for i in (4, 0, 12, 8, 2, 6, 14, 10, 1, 3, 5, 7, 9, 11, 13, 15)]
+FARNESS = 0.25
+
+
+class Space:
+    """The cells that a drawing takes, with the cost of writing over them."""
+
+    def __init__(self, primitives=()):
+        self.cells = {}
+        self.add(primitives)
+
+    def add(self, primitives):
+        for part in primitives:
+            if isinstance(part, Text):
+                self.reserve(part.box)
+                continue
+            if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):
+                self._fill(part.points)
+            for stroke in part.strokes():
+                self._stroke(stroke)
+
+    def _stroke(self, points):
+        cells = self.cells
+        for (ax, ay), (bx, by) in pairwise(points):
+            steps = max(1, ceil(hypot(bx - ax, by - ay) / CELL))
+            for i in range(steps + 1):
+                key = floor((ax + (bx - ax) * i / steps) / CELL), floor((ay + (by - ay) * i / steps) / CELL)
+                if cells.get(key, 0.0) < 1.0:
+                    cells[key] = 1.0
+
+    def _fill(self, points):
+        """Take the inside of an outline lightly, row by row."""
+        ys = [y for _, y in points]
+        for j in range(ceil(min(ys) / CELL), floor(max(ys) / CELL) + 1):
+            y = (j + 0.5) * CELL
+            xs = sorted(ax + (y - ay) * (bx - ax) / (by - ay)
+                        for (ax, ay), (bx, by) in zip(points, [*points[1:], points[0]], strict=True)
+                        if (ay > y) != (by > y))
+            for left, right in zip(xs[::2], xs[1::2], strict=False):
+                for i in range(ceil(left / CELL), floor(right / CELL)):
+                    self.cells.setdefault((i, j), FILLED)
+
+    def reserve(self, box):
+        """Take a box for good."""
+        for key in self._cells(box, CLEAR):
+            self.cells[key] = TAKEN
+
+    def _cells(self, box, margin=0.0):
+        left, bottom, right, top = box
+        for i in range(floor((left - margin) / CELL), floor((right + margin) / CELL) + 1):
+            for j in range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1):
+                yield i, j
+
+    def cost(self, box):
+        """The cost of writing in a box."""
+        get = self.cells.get
+        return sum(get(key, 0.0) for key in self._cells(box))
+
+    def strokes(self, box):
+        """The cost of writing in a box that lies on the body that is named."""
+        get = self.cells.get
+        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= 1.0)
+
+    def path(self, points):
+        """The cost of an arrow along a path."""
+        get, total = self.cells.get, 0.0
+        for a, b in pairwise(points):
+            steps = max(1, ceil(plane.distance(a, b) / CELL))
+            for i in range(steps + 1):
+                p = plane.plus(a, plane.minus(b, a), i / steps)
+                total += get((floor(p[0] / CELL), floor(p[1] / CELL)), 0.0)
+        return total
+
+    def put(self, runs, anchors, role="ink", inside=(), most=None):
+        """The Text of runs where it fits best near one of the anchors, which then is taken; centred in a place of
+        `inside` where it is free. None where it costs more than `most`."""
+        width, height = lettering.size(runs)
+        best = None
+        for x, y in inside:
+            box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
+            best = min(best or (1e9, None), (self.strokes(box), box))
+        for reach in REACHES:
+            if best is not None and best[0] <= FARNESS * reach:
+                break
+            for rank, (dx, dy) in enumerate(DIRECTIONS):
+                for ax, ay in anchors:
+                    x, y = ax + dx * (reach + width / 2), ay + dy * (reach + height / 2)
+                    box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
+                    cost = self.cost(box) + FARNESS * reach + 0.01 * rank
+                    if best is None or cost < best[0]:
+                        best = cost, box
+        if best is None or (most is not None and best[0] > most):
+            return None
+        self.reserve(best[1])
+        return lettering.text(runs, best[1][0], best[1][1], role)

@@ -1,0 +1,102 @@
+"""Which look each placed body has: that of its shape, else of what it does."""
+
+from vibcli.drawing.canvas.primitives import BODY, Line, Polygon
+from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import sliding
+from vibcli.drawing.symbols.look import Look, ball, centre_mark, teeth
+from vibcli.drawing.symbols.pinned import pinned
+from vibcli.drawing.symbols.posts import with_posts
+from vibcli.drawing.symbols.shape import BALL, outline
+
+RIM = 8.0
+
+
+def looks(sketch, ties):
+    """{name: Look} of all bodies that have a place."""
+    return {name: with_posts(look_of(body, sketch, ties), body, sketch, ties)
+            for name, body in sketch.scene.bodies.items() if name in sketch.frames}
+
+
+def look_of(body, sketch, ties):
+    record, name = body.record, body.name
+    if "parts" in record or record.get("shape", "particle") != "particle":
+        return _shaped(record, sketch, toothed=name in ties.toothed)
+    centre = sketch.centre(name)
+    surfaces = ties.surfaces.get(name, ())
+    if any("line" in surface for surface in surfaces):
+        return sliding.platform(body, sketch, next(surface for surface in surfaces if "line" in surface))
+    if any("curve" in surface for surface in surfaces):
+        return sliding.bowl(next(surface for surface in surfaces if "curve" in surface), sketch)
+    if any("circle" in surface for surface in surfaces):
+        surface = surfaces[0]
+        rim = plane.circle(sketch.pair(surface["circle"]), sketch.length(surface["radius"]))
+        return Look([Polygon(tuple(rim), None, width=2.2)], "hoop")
+    if name in ties.rims:
+        return _rim(sketch.rim(name).drawn, max(ties.radii[name]))
+    if name in ties.radii:
+        axle = sketch.rim(name).drawn
+        return _wheel(axle, _radii(name, axle, ties), name in ties.toothed)
+    pivot = sketch.pivot(name)
+    if pivot is not None:
+        return pinned(body, centre, pivot.drawn, sketch, ties)
+    if "slide" in record and "surface" not in record["slide"]:
+        return sliding.block(body, centre, sketch, ties)
+    return _loose(body, centre, sketch, ties)
+
+
+def _shaped(record, sketch, toothed=False):
+    parts = [outline(part, sketch) for part in record.get("parts", (record,))]
+    pieces = [_piece(part) for part in sorted(parts, key=lambda part: part.cut)]
+    if toothed and parts[0].band:
+        return _rim(sketch.rim(record.name).drawn, sketch.length(record["radius"]))
+    if toothed:
+        pieces = [piece._replace(points=tuple(teeth(piece.points))) for piece in pieces]
+    core = list(pieces[0].points) if record.get("shape") == "rectangle" else None
+    return Look(pieces, record.get("shape", "parts"), core)
+
+
+def _piece(part):
+    if not part.closed:
+        return Line(tuple(part.points), width=3.0, layer=BODY)
+    if part.band:
+        return Polygon(tuple(part.points), None, width=2.6)
+    return Polygon(tuple(part.points), "paper" if part.cut else "body")
+
+
+def _radii(name, centre, ties):
+    """The radii of a wheel, that at which it carries places included."""
+    radii = sorted(ties.radii[name], reverse=True)
+    far = [plane.distance(centre, place) for place in ties.carried.get(name, ())]
+    if far and min(far) > radii[0] and max(far) - min(far) < 1e-6 * max(far):
+        return [max(far), *radii]
+    return radii
+
+
+def _rim(centre, radius):
+    """A gear with inner teeth."""
+    rim = plane.circle(centre, radius + RIM)
+    return Look([Polygon(tuple(rim)), Polygon(tuple(teeth(plane.circle(centre, radius))), "paper")], "rim")
+
+
+def _wheel(centre, radii, toothed):
+    rims = [Polygon(tuple(plane.circle(centre, radius)), "body" if i == 0 else "inner") for i, radius in
+            enumerate(radii)]
+    if toothed:
+        rims[0] = rims[0]._replace(points=tuple(teeth(rims[0].points)))
+    return Look(rims, "wheel")
+
+
+def _loose(body, centre, sketch, ties):
+    """A body that moves freely: a bar through the places that it carries, else a ball."""
+    carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
+    turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record.values)
+    if len(carried) > 1 or (carried and turns):
+        ends = sorted([*carried, centre])
+        if all(abs(plane.across(plane.minus(p, ends[0]), plane.minus(ends[-1], ends[0]))) < 1e-6 * (
+                1 + plane.distance(ends[0], ends[-1])) ** 2 for p in ends):
+            e = plane.unit(plane.minus(ends[-1], ends[0]))
+            bar = plane.box(plane.middle(ends[0], ends[-1]), plane.distance(ends[0], ends[-1]) + 22, 13,
+                            plane.heading(e))
+            return Look([Polygon(tuple(bar)), *centre_mark(centre)], "bar", bar)
+    body = ball(centre, 14.0 if turns else BALL + 2.5)
+    return Look([body], "ball", body.points)

@@ -1,0 +1,42 @@
+"""Arrows: straight and round, with a filled head."""
+
+from math import cos, pi, sin
+
+from vibcli.drawing.canvas.primitives import ARROW, Arc, Line, Polygon
+from vibcli.drawing.layout import plane
+
+HEAD, WING = 6.5, 2.3
+
+
+def head(tip, direction, role, size=HEAD):
+    back, side = plane.plus(tip, direction, -size), plane.left(direction)
+    wing = WING * size / HEAD
+    return Polygon((tip, plane.plus(back, side, wing), plane.plus(back, side, -wing)), role, role, 0.3, layer=ARROW)
+
+
+def straight(start, tip, role, width=1.2, both=False):
+    """An arrow from one place to another."""
+    e = plane.unit(plane.minus(tip, start))
+    size = min(HEAD, 0.6 * plane.distance(start, tip))
+    found = [Line((plane.plus(start, e, size - 1) if both else start, plane.plus(tip, e, 1 - size)), role, width,
+                  layer=ARROW), head(tip, e, role, size)]
+    return [*found, head(start, plane.times(e, -1), role, size)] if both else found
+
+
+def round_(centre, radius, start, end, role, width=1.2):
+    """An arrow along an arc between two angles."""
+    sense = 1 if end > start else -1
+    stop = end - sense * min(0.8 * HEAD / radius, 0.5 * abs(end - start))
+    tip = plane.polar(centre, radius, end)
+    base = plane.polar(centre, radius, end - sense * min(HEAD / radius, 0.6 * abs(end - start)))
+    return [Arc(centre, radius, start, stop, role, width, layer=ARROW),
+            head(tip, plane.unit(plane.minus(tip, base)), role)]
+
+
+def over(place, role, width=1.2, rx=12.0, ry=5.0):
+    """An arrow round a shaft that is seen from the side."""
+    angles = [1.15 * pi - 1.2 * pi * i / 16 for i in range(17)]
+    points = [(place[0] + rx * cos(angle), place[1] + ry * sin(angle)) for angle in angles]
+    tip = points[-1]
+    return [Line(tuple(points[:-2]), role, width, layer=ARROW),
+            head(tip, plane.unit(plane.minus(tip, points[-3])), role)]

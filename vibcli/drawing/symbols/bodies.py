@@ -1,0 +1,132 @@
+"""Bodies in a position: their outlines carried along, their pins and bearings, the floors that they slide on."""
+
+from math import pi
+
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Line
+from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import joint, support
+from vibcli.drawing.symbols.connection import snapped
+
+RAIL, WOUND = 17.0, 18.0
+
+
+def draw(sketch, looks, room):
+    """All bodies with their pins and floors, large ones first; `room`: {body: (how far back, how far on)} that it
+    slides, in points."""
+    found = []
+    for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
+        found += [carried(part, sketch.frames[name]) for part in look.pieces]
+        found += _floor(name, look, sketch, room.get(name, (0.0, 0.0)))
+    return found + _pins(sketch, looks)
+
+
+def carried(part, frame):
+    """A primitive as drawn, moved with a frame."""
+    if isinstance(part, Circle):
+        return part._replace(centre=frame.point(part.centre))
+    return part._replace(points=tuple(frame.point(point) for point in part.points))
+
+
+def marks(sketch, looks):
+    """A radius on each round body, which shows how far it has turned."""
+    found = []
+    for name, look in looks.items():
+        if look.kind in ("disc", "ring", "wheel", "hub", "rim"):
+            left, bottom, right, top = plane.bounds(look.pieces[-1].points)
+            centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
+            found.append(carried(Line((centre, plane.polar(centre, radius, pi / 2)), layer=BODY), sketch.frames[name]))
+    return found
+
+
+def _pins(sketch, looks):
+    """A hinge at every pin; a bearing where it is on the ground, higher where a spiral spring winds about it."""
+    found, grounded = [], {}
+    wound = {_rounded(at.drawn) for _, is_spring, _, at, _, other in joint.elements(sketch) if is_spring and not other}
+    for name, body in sketch.scene.bodies.items():
+        pivot = sketch.pivot(name) if name in looks else None
+        if pivot is None:
+            continue
+        if sketch.is_fixed(pivot.carrier):
+            points = [point for part in looks[name].pieces for point in part.points]
+            grounded.setdefault(_rounded(pivot.drawn), (pivot, []))[1].extend(points)
+        elif body.moves:
+            found += support.hinge(sketch.now(pivot))
+    for key, (pivot, points) in grounded.items():
+        height = WOUND if key in wound else support.HEIGHT
+        found += support.bearing(sketch.now(pivot), down_of(pivot.drawn, points), height)
+    return found
+
+
+def _rounded(place):
+    return round(place[0], 3), round(place[1], 3)
+
+
+def down_of(place, points):
+    """The direction of the ground from a bearing: that in which its bodies reach least; below, if it can be."""
+    def reach(direction):
+        return max(plane.dot(plane.minus(point, place), direction) for point in points)
+
+    return min(((0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)),
+               key=lambda direction: round(reach(direction)) + 5 * abs(direction[0]) + (direction[1] > 0))
+
+
+def fixed_pivots(sketch, looks):
+    """Rounded places of all bearings."""
+    pivots = [sketch.pivot(name) for name in looks]
+    return {_rounded(pivot.drawn) for pivot in pivots if pivot and sketch.is_fixed(pivot.carrier)}
+
+
+def _floor(name, look, sketch, room):
+    """The ground, and rollers, under a box that slides on it; guides beside one that slides upright."""
+    slide = sketch.scene.bodies[name].record.get("slide")
+    if slide is None or look.kind not in ("block", "platform", "ramp") or "surface" in slide:
+        return []
+    if "carrier" in slide and not sketch.is_fixed(slide["carrier"].text):
+        return []
+    e = snapped(plane.unit(sketch.pair(slide["along"]))) if "along" in slide else (1.0, 0.0)
+    frame = sketch.frames[name]
+    left, bottom, right, top = plane.bounds([p for part in look.outlines for p in part.points])
+    if abs(e[1]) > 0.95:
+        return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
+    e = e if e[0] > 0 else plane.times(e, -1)
+    down = plane.times(plane.left(e), -1)
+    if e == (1, 0):
+        under = ((left + right) / 2, bottom)
+        half, wheels = (right - left) / 2, 2 * support.ROLLER
+        spots = [plane.plus(under, e, side * (half - 6)) for side in (-1, 1)] if half > 8 else [under]
+        found = [part for spot in spots for part in support.roller(frame.point(plane.plus(spot, down, support.ROLLER)))]
+    else:
+        middle = sketch.centre(name)
+        under, half, wheels, found = plane.plus(middle, down, look.height / 2), look.width / 2, 0.0, []
+    back, on = half + RAIL - room[0], half + RAIL + room[1]
+    floor = plane.plus(under, down, wheels)
+    if _hangs(name, sketch) and room == (0.0, 0.0):
+        for side in (-1, 1):
+            found += support.floor(plane.plus(floor, e, side * (half + 2)), e, RAIL / 2 + 2)
+        return found
+    return [*found, *support.floor(plane.plus(floor, e, (on - back) / 2), e, (on + back) / 2)]
+
+
+def _hangs(name, sketch):
+    """Does anything hang from the pin of this body?"""
+    _, y0 = sketch.centre(name)
+    for other in sketch.scene.bodies:
+        pivot = sketch.pivot(other) if other in sketch.frames else None
+        if pivot is not None and pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6:
+            return True
+    return False
+
+
+def _guides(name, box, sketch):
+    """Walls on either side of a body that slides upright and is pinned to others."""
+    joined = False
+    for record in (sketch.spec.get("constraints") or {}).values():
+        joined |= any(getattr(end, "text", None) == name for key in ("join", "link") for end in record.get(key, ()))
+    for other in sketch.scene.bodies:
+        pivot = sketch.pivot(other) if other in sketch.frames else None
+        joined |= pivot is not None and pivot.carrier == name
+    if not joined:
+        return []
+    left, bottom, right, top = box
+    low, high = bottom - 8, top + 8
+    return [Hatch(((left - 2, low), (left - 2, high)), 1), Hatch(((right + 2, low), (right + 2, high)), -1)]

@@ -1,0 +1,109 @@
+"""Springs and dampers between places: those with the same two ends stand side by side; walls where they end."""
+
+from typing import NamedTuple
+
+from vibcli.drawing.canvas.primitives import Line
+from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.symbols import damper, spring, support
+
+APART, BRIDGE = 17.0, 8.0
+
+
+class Bunch(NamedTuple):
+    """Elements with the same ends, [(name, is it a spring, record)], between two Attachments at the edges of bodies."""
+
+    members: list
+    one: Attachment
+    two: Attachment
+
+
+def bunches(sketch, looks):
+    """The Bunches of all springs and dampers that run between two places."""
+    found = {}
+    for section in ("springs", "dampers"):
+        for name, record in (sketch.spec.get(section) or {}).items():
+            if "between" not in record or "torsion" in record:
+                continue
+            ends = [sketch.attachment(end) for end in record["between"]]
+            if None in ends or plane.distance(ends[0].drawn, ends[1].drawn) < 1e-9:
+                continue
+            key = tuple(sorted((end.carrier or "", round(end.drawn[0], 3), round(end.drawn[1], 3)) for end in ends))
+            found.setdefault(key, (ends, []))[1].append((name, section == "springs", record))
+    return [Bunch(members, *_at_edges(ends, looks)) for ends, members in found.values()]
+
+
+def _at_edges(ends, looks):
+    """The ends where they leave the bodies as drawn."""
+    one, two = _on_planks(ends, looks)
+    return _edge(one, two.drawn, looks), _edge(two, one.drawn, looks)
+
+
+def _on_planks(ends, looks):
+    """Ends on the upper edge of a plank moved into it, the fixed other end with it."""
+    for i, end in enumerate(ends):
+        look, other = looks.get(end.carrier), ends[1 - i]
+        if look is not None and look.kind == "platform" and other.carrier is None and not look.angle and abs(
+                end.drawn[1] - other.drawn[1]) < 1e-6:
+            y = sum(corner[1] for corner in look.core[:4]) / 4
+            if abs(y - end.drawn[1]) <= look.height:
+                return [part._replace(drawn=(part.drawn[0], y)) for part in ends]
+    return ends
+
+
+def _edge(end, other, looks):
+    look = looks.get(end.carrier)
+    if look is None or look.core is None or not plane.inside(end.drawn, look.core):
+        return end
+    if look.kind == "rectangle" and plane.distance(end.drawn, plane.middle(look.core[0], look.core[2])) > 1e-6:
+        return end
+    edge = plane.leaves(end.drawn, plane.unit(plane.minus(other, end.drawn)), look.core)
+    near = plane.distance(end.drawn, edge) < plane.distance(end.drawn, other) - 8
+    return Attachment(end.carrier, edge, True) if near else end
+
+
+def draw(bunch, sketch):
+    """The primitives of a Bunch, and where each member is: {name: (middle, normal)}."""
+    a, b = sketch.now(bunch.one), sketch.now(bunch.two)
+    length, at = plane.distance(a, b), plane.along(a, b)
+    count, drawn = len(bunch.members), plane.distance(bunch.one.drawn, bunch.two.drawn)
+    if length < 1e-6:
+        return [], {}
+    bridge = min(BRIDGE, 0.15 * drawn) if count > 1 else 0.0
+    found, where = [], {}
+    for i, (name, is_spring, _) in enumerate(bunch.members):
+        t = (0.5 * (count - 1) - i) * APART
+        start, end = at(bridge, t), at(length - bridge, t)
+        found += spring.zigzag(start, end, drawn - 2 * bridge) if is_spring else damper.dashpot(start, end)
+        where[name] = plane.middle(start, end), plane.left(plane.unit(plane.minus(b, a)))
+    for end, place in ((bunch.one, a), (bunch.two, b)):
+        if end.carrier is not None and end.carrier not in sketch.moving_points and not end.loose:
+            found += support.dot(place)
+    if count > 1:
+        half = 0.5 * (count - 1) * APART
+        found += [Line((a, at(bridge))), Line((at(bridge, half), at(bridge, -half))),
+                  Line((at(length - bridge, half), at(length - bridge, -half))), Line((at(length - bridge), b))]
+    return found, where
+
+
+def walls(places, sketch):
+    """The ground at fixed ends: `places` [(Attachment, direction into the ground)], the same place once."""
+    groups = {}
+    for end, outward in places:
+        key = end.carrier, round(end.drawn[0], 3), round(end.drawn[1], 3)
+        groups.setdefault(key, (end, []))[1].append(outward)
+    found = []
+    for end, directions in groups.values():
+        total = (sum(d[0] for d in directions), sum(d[1] for d in directions))
+        outward = snapped(plane.unit(total, directions[0]))
+        draw_wall = support.wall if sketch.is_fixed(end.carrier) else support.shaken_wall
+        found += draw_wall(sketch.now(end), outward)
+    return found
+
+
+def snapped(direction):
+    """A direction along the nearest axis where it is within some degrees of it."""
+    x, y = direction
+    if min(abs(x), abs(y)) < 0.12:
+        return (round(x), 0) if abs(x) > abs(y) else (0, round(y))
+    return direction

@@ -1,0 +1,189 @@
+"""Arrows of the coordinates at what they move, and of what is driven as a function of time."""
+
+from math import hypot, pi
+from typing import NamedTuple
+
+from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.symbols import arrow
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
+LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
+
+
+class Motion(NamedTuple):
+    """One degree of freedom of a body: along a direction, or about a centre (an Attachment)."""
+
+    body: str
+    field: object
+    direction: tuple | None = None
+    about: Attachment | None = None
+
+
+def motions(sketch):
+    """The Motions of all placed bodies, in the order of the file."""
+    found = []
+    for name in sketch.spec.get("bodies") or {}:
+        if name in sketch.frames:
+            found += _of(sketch.scene.bodies[name], sketch)
+    return found
+
+
+def _of(body, sketch):
+    record, name = body.record, body.name
+    if "slide" in record:
+        return [Motion(name, record["slide"]["by"], _along(record["slide"], sketch, name))]
+    if "pin" in record:
+        return [Motion(name, record["pin"]["by"], about=sketch.pivot(name))]
+    if "move" in record:
+        x, y, turn = record["move"]["by"]
+        return [Motion(name, x, (1.0, 0.0)), Motion(name, y, (0.0, 1.0)),
+                Motion(name, turn, about=Attachment(name, sketch.centre(name)))]
+    return _rolling(record["roll"], name, sketch) if "roll" in record else []
+
+
+def _along(slide, sketch, name):
+    if "surface" in slide:
+        return _tangent(sketch.scene.surfaces[slide["surface"].text], sketch.centre(name), sketch)
+    return plane.unit(sketch.pair(slide["along"])) if "along" in slide else (1.0, 0.0)
+
+
+def _tangent(surface, place, sketch):
+    """The positive direction on a surface, at a place on it."""
+    if "line" in surface:
+        a, b = (sketch.pair(place) for place in surface["line"])
+        return plane.unit(plane.minus(b, a))
+    if "circle" in surface:
+        return plane.left(plane.unit(plane.minus(place, sketch.pair(surface["circle"]))))
+    return 1.0, 0.0
+
+
+def _rolling(roll, name, sketch):
+    surface, found = sketch.scene.surfaces[roll["surface"].text], []
+    if "travel" in roll:
+        found.append(Motion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
+    if "turn" in roll:
+        found.append(Motion(name, roll["turn"], about=Attachment(name, sketch.frames[name].drawn)))
+    if "swing" in roll:
+        carrier = surface["body"].text if "body" in surface else None
+        found.append(Motion(name, roll["swing"], about=Attachment(carrier, sketch.pair(surface["circle"]))))
+    return found
+
+
+def wanted(sketch):
+    """[(runs, role, Motion)]: each coordinate at the first body that it moves, and every driven motion."""
+    known, found = motions(sketch), []
+    for name in sketch.spec.coordinates:
+        bare = next((motion for motion in known if motion.field.tree[0] == "name" and motion.field.tree[3] == name),
+                    None) or _by_rates(name, sketch)
+        if bare is not None:
+            found.append((lettering.named(name), "coordinate", bare))
+    for motion in known:
+        node = captions.raw(motion.field, sketch.scene)
+        if node.mask and node.mask == sketch.scene.time.mask:
+            runs = captions.expression(motion.field, sketch, 18) or lettering.words("driven")
+            found.append((runs, "driven", motion))
+    return found
+
+
+def _by_rates(name, sketch):
+    """What a coordinate moves most as drawn, where no motion is just that coordinate."""
+    scene = sketch.scene
+    q = next((q for q in scene.q if q.name == name), None)
+    best = None
+    for body in scene.bodies.values() if q is not None else ():
+        if body.frame is None:
+            continue
+        nodes = [*body.frame.point(*body.centre), body.frame.angle]
+        slopes = [gradient(node).get(q, scene.table.zero) for node in nodes]
+        x, y, turn = evaluate(slopes, Floats, sketch.values)
+        size = hypot(x, y)
+        if abs(turn) > 1e-9 and not sketch.spec.dimensions.of(name):
+            return Motion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
+        if size > (best[0] if best else 1e-9):
+            best = size, Motion(body.name, None, plane.unit((x, y)))
+        elif best is None and abs(turn) > 1e-9:
+            best = 1e-9, Motion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
+    return best and best[1]
+
+
+def draw(item, sketch, looks, space):
+    """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
+    _, role, motion = item
+    paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)
+    path, make = min(enumerate(paths), key=lambda item: space.path(item[1][0]) + 1.5 * item[0])[1]
+    return make(role), [path[-1], path[len(path) // 2]]
+
+
+def _straight(motion, sketch, looks):
+    """Candidates: an arrow beside the body, from a tick level with its middle."""
+    e = sketch.frame(_carrier(motion.body, sketch)).turned(motion.direction)
+    n, centre = plane.left(e), sketch.frames[motion.body].point(sketch.centre(motion.body))
+    points = [sketch.frames[motion.body].point(p) for part in looks[motion.body].outlines or
+              looks[motion.body].pieces for p in part.points]
+    reach = [plane.dot(plane.minus(p, centre), n) for p in points]
+    front = max(plane.dot(plane.minus(p, centre), e) for p in points)
+    sides = ((max(reach), 1), (-min(reach), -1))
+    if abs(e[1]) > 0.7:
+        sides = sides[::-1]
+    wide = max(reach) - min(reach) > WIDE
+    found = []
+    for gap in LINES:
+        ahead = _ticked(plane.plus(centre, e, front + gap), e, n)
+        beside = [_ticked(plane.plus(centre, n, side * (width + gap)), e, n) for width, side in sides]
+        close = [_ticked(plane.plus(centre, n, side * (gap + 6)), e, n) for _, side in sides]
+        shifted = [_ticked(plane.plus(plane.plus(centre, e, front + gap), n, shift), e, n) for shift in (20.0, -20.0)]
+        found += [ahead, *shifted, *beside] if wide else [*beside, ahead]
+        found += close if looks[motion.body].kind in ("rod", "arm", "bob", "bar") else []
+    return found
+
+
+def _ticked(start, e, n):
+    tip = plane.plus(start, e, LENGTH)
+    ends = plane.plus(start, n, -TICK), plane.plus(start, n, TICK)
+    path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]
+
+    def make(role):
+        return [arrow.Line(ends, role, 0.9, layer=arrow.ARROW), *arrow.straight(start, tip, role)]
+    return path, make
+
+
+def _carrier(name, sketch):
+    """The body with which the direction of a sliding body turns."""
+    record = sketch.scene.bodies[name].record
+    for key in ("slide", "move"):
+        if key in record and "carrier" in record[key]:
+            return record[key]["carrier"].text
+    return None
+
+
+def _round(motion, sketch, looks):
+    """Candidates: an arc about the joint, from the axis of the body in the positive sense."""
+    centre, look = sketch.now(motion.about), looks[motion.body]
+    points = [sketch.frames[motion.body].point(p) for part in look.pieces for p in part.points]
+    far = max(plane.distance(centre, p) for p in points)
+    box = plane.bounds(points)
+    axis = plane.minus(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), centre)
+    found = []
+    if look.kind in ("rod", "bar") and plane.distance(axis, (0, 0)) < 0.15 * far:
+        axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)
+    if plane.distance(axis, (0, 0)) < 0.15 * far:
+        for gap in (6.0, 11.0, 17.0, 25.0):
+            for start in (0.2, 0.7, -0.3, 1.2, -0.8):
+                radius = min(far, 90.0) + gap
+                span = min(0.45 * pi, max(28.0 / radius, 0.2))
+                found.append(_arced(centre, radius, start * pi, start * pi + span))
+        return found
+    heading = plane.heading(axis)
+    for share in ARCS:
+        radius = min(max(share * far, min(26.0, 0.8 * far), 13.0), 85.0) + 14 * ARCS.index(share) * (share * far > 85)
+        span = min(0.5 * pi, max(26.0 / radius, 0.3))
+        found.append(_arced(centre, radius, heading, heading + span))
+    return found
+
+
+def _arced(centre, radius, start, end):
+    path = plane.arc(centre, radius, start + 0.25 * (end - start), end + 4.0 / radius)
+    return path, lambda role: arrow.round_(centre, radius, start, end, role)

@@ -1,0 +1,114 @@
+"""Dimension lines: given lengths that a body shows, where there is room for them."""
+
+from math import pi
+from typing import NamedTuple
+
+from vibcli.drawing.canvas.primitives import ARROW, Line
+from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.symbols import arrow
+from vibcli.drawing.symbols.shape import ROD
+from vibcli.symbolic.semantics import names_in
+
+OFFSETS = (15.0, 23.0, 32.0, 42.0)
+SHORTEST, ROOM, BEYOND, CROWDED = 24.0, 5.0, 3.0, 4.0
+
+
+class Length(NamedTuple):
+    """A length between two places as drawn, and what it is called; `radial` from a centre to a rim."""
+
+    runs: tuple
+    one: tuple
+    two: tuple
+    radial: bool = False
+
+
+def lengths(sketch):
+    """The Lengths of all bodies, each parameter once."""
+    found, known = [], set()
+    for name in sketch.frames:
+        body = sketch.scene.bodies.get(name)
+        for length, key in _of_body(body, sketch) if body is not None else ():
+            if key not in known:
+                known.add(key)
+                found.append(length)
+    return found
+
+
+def _of_body(body, sketch):
+    """[(Length, its text)] of one body."""
+    for record in body.record.get("parts", (body.record,)):
+        yield from _radius(record, sketch)
+    origin = sketch.pivot(body.name)
+    places = _places(body, sketch)
+    if origin is not None:
+        places = [(origin.drawn, body.record["pin"].get("at")), *places]
+    for i, (one, first) in enumerate(places):
+        for two, second in places[i + 1:]:
+            length = plane.distance(one, two)
+            runs = _name(length / sketch.scale, (first, second), sketch) if length > SHORTEST else None
+            if runs is not None:
+                yield Length(runs, one, two), lettering.letters(runs)
+
+
+def _places(body, sketch):
+    """[(place, the fields that say where it is)] of the ends of a rod and of what a body carries."""
+    found = []
+    if body.record.get("shape") == "rod":
+        found = [(sketch.pair(body.record[key]), body.record[key]) for key in ("from", "to")]
+    elif "at" in body.record:
+        found = [(sketch.pair(body.record["at"]), body.record["at"])]
+    for record in (sketch.spec.get("points") or {}).values():
+        if "body" in record and record["body"].text == body.name:
+            found.append((sketch.pair(record["at"]), record["at"]))
+    return found
+
+
+def _name(value, fields, sketch):
+    """The runs of the one parameter that has this value and stands in the fields; None of none or several."""
+    names = {name for field in fields if isinstance(field, list) for part in field
+             for name, *_ in names_in(part.tree)} & set(sketch.spec.parameters)
+    equal = [name for name in names if abs(sketch.values.get(name, 0.0) - value) <= 1e-9 * value]
+    return lettering.named(equal[0]) if len(equal) == 1 else None
+
+
+def _radius(record, sketch):
+    """The radius of a disc or ring, at an angle of its own."""
+    if "radius" not in record or record.get("shape") not in ("disc", "ring", "sector", "arch"):
+        return
+    runs, radius = captions.expression(record["radius"], sketch, 6), sketch.length(record["radius"])
+    if runs is None or radius < SHORTEST:
+        return
+    centre = sketch.pair(record["at"])
+    angle = pi / 5
+    if record["shape"] in ("sector", "arch"):
+        axis = sketch.number(record["angle"]) if "angle" in record else 0.0
+        angle = axis + 0.6 * sketch.number(record["half_angle"])
+    yield Length(runs, centre, plane.polar(centre, radius, angle), True), lettering.letters(runs)
+
+
+def draw(length, space):
+    """(primitives, runs, places for them) where there is room; None where there is not."""
+    if length.radial:
+        start = plane.plus(length.one, plane.unit(plane.minus(length.two, length.one)), 4.0)
+        if space.path([start, plane.plus(length.two, plane.minus(start, length.two), 0.1)]) > 2 * CROWDED:
+            return None
+        parts = [part._replace(width=0.7) for part in arrow.straight(length.one, length.two, "measure", 0.7)]
+        return parts, length.runs, [plane.plus(plane.middle(length.one, length.two), plane.left(
+            plane.unit(plane.minus(length.two, length.one))), side) for side in (2.0, -2.0)]
+    e = plane.unit(plane.minus(length.two, length.one))
+    n = plane.left(e)
+    best = None
+    for offset in OFFSETS:
+        for side in (-1, 1):
+            a, b = plane.plus(length.one, n, side * offset), plane.plus(length.two, n, side * offset)
+            label = plane.plus(plane.middle(a, b), n, side * 7.0)
+            cost = space.path([plane.plus(a, e, 2), plane.plus(b, e, -2)]) + space.path([label, label]) + 0.1 * offset
+            if best is None or cost < best[0]:
+                best = cost, side, offset, a, b
+    cost, side, offset, a, b = best
+    if cost - 0.1 * offset > CROWDED:
+        return None
+    legs = [Line((plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND)), "measure", 0.6, layer=ARROW)
+            for p, q in ((length.one, a), (length.two, b))]
+    parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
+    return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]

@@ -1,0 +1,94 @@
+"""Loads: arrows of forces at the points where they act, round ones of moments; unbalances."""
+
+from math import hypot, pi
+
+from vibcli.drawing.canvas.primitives import BODY, Circle, Line
+from vibcli.drawing.layout import captions, lettering, plane
+from vibcli.drawing.symbols import arrow
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+LENGTH, INSTANTS = 32.0, (0.0, 0.37, 1.13, 2.71)
+
+
+def draw(record, sketch, looks, space):
+    """(primitives, runs, places for them) of a load on what has a place; None of any other."""
+    if "moment" in record and record["body"].text in sketch.frames:
+        return _moment(record, sketch, looks, space)
+    if "at" in record and (at := sketch.attachment(record["at"])) is not None:
+        return _unbalance(record, at, sketch) if "unbalance" in record else _force(record, at, sketch, looks, space)
+    return None
+
+
+def _force(record, at, sketch, looks, space):
+    fields = record["force"]
+    direction = _direction([captions.raw(field, sketch.scene) for field in fields], sketch)
+    if "carrier" in record:
+        direction = sketch.frames[record["carrier"].text].turned(direction)
+    place = sketch.now(at)
+    here = plane.leaves(place, direction, [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]) \
+        if at.carrier in looks and looks[at.carrier].core else place
+    there = plane.leaves(place, plane.times(direction, -1),
+                         [sketch.frames[at.carrier].point(p) for p in looks[at.carrier].core]) \
+        if at.carrier in looks and looks[at.carrier].core else place
+    paths = [(here, plane.plus(here, direction, LENGTH)), (plane.plus(there, direction, -LENGTH), there)]
+    start, tip = min(paths, key=lambda path: space.path([plane.plus(path[0], direction, 5),
+                                                         plane.plus(path[1], direction, -5)]))
+    given = [field for field in fields if field.text.strip() not in ("0", "0 N")]
+    runs = captions.expression(_unsigned(given[0]), sketch, 18) if len(given) == 1 else None
+    runs = runs or lettering.named(record.name)
+    return arrow.straight(start, tip, "load", 1.7), runs, [plane.middle(start, tip), tip]
+
+
+def _unsigned(field):
+    """The field without a leading minus, for the length of an arrow that points the other way."""
+    text = field.text.strip()
+    if not text.startswith("-") or field.tree[0] not in ("sum",) or len(field.tree[3]) != 1:
+        return field
+    from vibcli.language.fields import Expression
+
+    shorter = type(field.scalar)(text[1:].strip(), field.scalar.where)
+    return Expression(shorter, field.tree[3][0][1], field.unit, field.dimension)
+
+
+class _Rates(dict):
+    """Values of symbols, the rates of coordinates being all the same."""
+
+    def __init__(self, rate, values):
+        super().__init__(values)
+        self.rate = rate
+
+    def __missing__(self, name):
+        return self.rate
+
+
+def _direction(nodes, sketch):
+    """The direction of a force as drawn, or at the first instant and rate at which it acts."""
+    for instant in INSTANTS:
+        values = _Rates(float(bool(instant)), {**sketch.values, sketch.scene.time.name: instant})
+        x, y = evaluate(nodes, Floats, values)
+        size = hypot(x, y)
+        if 1e-12 < size < float("inf"):
+            return x / size, y / size
+    return 1.0, 0.0
+
+
+def _moment(record, sketch, looks, space):
+    name = record["body"].text
+    pivot = sketch.pivot(name)
+    centre = sketch.now(pivot) if pivot is not None else sketch.frames[name].point(sketch.centre(name))
+    radii = (19.0, 27.0, 35.0, 45.0)
+    arcs = [(radius, start * pi, (start + 1.15) * pi) for radius in radii for start in (0.1, 0.6, -0.4, 1.1)]
+    radius, start, end = min(arcs, key=lambda item: space.path(plane.arc(centre, *item)) / item[0] * 20 + item[0] / 20)
+    runs = captions.expression(record["moment"], sketch, 18) or lettering.named(record.name)
+    places = [plane.polar(centre, radius, end), plane.polar(centre, radius, (start + end) / 2)]
+    return arrow.round_(centre, radius, start, end, "load", 1.7), runs, places
+
+
+def _unbalance(record, at, sketch):
+    """A small mass on an arm that turns."""
+    centre = sketch.now(at)
+    mass = plane.polar(centre, 9.0, 0.3 * pi)
+    found = [Line((centre, mass), "load", layer=BODY), Circle(mass, 2.3, "load", "load"),
+             *arrow.round_(centre, 17.0, -0.1 * pi, 0.75 * pi, "load")]
+    runs = (captions.expression(record["unbalance"], sketch) or lettering.named(record.name))
+    return found, runs, [plane.polar(centre, 18.0, 0.75 * pi), plane.polar(centre, 18.0, 0.3 * pi)]

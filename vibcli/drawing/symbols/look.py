@@ -1,0 +1,52 @@
+"""What a placed body looks like: outlines as drawn, which its frame then carries along."""
+
+from math import pi
+from typing import NamedTuple
+
+from vibcli.drawing.canvas.primitives import JOINT, Circle, Line, Polygon
+from vibcli.drawing.layout import plane
+
+
+class Look(NamedTuple):
+    """Primitives of a body as drawn; its `core` is a polygon at whose edge springs end, None where they run to the
+    very place; `kind` says what it is drawn as; `angle` is that of a block."""
+
+    pieces: list
+    kind: str
+    core: list | None = None
+    angle: float = 0.0
+    width: float = 0.0
+    height: float = 0.0
+
+    @property
+    def outlines(self):
+        return [part for part in self.pieces if not isinstance(part, Line)]
+
+    def size(self):
+        """The larger side of its box."""
+        left, bottom, right, top = plane.bounds([p for part in self.pieces for p in part.points])
+        return max(right - left, top - bottom)
+
+    def area(self):
+        return max((plane.area(list(part.points)) for part in self.outlines), default=0.0)
+
+
+def ball(centre, radius):
+    return Polygon(tuple(plane.circle(centre, radius)))
+
+
+def centre_mark(centre):
+    """The mass centre of a body."""
+    return [Circle(centre, 2.0, "ink", layer=JOINT)]
+
+
+def teeth(points, pitch=7.0, height=1.7):
+    """The outline of a gear about its pitch circle."""
+    left, bottom, right, top = plane.bounds(points)
+    centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
+    count = max(8, round(2 * pi * radius / pitch))
+    found = []
+    for i in range(count):
+        for part, side in ((0.0, -1), (0.12, 1), (0.5, 1), (0.62, -1)):
+            found.append(plane.polar(centre, radius + side * height, 2 * pi * (i + part) / count))
+    return found

@@ -1,0 +1,45 @@
+"""A mode shape on the scene: the position of equilibrium in grey, the displaced one over it."""
+
+from math import pi
+
+from vibcli.drawing.canvas.primitives import BODY, Line, extent, ghost
+from vibcli.drawing.layout import compose, lettering
+from vibcli.drawing.symbols import arrow, bodies
+from vibcli.drawing.vibration import Vibration, caption, mode
+
+QUIET = ("spring", "damper", "oil", "ground", "fixed", "rope", "belt")     # roles that stay out of the grey position
+
+
+def draw(problem, index, both=False, normalise="first"):
+    """The primitives of a mode; `both`: also displaced the other way, dashed."""
+    stage = compose.Stage(problem.scene)
+    vibration = Vibration(problem, index, stage, normalise)
+    found = ghost(part for part in frame(stage, vibration.rest, vibration.unit) if part.role not in QUIET)
+    if both:
+        other = frame(stage, vibration.at(pi), vibration.unit)
+        found += [part._replace(dashed=True, width=0.8) for part in ghost(
+            part for part in other if part.role not in QUIET)]
+    moved = vibration.at(0.0)
+    found += frame(stage, moved, vibration.unit) + _arrows(stage, vibration.rest, moved, vibration.unit)
+    box = extent(found)
+    return [*found, lettering.text(lettering.words(caption(mode(problem, index))), box[0], box[1] - 24)]
+
+
+def frame(stage, sketch, unit):
+    """One position, with a mark on what is round."""
+    found, _ = compose.figure(stage, sketch, unit)
+    return found + bodies.marks(sketch, stage.looks)
+
+
+def _arrows(stage, rest, moved, unit):
+    """The displacements of lumped bodies that slide."""
+    found = []
+    for layout in stage.rows:
+        for name, place in layout.places.items():
+            if not place.turns:
+                x, y = place.middle[0] + rest.lumped[name] * unit, place.middle[1] + place.height + 9
+                tip = place.middle[0] + moved.lumped[name] * unit
+                found.append(Line(((x, y - 5), (x, y + 5)), "coordinate", 0.9, layer=BODY))
+                if abs(tip - x) > 2.0:
+                    found += arrow.straight((x, y), (tip, y), "coordinate")
+    return found

@@ -1,0 +1,60 @@
+"""Posts: thin rods from a body to the places that it carries and that are not on it."""
+
+from vibcli.drawing.canvas.primitives import BEHIND, Line
+from vibcli.drawing.layout import plane
+
+
+def with_posts(look, body, sketch, ties):
+    """The Look with a thin post to each carried place that is not on the body."""
+    posts = []
+    for place in ties.carried.get(body.name, ()):
+        if look.kind == "joint" or touches(place, look):
+            continue
+        root = _root(place, look, sketch.centre(body.name))
+        if not _along_element(root, place, ties, body.name):
+            posts.append(Line(_bent(root, place, look, sketch.centre(body.name)), width=2.4, layer=BEHIND))
+    return look._replace(pieces=[*posts, *look.pieces])
+
+
+def touches(place, look, slack=2.5):
+    """Is a place on a body as drawn?"""
+    for part in look.pieces:
+        points = list(part.points)
+        if not isinstance(part, Line) and plane.inside(place, points):
+            return True
+        pairs = zip(points, points[1:] + ([] if isinstance(part, Line) else points[:1]), strict=False)
+        if any(plane.distance(place, plane.nearest_on(place, a, b)) < slack for a, b in pairs):
+            return True
+    return False
+
+
+def _root(place, look, centre):
+    """Where a post to a place grows from a body: straight from its outline if it can."""
+    best = centre
+    for part in look.pieces:
+        points = list(part.points)
+        closing = [] if isinstance(part, Line) else points[:1]
+        near = min((plane.nearest_on(place, a, b) for a, b in zip(points, points[1:] + closing, strict=False)),
+                   key=lambda p: plane.distance(place, p))
+        if plane.distance(place, near) < plane.distance(place, best):
+            best = near
+    return best
+
+
+def _along_element(root, place, ties, name):
+    """Does a spring or damper from this place run where the post would?"""
+    for one, two in ties.ends:
+        for a, b in ((one, two), (two, one)):
+            if a.carrier == name and plane.distance(a.drawn, place) < 1e-6 and b.carrier != name:
+                d, e = plane.unit(plane.minus(b.drawn, place)), plane.unit(plane.minus(root, place))
+                if plane.dot(d, e) > 0.99:
+                    return True
+    return False
+
+
+def _bent(root, place, look, centre):
+    """A post to a place beside a box: level from the box, then upright."""
+    (x, y), (x0, y0) = place, root
+    if look.kind in ("block", "platform") and min(abs(x - x0), abs(y - y0)) > 1.0 and not look.angle:
+        return (centre[0], centre[1]), (x, centre[1]), place
+    return root, place

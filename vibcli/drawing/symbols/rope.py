@@ -1,0 +1,126 @@
+"""Ropes and belts: tangents between circles, arcs around them."""
+
+from itertools import pairwise
+from math import pi, sqrt
+from typing import NamedTuple
+
+from vibcli.drawing.canvas.primitives import Arc, Line
+from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.ties import SIDES
+
+NORMAL = dict(zip(SIDES, ((0, 1), (0, -1), (-1, 0), (1, 0)), strict=True))
+
+
+class Stop(NamedTuple):
+    """A place that a rope passes or ends at: its radius, the sense in which the rope goes round it (0 at a place)."""
+
+    at: Attachment
+    radius: float = 0.0
+    sense: int = 0
+
+
+def stops(record, sketch, looks):
+    """The Stops of a rope as drawn."""
+    raw = []
+    for item in record["rope"]:
+        if not hasattr(item, "values"):
+            raw.append((sketch.attachment(item), 0.0, None))
+        else:
+            side = next(side for side in SIDES if side in item)
+            raw.append((sketch.rim(item[side]), _radius(item, side, sketch), NORMAL[side]))
+    found = []
+    for i, (at, radius, side) in enumerate(raw):
+        before, after = raw[max(i - 1, 0)], raw[min(i + 1, len(raw) - 1)]
+        travel = plane.minus(_contact(after), _contact(before)) if i not in (0, len(raw) - 1) else plane.minus(
+            after[0].drawn, before[0].drawn)
+        sense = 0 if side is None or not radius else 1 if plane.across(side, travel) > 0 else -1
+        found.append(Stop(at, radius, sense))
+    last = found[-2]._replace(sense=-found[-2].sense)
+    return [_edge(found[0], found[1], looks), *found[1:-1], _edge(found[-1], last, looks)]
+
+
+def _edge(stop, other, looks):
+    """The end of a rope where it meets a body."""
+    look = looks.get(stop.at.carrier)
+    if stop.sense or look is None or look.core is None or not plane.inside(stop.at.drawn, look.core):
+        return stop
+    ends = _tangent(stop.at.drawn, stop, other.at.drawn, other)
+    direction = plane.unit(plane.minus(ends[1], ends[0]))
+    return stop._replace(at=Attachment(stop.at.carrier, plane.leaves(stop.at.drawn, direction, look.core)))
+
+
+def _radius(item, side, sketch):
+    if "radius" in item:
+        return sketch.length(item["radius"])
+    body = sketch.scene.bodies.get(getattr(item[side], "text", None))
+    if body is None or body.rolling_radius is None:
+        return 0.0
+    return sketch.scene.number(body.rolling_radius) * sketch.scale
+
+
+def _contact(raw):
+    at, radius, side = raw
+    return plane.plus(at.drawn, side, radius) if side else at.drawn
+
+
+def _tangent(a, one, b, two):
+    """Where the free piece between two circles leaves one and meets the other."""
+    w = plane.minus(b, a)
+    square = plane.dot(w, w)
+    rho = one.sense * one.radius - two.sense * two.radius
+    free = sqrt(max(square - rho * rho, 0.0))
+    if not square:
+        return a, b
+    ex, ey = (free * w[0] - rho * w[1]) / square, (free * w[1] + rho * w[0]) / square
+    return (plane.plus(a, (ey, -ex), one.sense * one.radius), plane.plus(b, (ey, -ex), two.sense * two.radius))
+
+
+def implied(found, sketch, looks):
+    """The Stops of a rope that the motions imply."""
+    wheel, weight = sketch.rim(found.wheel), Attachment(found.weight, sketch.centre(found.weight))
+    offset = plane.minus(weight.drawn, wheel.drawn)
+    if not found.radius:
+        return [Stop(wheel), _edge(Stop(weight), Stop(wheel), looks)]
+    turn = 1 if abs(abs(offset[0]) - found.radius) < abs(abs(offset[1]) - found.radius) else 0
+    side = (offset[0], 0.0) if turn else (0.0, offset[1])
+    sense = 1 if plane.across(side, plane.minus(offset, side)) > 0 else -1
+    start = Stop(wheel, found.radius, sense)
+    return [start, _edge(Stop(weight), start._replace(sense=-sense), looks)]
+
+
+def draw(chain, sketch, role="rope", closed=False):
+    """The primitives of a rope through Stops."""
+    places = [sketch.now(stop.at) for stop in chain]
+    found, ends = [], []
+    for (a, one), (b, two) in pairwise(zip(places, chain, strict=True)):
+        ends.append(_tangent(a, one, b, two))
+        found.append(Line(ends[-1], role, 1.4))
+    corners = list(zip(ends, ends[1:], places[1:-1], chain[1:-1], strict=False))
+    if closed:
+        corners.append((ends[-1], ends[0], places[0], chain[0]))
+    for arriving, leaving, centre, stop in corners:
+        if stop.sense:
+            start = plane.heading(plane.minus(arriving[1], centre))
+            turn = stop.sense * (plane.heading(plane.minus(leaving[0], centre)) - start) % (2 * pi)
+            if turn < 2 * pi - 1e-6:
+                found.append(Arc(centre, stop.radius, start, start + stop.sense * turn, role, 1.6))
+    return found
+
+
+def belt(record, sketch):
+    """A belt round two wheels that have a place."""
+    ends = [sketch.rim(name) for name in record["belt"]]
+    if None in ends:
+        return []
+    radii = [_pitch(record, i, sketch) for i in range(2)]
+    second = -1 if record.get("crossed") else 1
+    chain = [Stop(ends[0], radii[0], 1), Stop(ends[1], radii[1], second), Stop(ends[0], radii[0], 1)]
+    return draw(chain, sketch, "belt", closed=True)
+
+
+def _pitch(record, i, sketch):
+    if "radii" in record:
+        return sketch.length(record["radii"][i])
+    body = sketch.scene.bodies[record["belt"][i].text]
+    return sketch.scene.number(body.rolling_radius) * sketch.scale

@@ -1,0 +1,94 @@
+"""Looks of bodies without a shape that slide: blocks, carts with a deck or a bowl, wedges, knots."""
+
+from math import pi
+
+from vibcli.drawing.canvas.primitives import JOINT, Line, Polygon
+from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols.look import Look, ball
+from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side
+
+BLOCK, FLAT, BAR, DECK, DEEP = (36.0, 25.0), (22.0, 13.0), (26.0, 5.0), 19.0, 70.0
+
+
+def block(body, centre, sketch, ties):
+    """A box along its direction of sliding; small where it has no mass, a ramp where others slide on it at an angle."""
+    slide = body.record["slide"]
+    direction = sketch.pair(slide["along"]) if "along" in slide else (1.0, 0.0)
+    angle = plane.heading(direction)
+    angle -= round(angle / (pi / 2)) * (pi / 2)
+    slots = [slot for slot in ties.slots.get(body.name, ()) if min(map(abs, slot[1])) > 0.05]
+    if slots:
+        return _ramp(*slots[0], ties.carried.get(body.name, ()))
+    room, massless = ties.nearest(centre, sketch), body.mass is None
+    upright = abs(direction[1]) > abs(direction[0])
+    if massless and upright:
+        return _holder(body, centre, ties)
+    width, height = FLAT if massless else (30.0, BLOCK[1]) if upright else BLOCK
+    shrink = min(1.0, max(0.5, 1.3 * (room or width) / width))
+    width, height = width * shrink, height * shrink
+    hook = _hook(body, centre, sketch)
+    middle = plane.plus(centre, (0.0, -1.0), hook + height / 2) if hook else centre
+    corners = plane.box(middle, width, height, angle)
+    beside = [x for x, y in ties.carried.get(body.name, ()) if abs(y - centre[1]) > height / 2]
+    if not angle and not upright and beside:
+        low, high = min(centre[0] - width / 2, min(beside) - 6), max(centre[0] + width / 2, max(beside) + 6)
+        middle, width = ((low + high) / 2, middle[1]), high - low
+        corners = plane.box(middle, width, height)
+    hanger = [Line((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
+    return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
+
+
+def _holder(body, centre, ties):
+    """What has no mass and slides upright: bars at the places that it carries, else a knot where others meet."""
+    bars = [plane.box(place, *BAR, plane.heading(plane.minus(centre, place)) + pi / 2)
+            for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
+    if bars and ties.slots.get(body.name):
+        return Look([Polygon(tuple(bar), "driven") for bar in bars], "joint")
+    return Look([ball(centre, 2.4)._replace(fill="ink")], "joint")
+
+
+def _hook(body, centre, sketch):
+    """How far below the axle of a wheel a body hangs that is drawn at the very axle; 0 of any other."""
+    for name, other in sketch.scene.bodies.items():
+        wheel = name in sketch.frames and name != body.name and other.rolling_radius is not None
+        if wheel and plane.distance(sketch.rim(name).drawn, centre) < 1e-6:
+            return sketch.scene.number(other.rolling_radius) * sketch.scale + 14.0
+    return 0.0
+
+
+def _ramp(place, direction, carried):
+    """A wedge under a block that slides on it."""
+    reach = [plane.dot(plane.minus(point, place), direction) for point in carried]
+    low, high = min([*reach, -40.0]), max([*reach, 40.0])
+    up = direction if direction[1] > 0 else plane.times(direction, -1)
+    if up is not direction:
+        low, high = -high, -low
+    foot, head = plane.plus(place, up, low), plane.plus(place, up, high)
+    drop = plane.times(plane.left(up) if up[0] > 0 else plane.times(plane.left(up), -1), -BLOCK[1] / 2)
+    foot, head = plane.plus(foot, drop), plane.plus(head, drop)
+    corners = [foot, (head[0], foot[1]), head]
+    return Look([Polygon(tuple(corners))], "ramp")
+
+
+def platform(body, sketch, surface):
+    """A plank under the surface that it carries, away from what is on it; so thick that it holds its centre."""
+    a, b = (sketch.pair(place) for place in surface["line"])
+    side = free_side(a, b, contacts(surface.name, sketch))
+    if side < 0:
+        a, b = b, a
+    e = plane.unit(plane.minus(b, a))
+    down = plane.times(plane.left(e), -1)
+    offset = plane.minus(sketch.centre(body.name), a)
+    depth, s = plane.dot(offset, down), plane.dot(offset, e)
+    thick = max(DECK, depth + 8) if depth < DEEP else DECK
+    a, b = plane.plus(a, e, min(0.0, s - DECK)), plane.plus(a, e, max(plane.distance(a, b), s + DECK))
+    corners = [a, b, plane.plus(b, down, thick), plane.plus(a, down, thick)]
+    return Look([Polygon(tuple(corners))], "platform", corners, plane.heading(e), plane.distance(a, b), thick)
+
+
+def bowl(surface, sketch):
+    points = curve_points(surface, sketch)
+    bottom = min(y for _, y in points) - DECK
+    corners = [*points, (points[-1][0], bottom), (points[0][0], bottom)]
+    width = points[-1][0] - points[0][0]
+    return Look([Polygon(tuple(corners))], "platform", corners, 0.0, width, DECK)

@@ -1,0 +1,52 @@
+"""What holds a scene: hinges, bearings on the ground, walls, rollers."""
+
+from vibcli.drawing.canvas.primitives import ARROW, BEHIND, JOINT, SURFACE, Circle, Hatch, Polygon
+from vibcli.drawing.layout import plane
+
+HINGE, HEIGHT, HALF, WALL, ROLLER = 2.6, 11.0, 7.0, 11.0, 3.0
+
+
+def hinge(place):
+    """Two bodies pinned together."""
+    return [Circle(place, HINGE, "paper", layer=JOINT)]
+
+
+def bearing(place, down, height=HEIGHT):
+    """A pin on the ground, which lies in the direction `down`."""
+    foot, side, half = plane.plus(place, down, height), plane.left(down), HALF + 0.2 * (height - HEIGHT)
+    a, b = plane.plus(foot, side, half), plane.plus(foot, side, -half)
+    ends = plane.plus(foot, side, half + 5), plane.plus(foot, side, -half - 5)
+    return [Polygon((place, a, b), "paper", layer=JOINT - 1), Hatch(ends, 1, layer=JOINT - 1),
+            Circle(place, HINGE, "paper", layer=JOINT)]
+
+
+def wall(place, outward, half=WALL):
+    """A piece of the ground at the end of a spring, damper or rope; `outward` points into it."""
+    side = plane.left(outward)
+    return [Hatch((plane.plus(place, side, half), plane.plus(place, side, -half)), 1, layer=BEHIND)]
+
+
+def shaken_wall(place, outward, half=WALL):
+    """A support that is driven: a bar without ground behind it."""
+    side = plane.left(outward)
+    ends = [plane.plus(place, side, half), plane.plus(place, side, -half)]
+    return [Polygon((*ends, plane.plus(ends[1], outward, 4), plane.plus(ends[0], outward, 4)), "driven", layer=BEHIND)]
+
+
+def floor(place, along, half, role="ground"):
+    """A flat piece of ground under what slides; it lies to the right of `along`."""
+    return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, role, layer=SURFACE)]
+
+
+def dot(place):
+    """Where a spring, damper or rope is fastened to a body."""
+    return [Circle(place, 1.6, "ink", layer=JOINT)]
+
+
+def roller(place):
+    return [Circle(place, ROLLER, "paper", layer=BEHIND)]
+
+
+def peg(place):
+    """A small smooth peg."""
+    return [Circle(place, HINGE, "ink", layer=ARROW - 1)]

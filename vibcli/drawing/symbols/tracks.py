@@ -1,0 +1,106 @@
+"""Fixed surfaces: the ground under what rolls or slides on lines, circles and curves."""
+
+from math import isfinite, pi
+
+from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
+from vibcli.drawing.layout import plane
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
+SAMPLES, STEEP = 48, 0.6
+
+
+def contacts(name, sketch):
+    """[(a place of what is on the surface as drawn, how much room it needs along it)]."""
+    found = []
+    for body in sketch.scene.bodies.values():
+        for key in ("roll", "slide"):
+            if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
+                radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
+                room = MARGIN + radius * (key == "roll")
+                place = sketch.rim(body.name).drawn if key == "roll" else sketch.centre(body.name)
+                found.append((place, room))
+    for constraint in (sketch.spec.get("constraints") or {}).values():
+        if "surface" in constraint and constraint["surface"].text == name:
+            at = sketch.attachment(constraint["point"])
+            found.append((at.drawn, 0.0))
+            if at.carrier in sketch.frames and at.carrier in sketch.scene.bodies:
+                found.append((sketch.centre(at.carrier), None))
+    return found
+
+
+def ground(record, used, sketch):
+    """A fixed surface under what is on it (`contacts`)."""
+    if "line" in record:
+        return _line(*(sketch.pair(place) for place in record["line"]), used)
+    places = [place for place, room in used if room is not None]
+    if "circle" in record:
+        return _circle(record, places, sketch)
+    points = curve_points(record, sketch, places[0][0] if places else 0.0)
+    return [Hatch(tuple(points), -1)]
+
+
+def free_side(a, b, used):
+    """1 where what is on a line through a and b is on its left, −1 on its right."""
+    e = plane.unit(plane.minus(b, a))
+    return 1 if sum(plane.across(e, plane.minus(place, a)) for place, _ in used) >= -1e-6 else -1
+
+
+def _line(a, b, used):
+    e, length = plane.unit(plane.minus(b, a)), plane.distance(a, b)
+    spans = [(plane.dot(plane.minus(place, a), e), room) for place, room in used if room is not None] or [(0.0, 0.0),
+                                                                                                        (length, 0.0)]
+    least, most = min(s - room for s, room in spans), max(s + room for s, room in spans)
+    low, high = min(least, max(0.0, least - FAR)), max(most, min(length, most + FAR))
+    return [Hatch((plane.plus(a, e, low), plane.plus(a, e, high)), -free_side(a, b, used))]
+
+
+def visible(record, places, sketch):
+    """Points of a circle as far as it is drawn: all of one that bodies run on outside or that is carried."""
+    centre, radius = sketch.pair(record["circle"]), sketch.length(record["radius"])
+    if record.get("side") != "inside" or "body" in record:
+        return plane.arc(centre, radius, 0.0, 2 * pi)
+    angles = [plane.heading(plane.minus(place, centre)) for place in places] or [-pi / 2]
+    turns = [(angle - angles[0] + pi) % (2 * pi) - pi for angle in angles]
+    return plane.arc(centre, radius, angles[0] + min(turns) - SPREAD, angles[0] + max(turns) + SPREAD)
+
+
+def _circle(record, places, sketch):
+    points = visible(record, places, sketch)
+    if record.get("side") == "inside":
+        return [Hatch(tuple(points), -1)]
+    circle = Circle(sketch.pair(record["circle"]), sketch.length(record["radius"]), "fixed", layer=SURFACE)
+    return [circle] if circle.radius < SMALL else [circle, Hatch(tuple(points), 1)]
+
+
+def curve_points(record, sketch, around=0.0):
+    """Points of a curve y = f(x) as drawn, about the abscissa `around` in points."""
+    f = _height(record, sketch)
+    start = around / sketch.scale
+    half = half_width(record, sketch, start)
+    xs = [start + half * (2 * i / SAMPLES - 1) for i in range(SAMPLES + 1)]
+    return [(x * sketch.scale, y * sketch.scale) for x in xs if isfinite(y := f(x))]
+
+
+def half_width(record, sketch, start=0.0):
+    """Half the width in metres that is drawn of a curve: where it rises or falls by about that much."""
+    f, size = _height(record, sketch), sketch.numbers.get("size", 0.0)
+    base = f(start)
+    low, high = (0.2 * size, 0.6 * size) if size else (1e-6, 1e6)
+    for i in range(300):
+        half = low * 1.12**i
+        rises = [abs(f(start + side * half) - base) for side in (-1, 1)]
+        if half >= high or not all(map(isfinite, rises)) or max(rises) > STEEP * half:
+            return min(half, high)
+    return 1.0
+
+
+def _height(record, sketch):
+    """y of a curve over x, both in metres."""
+    scene = sketch.scene
+    x = scene.table.variable("the abscissa of a curve")
+    node = scene.height_of(record, x)
+
+    def f(value):
+        return evaluate([node], Floats, {**sketch.values, x.name: value})[0]
+    return f

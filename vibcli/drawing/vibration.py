@@ -1,0 +1,163 @@
+"""Positions of a scene in motion: those of a mode shape, and those of any motion given in time.
+
+A mode displaces q − q_equilibrium = a Re(shape e^{iθ}), a > 0, by the shape that the table tells; a is such that the
+largest displacement is a readable part of the figure, and smaller where the loops of the scene cannot follow so far.
+"""
+
+from cmath import exp, phase
+from math import pi
+
+from vibcli.base.errors import PhysicsError
+from vibcli.drawing.layout import plane
+from vibcli.notation.numbers import figure as printed
+
+READABLE, LUMPED, VISIBLE, SWING, SMALL, FARTHEST = 30.0, 22.0, 12.0, 0.7, 1e-4, 0.9
+SQUEEZED, ROUNDS = 0.4, 24
+
+
+def mode(problem, index):
+    """The Mode of a number; PhysicsError where there is none."""
+    modes = problem.modes
+    if not 1 <= index <= len(modes):
+        if not modes:
+            raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
+                               "inertia", "look at its motion in time, as `vibcli animate --response` shows it")
+        count = "only mode 1" if len(modes) == 1 else f"modes 1 to {len(modes)}"
+        raise PhysicsError(f"this scene has no mode {index}", f"it has {count}")
+    return modes[index - 1]
+
+
+def caption(found):
+    """What a mode is called: its number and its frequency."""
+    head = f"mode {found.index}: "
+    if found.rigid:
+        return head + "ω = 0"
+    parts = [f"ω = {printed(float(found.omega), found.error)} rad/s"] if found.omega else []
+    if found.growth_rate is not None:
+        rate = float(found.growth_rate)
+        parts.append(f"{'grows' if rate > 0 else 'decays'} at {printed(abs(rate), found.error)} 1/s")
+    return head + ", ".join(parts)
+
+
+class Vibration:
+    """A mode about the equilibrium: `at(theta)` is the Sketch at a phase, `unit` the points for one metre of lumped
+    bodies, `rest` the equilibrium."""
+
+    def __init__(self, problem, index, stage, normalise="first"):
+        if not stage.scene.bodies:
+            raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
+                               "`vibcli frequencies` prints the shapes in numbers")
+        self.stage, self.names = stage, problem.scene.coordinates
+        self.base = problem.equilibrium.values
+        shape = [complex(value) for value in problem.shape(mode(problem, index), normalise)]
+        turn = exp(-1j * _lead(max(shape, key=abs)))
+        self.shape = [value * turn for value in shape]
+        self.rest = self._required(0.0, 0.0)
+        self._scale()
+
+    def at(self, theta):
+        """The Sketch at a phase, 0 being that of the largest displacement."""
+        return self._required(self.amplitude, theta)
+
+    def _required(self, amplitude, theta):
+        found = self._sketch(amplitude, theta)
+        if found is None:
+            raise PhysicsError("the loops of this scene cannot close in the displaced position", "ask for another mode")
+        return found
+
+    def _sketch(self, amplitude, theta):
+        factor = exp(1j * theta) if theta else 1.0
+        position = {name: self.base[name] + amplitude * (value * factor).real
+                    for name, value in zip(self.names, self.shape, strict=True)}
+        return self.stage.at({**self.base, **position} if amplitude else self.base)
+
+    def _scale(self):
+        """Set the amplitude and the unit."""
+        trial = SMALL / max(map(abs, self.shape))
+        moved = self._required(trial, 0.0)
+        placed = largest_displacement(self.rest, moved, self.stage) / trial
+        slides, turns = lumped_displacements(self.rest, moved, self.stage)
+        slides, turns = slides / trial, turns / trial
+        angles = max([abs(moved.frames[name].angle - self.rest.frames[name].angle) / trial
+                      for name in self.stage.looks] or [0.0])
+        limits = [READABLE / placed if placed else 0.0, SWING / turns if turns else 0.0]
+        limits = [limit for limit in limits if limit] or [1.0]
+        self.amplitude = min([*limits, FARTHEST / angles] if angles else limits)
+        self.unit = LUMPED / (slides * self.amplitude) if slides else 1.0
+        for _ in range(ROUNDS):
+            both = [self._sketch(sign * self.amplitude, 0.0) for sign in (1, -1)]
+            if None not in both and shortest(self.rest, both, self.stage) > SQUEEZED:
+                self.stage.room = room(self.stage, [self.rest, *both])
+                return
+            self.amplitude *= 0.7
+        raise PhysicsError("the loops of this scene cannot follow this mode", "ask for another mode")
+
+
+def _lead(amplitude):
+    """By how much of a period an amplitude leads its largest displacement to either side, at most a quarter: what is
+    in phase with it moves as its sign in the table says."""
+    lead = phase(amplitude)
+    return lead - pi if lead > pi / 2 else lead + pi if lead <= -pi / 2 else lead
+
+
+def largest_displacement(rest, moved, stage):
+    """The largest displacement of a place of a body, in points."""
+    return max((plane.distance(rest.frames[name].point(p), moved.frames[name].point(p))
+                for name, look in stage.looks.items() for part in look.pieces for p in part.points), default=0.0)
+
+
+def lumped_displacements(rest, moved, stage):
+    """The largest displacement in metres and the largest angle of lumped bodies."""
+    found = [0.0, 0.0]
+    for layout in stage.rows:
+        for name, place in layout.places.items():
+            found[place.turns] = max(found[place.turns], abs(moved.lumped[name] - rest.lumped[name]))
+    return found
+
+
+def shortest(rest, sketches, stage):
+    """The least part of its length at rest that a spring or damper keeps."""
+    parts = [plane.distance(sketch.now(bunch.one), sketch.now(bunch.two)) / length for bunch in stage.bunches
+             if (length := plane.distance(rest.now(bunch.one), rest.now(bunch.two))) > 1.0 for sketch in sketches]
+    return min(parts, default=1.0)
+
+
+def room(stage, sketches):
+    """{body: (how far back, how far on)} of what slides on the ground, from the drawn position."""
+    found = {}
+    for name in stage.looks:
+        moves = [plane.minus(sketch.frames[name].place, sketch.frames[name].drawn) for sketch in sketches]
+        along = [plane.distance(move, (0.0, 0.0)) * (1 if move[0] >= 0 else -1) for move in moves]
+        found[name] = min(0.0, *along), max(0.0, *along)
+    return found
+
+
+def phases(count):
+    """Phases of one period from rest on: 0 the largest displacement."""
+    return [2 * pi * i / count - pi / 2 for i in range(count)]
+
+
+def response(stage, positions, times=None, unit=None):
+    """(Sketches, unit) of a motion: `positions` are {coordinate: value} of all or only the independent coordinates, one
+    for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene cannot follow."""
+    positions = list(positions)
+    sketches = []
+    for position, time in zip(positions, times or [0.0] * len(positions), strict=True):
+        found = stage.at(dict(position), time)
+        if found is None:
+            raise PhysicsError("the loops of this scene cannot follow this motion", "ask for a smaller one")
+        sketches.append(found)
+    stage.room = room(stage, [stage.sketch, *sketches])
+    slides = max((lumped_displacements(stage.sketch, sketch, stage)[0] for sketch in sketches), default=0.0)
+    return sketches, unit or (LUMPED / slides if slides else 1.0)
+
+
+def magnification(stage, middle, sketches):
+    """1, or a round number by which a motion about the Sketch `middle` is to be magnified so that it can be seen."""
+    size = max((largest_displacement(middle, sketch, stage) for sketch in sketches if middle), default=0.0)
+    if not 0 < size < VISIBLE:
+        return 1.0
+    factor, power = READABLE / size, 1.0
+    while power * 10 <= factor:
+        power *= 10
+    return max(part * power for part in (1.0, 2.0, 5.0) if part * power <= factor)

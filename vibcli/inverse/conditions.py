@@ -1,0 +1,208 @@
+"""The conditions of a scene as functions of its chosen parameters, measured on the scene with numbers.
+
+Every condition is brought into the form L = R with L, R of one kind; its misfit (L − R)/(|L| + |R|) is bounded,
+vanishes where it holds, and changes its sign there or at a pole. In equilibrium L and R are the forces of each sign
+along a coordinate; at the limit of stability those that restore and those that drive away along the slowest mode, or
+the margin to flutter and divergence (margin.py).
+"""
+
+from fractions import Fraction
+from math import isfinite
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.inverse.admissible_ranges import admissible
+from vibcli.inverse.stability_margin import free_roots, margin
+from vibcli.quantities.modal import value_of
+from vibcli.reader.sections.choose import BALANCE
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.rationals import ONE
+
+HOLDS = 1e-8
+
+
+class System:
+    """Conditions on the parameters `names` of a problem in which nothing else is without value."""
+
+    def __init__(self, problem, limits=None):
+        self.problem, self.names = problem, list(problem.spec.choices)
+        self.conditions = [record["so"] for record in problem.spec.choices.values()]
+        self.ranges = [admissible(problem, name) for name in self.names]
+        self.shares = not in_geometry(problem, self.names)
+        self.refusal, self._measured, self.rigid, self.free = None, {}, None, None
+        self.scales = [0.0] * len(self.conditions)
+        self.rest, self.ends = {}, []                               # equilibria as found, and where following them ends
+        self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
+
+    def measured(self, values):
+        """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
+        key = tuple(values)
+        if key not in self._measured:
+            numeric = self.numeric(values, self.shares)
+            self._measured[key] = self._measure(numeric)
+            if "equilibrium" in vars(numeric):
+                self.rest[key] = numeric
+        return self._measured[key]
+
+    def numeric(self, values, shared=False):
+        given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
+        found = self.problem.sharing(given) if shared else self.problem.with_values(given)
+        limit = self.limit(values)
+        if limit is None:
+            return found
+        from vibcli.mechanics.equilibrium.degenerate import at_limit
+
+        return at_limit(found, limit.position, limit.felt)
+
+    def limit(self, values):
+        """The Limit that was followed to at these values; None elsewhere."""
+        return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
+
+    def _measure(self, numeric):
+        import numpy as np
+
+        self.problem.work.step()
+        try:
+            with np.errstate(all="ignore"):
+                if any(condition.word != BALANCE for condition in self.conditions):
+                    _roughly(numeric)
+                found = [self._pairs(numeric, condition, True) for condition in self.conditions]
+        except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
+            self.refusal = self.refusal or error
+            return None
+        return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
+
+    def _pairs(self, numeric, condition, searching=False):
+        if condition.word == BALANCE:
+            return balance(numeric)
+        if condition.word:
+            return [self._slowest(numeric)]
+        numeric.signed = searching and any(is_nothing(side.tree) for side in condition.sides)
+        return [(value_of(numeric, condition.left)[0], value_of(numeric, condition.right)[0])]
+
+    def _slowest(self, numeric):
+        """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
+        loads or damping that may drive a mode, its margin to flutter and divergence."""
+        free = free_roots(numeric.elements)
+        self.free = free if self.free is None else min(free, self.free)
+        found = margin(numeric.elements, self.free)
+        if found is not None:
+            value, size = found
+            return 0.5 * (size + value), 0.5 * (size - value)
+        modes = numeric.modes
+        rigid = sum(mode.rigid for mode in modes)
+        self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
+        if rigid > self.rigid:
+            return 1.0, 1.0
+        mode = next((mode for mode in modes if not mode.rigid), None)
+        if mode is None:
+            raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
+        value = float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
+        size = _stiffness_size(numeric.elements, mode.shape)
+        return 0.5 * (size + value), 0.5 * (size - value)
+
+    def misfits(self, values):
+        """(L − R)/(|L| + |R|) of each condition, None where the scene has no such answer."""
+        found = self.measured(values)
+        if found is None:
+            return None
+        return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
+
+    def settle_scales(self, places):
+        """Where one side is always zero, the misfit is relative to the usual size of the other."""
+        found = [measured for measured in map(self.measured, places) if measured is not None]
+        for i in range(len(self.conditions)):
+            pairs = [measured[i][0] for measured in found if measured[i]]
+            if pairs and (not any(left for left, _ in pairs) or not any(right for _, right in pairs)):
+                sizes = sorted(abs(left) + abs(right) for left, right in pairs)
+                self.scales[i] = sizes[len(sizes) // 2]
+
+    def settle_about(self, values):
+        """The scales from a few places near a solution."""
+        self.settle_scales([[float(x) * factor for x in values] for factor in (0.4, 0.9, 1.7)])
+
+    def residual(self, values):
+        """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
+        limit = self.limit(values)
+        if limit is not None and self.conditions[0].word:
+            return limit.residual
+        found = [self._pairs(self.numeric(values), condition) for condition in self.conditions]
+        return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
+
+    def holds(self, values):
+        """(whether all conditions hold, residual) by substitution; a limit of stability has to be passed."""
+        try:
+            residual = self.residual(values)
+        except (SpecError, PhysicsError, ArithmeticError):
+            return False, None
+        limits = [i for i, condition in enumerate(self.conditions) if condition.word and condition.word != BALANCE]
+        followed = self.limit(values) is not None
+        return residual <= HOLDS and (followed or all(self._passed(i, values) for i in limits)), residual
+
+    def _passed(self, i, values):
+        """Does the slowest mode change its stability with its parameter?"""
+        signs = []
+        for factor in (1 - 1e-4, 1 + 1e-4):
+            moved = list(values)
+            moved[i] = values[i] * factor if values[i] else (factor - 1) * self.ranges[i].scale
+            found = self.measured(moved)
+            signs.append(found is not None and misfit(found[i][0], 0.0))
+        return signs[0] * signs[1] < 0
+
+    def admits(self, values):
+        return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
+
+
+def is_nothing(tree):
+    """Is this side of an equation written as 0?"""
+    return tree[0] == "number" and not tree[3]
+
+
+def _roughly(numeric):
+    """Element data about an equilibrium that is not drawn, in floats: for a first look, not to the last digit."""
+    from vibcli.mechanics.numeric_linearisation import in_numbers
+
+    scene = numeric.scene
+    plain = scene.loops is None and not scene.timed and "atan2" not in scene.table.called
+    if plain and not numeric.is_linear and not numeric.equilibrium.drawn:
+        numeric.elements = in_numbers(numeric.form, Floats, numeric.at_rest).elements
+
+
+def misfit(pair, scale):
+    left, right = pair
+    size = abs(left) + abs(right) + scale
+    return (left - right) / size if size else 0.0
+
+
+def balance(numeric):
+    """(forces along, forces against) each coordinate in the drawn position."""
+    found = []
+    place = {**numeric.floats, numeric.scene.time.name: 0.0, **numeric.drawn_floats}
+    for terms in numeric.drawn_residual:
+        values = evaluate(terms, Floats, place)
+        found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
+    return found
+
+
+def _stiffness_size(elements, shape):
+    """Σ |terms| of uᵀ K u."""
+    shape = [complex(x).real for x in shape]
+    total = sum(abs(k) * sum(x * shape[i] for i, x in row.items()) ** 2 for k, row in elements.springs)
+    return total + sum(abs(elements.K_size.get(pair, value) * shape[pair[0]] * shape[pair[1]])
+                       for pair, value in elements.K.items())
+
+
+def in_geometry(problem, names):
+    """Does the place or motion of anything depend on these parameters?"""
+    scene, parameters = problem.scene, problem.scene.parameters
+    symbols = {parameters.nodes[name] for name in names}
+    for name in parameters.order:
+        if name in parameters.definitions and symbols & set(reachable([parameters.definitions[name]])):
+            symbols.add(parameters.nodes[name])
+    terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces, *scene.constraints)
+    places = [getattr(term, "s", None) or term.node for term in terms]
+    return bool(symbols & set(reachable([*places, *scene.drawn.values(), *scene.dependent.values()])))
+
+
+def summed(table, terms):
+    return table.sum(*((term, ONE) for term in terms))

@@ -1,0 +1,111 @@
+"""Where a solution in letters counts: the values of the letters at which it is real and within its range, and the
+conditions for that.
+
+Values are spread about the natural scale of the other numbers of the file, less and more far; a condition that holds at
+all of them is not told.
+"""
+
+from fractions import Fraction
+from math import isfinite, pi
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
+from vibcli.quantities.modal import lowered
+from vibcli.scene.build import sample_values
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import reachable
+
+MANY, SPREADS, DIGITS = 400, (0.0, 0.5, 1.5, 3.0), 6
+
+
+class Condition(NamedTuple):
+    """A radicand `node`, or the parameter `name`, stands in a relation to a bound; a name alone has to be real, and
+    words alone have to be true."""
+
+    node: object = None
+    name: str = None
+    relation: str = ""
+    bound: object = None
+    words: str = None
+
+
+class Letters:
+    """Values for the letters of a problem, and what solutions {name: node} are there; `rest`: the problem in whose
+    letters they are written."""
+
+    def __init__(self, problem, rest, solutions):
+        self.problem, self.rest, self.solutions = problem, rest, solutions
+        self.turning = {name: turns(problem, name) for name in problem.spec.choices}
+        self.scales = {name: natural_scale(problem.spec, name) for name in problem.letters}
+        self.zero = rest.scene.table.zero
+        self.told = [{} for _ in solutions]
+        self.radicands = [_radicands(rest.scene.table, forms) for forms in solutions]
+
+    def __iter__(self):
+        """({letter: Fraction}, numbers of the solutions that are real and admissible there)."""
+        for attempt in range(MANY):
+            given = self.values(attempt)
+            yield given, [i for i in range(len(self.solutions)) if self._counts(i, given)]
+
+    def values(self, attempt):
+        """Positive values for the letters, others at each attempt: as they are for drawings, or about their scales."""
+        spread, plain = SPREADS[attempt % len(SPREADS)], sample_values(self.problem.letters, attempt)
+        if not spread:
+            return {name: Fraction(value).limit_denominator(1000) for name, value in plain.items()}
+        powers = {name: spread * (2 * (value - 0.6) / 1.7 - 1) for name, value in plain.items()}
+        return {name: Fraction(f"{self.scales[name] * 10**power:.{DIGITS}g}") for name, power in powers.items()}
+
+    def _counts(self, i, given):
+        """Is a solution real and admissible? Conditions that fail are noted, those of its range where it is real."""
+        problem, forms = self.problem.sharing(given), self.solutions[i]
+        try:
+            values = known(problem, Floats)
+            radicands = evaluate(self.radicands[i], Floats, values)
+            numbers = dict(zip(forms, evaluate(list(forms.values()), Floats, values), strict=True))
+        except (SpecError, KeyError, ArithmeticError, ValueError):
+            return False
+        under = zip(self.radicands[i], radicands, strict=True)
+        failed = {Condition(node, None, "≥", self.zero) for node, value in under if not value >= 0}
+        if not failed:
+            failed = {Condition(name=name) for name, x in numbers.items() if not isfinite(x)}
+        if not failed:
+            failed = {part for name, value in numbers.items() for part in self._outside(problem, name, value)}
+        self.told[i].update(dict.fromkeys(failed))
+        return not failed
+
+    def _outside(self, problem, name, value):
+        """The conditions of the range of a parameter that its value does not meet."""
+        try:
+            low, high, low_given, high_given = ends(problem, name, self.turning[name])
+        except PhysicsError:
+            yield Condition(name=name)
+            return
+        if value < low or (value == low and not low_given):
+            yield Condition(None, name, "≥" if low_given else ">", self._bound(name, "from", low_given, low))
+        if value > high or (value == high and not high_given):
+            yield Condition(None, name, "≤" if high_given else "<", self._bound(name, "to", high_given, high))
+
+    def _bound(self, name, key, given, value):
+        """An end of the range of a parameter as a node: as the scene gives it, else 0 or a multiple of π."""
+        scene = self.rest.scene
+        if given:
+            bound = self.problem.spec.choices[name][key]
+            return lowered(bound, scene.table, lambda part, *_: scene.parameters.nodes[part])
+        return scene.table.pi * round(value / pi) if value else self.zero
+
+    def conditions(self, i):
+        """The Conditions under which a solution counts, those of its roots first."""
+        for attempt in range(MANY):
+            self._counts(i, self.values(attempt))
+        return sorted(self.told[i], key=lambda condition: condition.node is None)
+
+
+def _radicands(table, forms):
+    """What stands under even roots and may be negative."""
+    found = {}
+    for part in reachable(list(forms.values())):
+        for base, e in part.args if part.op == "product" else ():
+            if e.denominator % 2 == 0 and not table.is_positive(base):
+                found[base] = None
+    return list(found)

@@ -1,0 +1,80 @@
+"""Amplitudes of responses in letters, as conditions: amplitude(x), abs(frf[x, F](Ω)), transmissibility[x, base](Ω)."""
+
+from vibcli.analyses.closed_form.frequency_response import formula
+from vibcli.analyses.closed_form.steady_state import steady_state
+from vibcli.base.errors import NotInLetters
+from vibcli.reader.cycle_check import counts_cycles
+from vibcli.symbolic.equations.univariate import polynomial
+from vibcli.symbolic.semantics import lower, quantities_in
+from vibcli.symbolic.transfer_between_tables import copied
+
+
+def response_of(problem, tree):
+    """The Formula of amplitude(x), abs(frf[…](…)) or transmissibility[…](…); None of another tree."""
+    asked = tree[4] if tree[0] == "quantity" else None
+    if tree[0] == "call" and tree[3] == "abs" and tree[4][0][0] == "quantity" and tree[4][0][4] == "frf":
+        tree = tree[4][0]
+    elif asked == "amplitude":
+        return _steady(problem, tree[7][0])
+    elif asked != "transmissibility":
+        return None
+    return formula(problem, *tree[5], frequency=_frequency(problem, tree[7][0]))
+
+
+def _steady(problem, signal):
+    if signal[0] != "name":
+        raise NotInLetters("amplitudes of sums and products are found in numbers")
+    return steady_state(problem, signal[3] + "'" * signal[4]).formula
+
+
+def _frequency(problem, tree):
+    """The angular frequency at which a response is asked for, as a node of the scene."""
+    if quantities_in(tree):
+        raise NotInLetters("a response at such a frequency is found in numbers")
+    scene = problem.scene
+    node = lower(tree, scene.table, lambda name, primes, part: scene.parameters.nodes[name])
+    return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
+
+
+def response_is(problem, response, value):
+    """[expression] that vanishes where |H| has a value: the parts of N where that is 0, else |N|² − value² |D|², in
+    factors where there is no damping."""
+    table = problem.scene.table
+    if value.is_zero:
+        return [part for part in copied(list(response.numerator), table) if not part.is_zero]
+    if response.undamped:
+        above, below = copied([response.scale * response.numerator[0], response.denominator[0]], table)
+        return [(above - value * below) * (above + value * below)]
+    above, below = copied(response.square, table)
+    return [above - value * value * below]
+
+
+def size_of(problem, response):
+    """|H| as an expression."""
+    table = problem.scene.table
+    size, = copied([response.amplitude], table)
+    return size if table.is_positive(size) else table.call("abs", size)
+
+
+def equal_heights(problem, one, other):
+    """An expression that vanishes where the fixed points 1 and 2 of the only damper are equally high; None of another
+    condition.
+
+    With H = (N_r + iΩ N_i)/(D_r + iΩ D_i) they are the roots of N_r D_i + N_i D_r = a Ω⁴ + b Ω² + e, of heights
+    |N_i/D_i|: for D_i/N_i = α + βΩ² these are equal where α + βΩ² has opposite values, 2αa = βb.
+    """
+    if not all(tree[0] == "quantity" and tree[4] == "fixed_point" and tree[6] == "value" for tree in (one, other)):
+        return None
+    damper, curve = one[5][1], one[7][0][5]
+    if {one[5][0], other[5][0]} != {"1", "2"} or (other[5][1], other[7][0][5]) != (damper, curve):
+        return None
+    found = formula(problem, *curve)
+    (a, b), (c, d) = found.numerator, found.denominator
+    if list(problem.spec.get("dampers")) != [damper] or b.is_zero or d.is_zero:
+        raise NotInLetters("these fixed points are found in numbers")
+    heights, places = polynomial(d / b, found.Omega), polynomial(a * d + b * c, found.Omega)
+    if heights is None or places is None or not set(heights) <= {0, 2} or set(places) != {0, 2, 4}:
+        raise NotInLetters("these fixed points are found in numbers")
+    parts = [heights.get(0, found.table.zero), heights.get(2, found.table.zero), places[4], places[2]]
+    alpha, beta, a, b = copied(parts, problem.scene.table)
+    return 2 * alpha * a - beta * b

@@ -1,0 +1,1 @@
+"""What a scene file may say, before anything is built: fields, parameters, signals."""

@@ -1,0 +1,161 @@
+"""Columns of numbers in a text file that lies beside a scene: CSV, or columns apart by blanks.
+
+The file is only ever read as text: of a bounded size, from the folder of the scene or below it.
+"""
+
+import os
+import stat
+
+from vibcli.base.diagnostics import quoted
+from vibcli.base.errors import Diagnostic, Where
+
+MAX_BYTES, MAX_ROWS, MAX_PROBLEMS = 5 * 2**20, 200_000, 5
+SEPARATORS = (";", ",", "\t")
+
+
+class Columns:
+    """`header`: the names of the columns, None without; `rows`: (line number, text) of each row of numbers."""
+
+    __slots__ = ("file", "header", "rows", "separator")
+
+    def __init__(self, file, separator, header, rows):
+        self.file, self.separator, self.header, self.rows = file, separator, header, rows
+
+    @property
+    def count(self):
+        return len(self.header or self.rows[0][1].split(self.separator))
+
+    def numbers(self, i, report):
+        """The numbers of column i, from 0; None where one of them is none, after `report(where, message, hint)`."""
+        found, wrong = [], 0
+        for line, text in self.rows:
+            cells = text.split(self.separator)
+            value = _number(cells[i]) if i < len(cells) == self.count else None
+            if value is None:
+                wrong += 1
+                if wrong <= MAX_PROBLEMS:
+                    report(*self._not_a_number(line, text, i))
+            found.append(value)
+        return None if wrong else found
+
+    def place(self, row, i):
+        """Where the cell of a row (from 0) and a column stands."""
+        line, text = self.rows[row]
+        return self._cell(line, text, i)[0]
+
+    def _cell(self, line, text, i):
+        """(place, text) of a cell."""
+        at, cells = 0, text.split(self.separator)
+        for cell in cells[:i]:
+            at = text.index(cell, at) + len(cell) + len(self.separator or "")
+        at = text.index(cells[i], at)
+        inner = cells[i].strip()
+        return Where(self.file, line, at + 1 + cells[i].find(inner), max(len(inner), 1)), inner
+
+    def _not_a_number(self, line, text, i):
+        cells = text.split(self.separator)
+        if len(cells) != self.count:
+            more = self.separator == "," and len(cells) > self.count
+            hint = "every row has the same columns" + ("; decimals are written with a point: 0.5" if more else "")
+            return Where(self.file, line, 1, max(len(text), 1)), (
+                f"expected {self.count} columns, found {len(cells)}"), hint
+        where, cell = self._cell(line, text, i)
+        comma = self.separator != "," and "," in cell
+        hint = "decimals are written with a point: 0.5" if comma else "write a finite number such as 0.5 or 1e-3"
+        if line == self.rows[0][0] and self.header is None and _is_name(cell):
+            hint = "a first line of names has a name for every column"
+        return where, f"expected a number, found {quoted(cell) if cell else 'nothing'}", hint
+
+
+def _number(text):
+    text = text.strip().strip('"')
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if value - value == 0 and text.isascii() and "_" not in text else None
+
+
+def _is_name(text):
+    """Does a cell look like the name of a column: is it no number, not even one with a slip such as 1.O or 1e400?"""
+    text = text.strip().strip('"').strip()
+    try:
+        float(text)     # nan and inf too
+    except ValueError:
+        return any(map(str.isalpha, text)) and not (text[0].isdigit() or text[0] in "+-−.,")
+    return False
+
+
+def read_columns(scene, name):
+    """(Columns, None) of the file `name` beside the file `scene`, or (None, (message, hint) or Diagnostic)."""
+    folder = os.path.dirname(scene) or "."
+    path = os.path.join(folder, name)
+    problem = _outside(folder, path, name)
+    if problem:
+        return None, problem
+    try:
+        if not stat.S_ISREG(os.stat(path).st_mode):     # a pipe without writer would wait for ever
+            return None, (f"{quoted(name)} is no file", "give the name of a text file with columns of numbers")
+        with open(path, "rb") as stream:
+            data = stream.read(MAX_BYTES + 1)
+    except (FileNotFoundError, NotADirectoryError):
+        return None, (f"there is no file {quoted(name)} beside the scene", _near(path))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        return None, (f"{quoted(name)} cannot be read: {reason.lower()}", "give the name of a readable file")
+    if len(data) > MAX_BYTES:
+        return None, (f"{quoted(name)} holds more than {MAX_BYTES // 2**20} MB", "thin the record out, or cut it")
+    return _parsed(path, data)
+
+
+def _outside(folder, path, name):
+    """What is wrong with a name that leads out of the folder of the scene."""
+    parts = name.replace("\\", "/").split("/")
+    if not name.strip() or "\0" in name or os.path.isabs(name) or name.startswith("\\") or ".." in parts or ":" in name:
+        return (f"expected the name of a file beside the scene, found {quoted(name)}",
+                "it lies in the folder of the scene or below it: quake.csv, data/quake.csv")
+    base = os.path.realpath(folder)
+    if os.path.commonpath([base, os.path.realpath(path)]) != base:
+        return f"{quoted(name)} leads out of the folder of the scene", "copy the file there"
+    return None
+
+
+def _near(path):
+    from difflib import get_close_matches
+
+    folder, name = os.path.split(path)
+    try:
+        near = get_close_matches(name, os.listdir(folder or "."), 1)
+    except OSError:
+        near = ()
+    return f"did you mean '{near[0]}'?" if near else "it lies in the folder of the scene or below it"
+
+
+def _parsed(path, data):
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = 1 + data.count(b"\n", 0, error.start)
+        return None, Diagnostic(Where(path, line, 1), "this line is not UTF-8", "save the file as UTF-8 text")
+    lines = text.replace("\r\n", "\n").split("\n")
+    rows = [(i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
+    if len(rows) > MAX_ROWS:
+        return None, Diagnostic(Where(path, rows[MAX_ROWS][0], 1), f"more than {MAX_ROWS} rows",
+                                "thin the record out, or cut it")
+    separator = next((sign for sign in SEPARATORS if rows and sign in rows[0][1]), None)
+    header = None
+    if rows and all(map(_is_name, rows[0][1].split(separator))):
+        header = [cell.strip().strip('"') for cell in rows.pop(0)[1].split(separator)]
+    if len(rows) < 2:
+        return None, Diagnostic(Where(path, 1, 1, 0), "expected at least two rows of numbers",
+                                "write a time and a value in each row: 0.01, 0.35")
+    return Columns(path, separator, header, rows), None
+
+
+def shown_lines(file):
+    """The lines of a file of columns, for a message; none where it cannot be read."""
+    try:
+        with open(file, "rb") as stream:
+            return stream.read(MAX_BYTES).decode("utf-8-sig", "replace").split("\n")
+    except (OSError, ValueError):
+        return []

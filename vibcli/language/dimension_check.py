@@ -1,0 +1,235 @@
+"""Does one expression fit where it stands: are its names known there, has it the dimension that is due?"""
+
+import re
+
+from vibcli.base import units
+from vibcli.language import unit_brackets
+from vibcli.language.reader import nearest
+from vibcli.symbolic.parser import FUNCTIONS, VALUE, ExpressionError
+from vibcli.symbolic.semantics import (
+    ALL_NUMBERS,
+    ANY,
+    DimensionCheck,
+    calls_in,
+    literal_unit,
+    literals_in,
+    names_in,
+    quantities_in,
+    whole_literal,
+)
+
+TIMED = ("impulse", "square", "sawtooth")
+UNIT_DUE = "write the unit:"
+NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
+
+
+def check(spec, reader, expression, names, expected, local=None):
+    """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
+    alone."""
+    before = len(reader.diagnostics)
+    named = names_in(expression.tree)
+    if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
+        return True
+    for name, primes, start, end in named:
+        if local and name == local[0]:
+            if primes:
+                reader.report(expression.scalar.place(start, end - start), f"'{name}' has no derivative here",
+                              f"it is a number on which this depends: write '{name}' alone")
+            continue
+        if name in names:
+            spec.used.add(name)
+            _primes(spec, reader, expression, name, primes, start, end)
+        elif name != "pi":
+            reader.report(expression.scalar.place(start, end - start),
+                          *(_bracketed(expression, name, start) or _unknown(spec, name, names, any(
+                              expression is motion for motion in reader.motions))))
+    _ambiguous(spec, reader, expression, local)
+    _of_time_alone(spec, reader, expression)
+    if not spec.asked_dimension:
+        _no_quantities(reader, expression)
+    if len(reader.diagnostics) > before:
+        return False
+    try:
+        def of(name, primes):
+            known = local[1] if local and name == local[0] else spec.dimensions.of(name)
+            return units.times(known, units.TIME, -primes)
+
+        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
+        found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
+        _fits(spec, reader, expression, found, expected)
+    except ExpressionError as error:
+        reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+    return len(reader.diagnostics) == before
+
+
+def _of_time_alone(spec, reader, expression):
+    """Impulses, waves and records are functions of the time, not of where things are."""
+    for call in calls_in(expression.tree):
+        if call[3] in TIMED or call[3] in spec.named.get("records", ()):
+            for name, _, start, end in (place for arg in call[4] for place in names_in(arg)):
+                if name in spec.coordinates:
+                    reader.report(expression.scalar.place(start, end - start), f"{call[3]} is a function of the time: "
+                                  f"the coordinate '{name}' cannot stand in it", f"as in {call[3]}(t)")
+
+
+def _sides(checker, expression):
+    tree = expression.tree
+    checker.dimension(("sum", tree[1], tree[2], [(1, tree[3]), (1, tree[4])]))
+    return ANY
+
+
+def _fits(spec, reader, expression, found, expected):
+    if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (
+            spec.free_numbers and _only_numbers(expression.tree)):
+        return
+    wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
+    if not spec.dimensions.equate(expected, found):
+        literal = whole_literal(expression.tree)
+        if literal and (competing := _competing(spec, expression, literal)):
+            _two_readings(reader, expression, literal, competing[0])
+            return
+        message = f"expected {wanted}, found {_found(expression.tree, spec.dimensions.resolve(found))}"
+        reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
+
+
+def _found(tree, dimension):
+    literal = whole_literal(tree)
+    if literal and literal[4]:
+        if not dimension and literal[4][0][0] != "%":
+            return "an angle (rad)"
+        if literal_unit(literal[4]).cycles:
+            return "a frequency (Hz)"
+    return units.name(dimension)
+
+
+def _unit_hint(spec, expression):
+    """A number without unit: where and how to write it."""
+    literal = whole_literal(expression.tree)
+    if not expression.unit:
+        return None
+    if expression.unit == "N/m" and literal and literal_unit(literal[4]).dimension == units.parse_unit("N*m").dimension:
+        return "a torsional stiffness is given as `torsion:`"
+    if literal and not literal[4]:
+        return f"{UNIT_DUE} {expression.text} {unit_of_a_number(expression.unit)}"
+    name = expression.tree[3] if expression.tree[0] == "name" else None
+    value = spec.parameters[name].get("value") if name in spec.parameters else None
+    if name in spec.parameters and value is None:
+        return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
+    literal = value and whole_literal(value.tree)
+    unit = unit_of_a_number(expression.unit)
+    return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal[4] else None
+
+
+def unit_of_a_number(unit):
+    """A unit as it stands behind a number: 1/s is s^-1."""
+    return unit.replace("1/", "", 1) + "^-1" if unit.startswith("1/") else unit
+
+
+def _no_quantities(reader, expression):
+    for tree in quantities_in(expression.tree):
+        if tree[4] == VALUE:
+            applied(reader, expression, tree)
+            continue
+        reader.report(expression.scalar.place(tree[1], tree[2] - tree[1]), f"'{tree[3]}' cannot stand here",
+                      "what is asked of a scene, such as omega[1], stands under answers")
+
+
+def applied(reader, expression, tree):
+    """Something like x(2), where it can be neither a function nor a value in time."""
+    inner, start = tree[7][0], tree[1]
+    if inner[0] == "name":
+        near = nearest(inner[3], FUNCTIONS)
+        hint = near if near and near.startswith("did") else "functions: " + " ".join(FUNCTIONS)
+        reader.report(expression.scalar.place(start, inner[2] - start), f"unknown function '{inner[3]}'", hint)
+        return
+    bracket = expression.text.index("(", inner[2])
+    reader.report(expression.scalar.place(bracket, 1), "expected an operator before '('",
+                  "there is no implicit multiplication: write a * between factors")
+
+
+def _only_numbers(tree):
+    return all(name == "pi" for name, _, _, _ in names_in(tree))
+
+
+def _primes(spec, reader, expression, name, primes, start, end):
+    if not primes:
+        return
+    place = expression.scalar.place(start, end - start)
+    if name in spec.parameters or name not in spec.coordinates:
+        what = "a parameter" if name in spec.parameters else "the time"
+        reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
+    elif primes > 1 and any(expression is load for load in reader.loads):
+        reader.report(place, "accelerations cannot stand here",
+                      "loads depend on coordinates and velocities, constraints on positions")
+    elif reader.sound and id(expression) not in spec.velocities:
+        reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
+
+
+def _bracketed(expression, name, start):
+    """Of a unit in brackets, 2 N*(s/m): what is wrong and what to write; None of another name."""
+    text = unit_brackets.opened(expression.text, start) if name in units.UNITS else None
+    if text is None:
+        return None
+    return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"
+
+
+def _unknown(spec, name, names, moves):
+    if name == "t":
+        return "the time t cannot stand here", "it stands in motions, driven points, forces, energies and constraints"
+    if name in spec.named.get("records", ()):
+        return f"'{name}' is a record, a function of the time", f"write {name}(t)"
+    if name in spec.coordinates:
+        return f"'{name}' is a coordinate: only parameters may stand here", "write numbers and parameters"
+    if name.lower() in NO_NUMBERS:
+        return f"'{name}' is not a number", "write a finite number, or nothing at all: then the parameter is a symbol"
+    power = re.fullmatch(r"([A-Za-z]+)([2-4])", name)
+    if power and power.group(1) in units.UNITS:
+        return f"unknown name '{name}'", f"a power of a unit is written {power.group(1)}^{power.group(2)}"
+    hint = nearest(name, names)
+    if names is not spec.parameters and (not hint or hint.startswith("valid")):
+        hint = "a parameter is declared under `parameters:`, a coordinate " + (
+            f"within an expression by `coordinates: [{name}]`" if moves else f"by a motion such as `slide: {name}`")
+    elif moves:
+        hint += f" Or declare a new coordinate: `coordinates: [{name}]`"
+    return f"unknown name '{name}'", hint
+
+
+def _ambiguous(spec, reader, expression, local):
+    """`2 N*m` within a larger expression of a scene that has a name m may mean two things."""
+    if whole_literal(expression.tree):
+        return
+    for literal in literals_in(expression.tree):
+        for unit in _competing(spec, expression, literal, local[:1] if local else ()):
+            _two_readings(reader, expression, literal, unit)
+
+
+def check_whole_literal(spec, reader, expression):
+    """A value `36 km/h` is a speed; of a scene with a time h, and wherever the name fits as well, it may mean two
+    things, as `2 kg*g` does. (`800 N/m` of a scene with a mass m has one meaning.)"""
+    literal = whole_literal(expression.tree)
+    for unit in _competing(spec, expression, literal) if literal else ():
+        others = [units.UNITS[other[0]].dimension for other in literal[4] if other is not unit and other[1] == unit[1]]
+        measured = units.UNITS[unit[0]].dimension
+        if spec.dimensions.of(unit[0]) == measured or (measured and measured in others):
+            _two_readings(reader, expression, literal, unit)
+
+
+def _competing(spec, expression, literal, local=()):
+    """The units of a literal, joined by an operator, that are names of the scene as well."""
+    if _in_brackets(expression.text, literal):
+        return []
+    return [unit for unit in literal[4][1:] if unit[0] in spec.parameters or unit[0] in (*spec.coordinates, *local)]
+
+
+def _two_readings(reader, expression, literal, unit):
+    name, _, start, end = unit
+    text = expression.text
+    head, joined = text[literal[1]:start].rstrip(" *·/"), text[literal[1]:literal[2]].rstrip()
+    sign = "/" if "/" in text[literal[1] + len(head):start] else "*"
+    reader.report(expression.scalar.place(start, end - start), f"'{name}' is a unit and a name of this scene",
+                  f"write ({joined}) for the unit or ({head}){sign}{name} for the name")
+
+
+def _in_brackets(text, literal):
+    """Does a literal stand alone in round brackets?"""
+    return text[:literal[1]].rstrip().endswith("(") and text[literal[2]:].lstrip().startswith(")")

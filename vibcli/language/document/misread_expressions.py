@@ -1,0 +1,62 @@
+"""Expressions in flow collections that YAML cuts apart: `{omega[1]: 3}` and `{by: atan2(x, y)}`.
+
+The slip is reported, its brackets and commas are hidden behind stand-ins of the same length, and the file is
+read again: so the rest is checked, every column stays true, and the tree holds the expression as meant.
+"""
+
+from vibcli.base import decoding
+from vibcli.base.diagnostics import quoted
+from vibcli.base.errors import Diagnostic
+
+_HIDE = str.maketrans(",[]{}:", "\ue000\ue001\ue002\ue003\ue004\ue005")
+SHOW = {stand_in: char for char, stand_in in _HIDE.items()}
+_CLOSER = {"(": ")", "[": "]", "{": "}"}
+_LONGEST = 2000
+
+
+def comma(source, start, file):
+    """(diagnostic, mended source, index) for an expression at `start` that a comma has cut, or None."""
+    end = _expression_end(source, start)
+    if end is None or "," not in source[start:end]:
+        return None
+    text = source[start:end].translate(SHOW)
+    problem = Diagnostic(decoding.place(source, start, file, end - start),
+                         f"inside [ ] and {{ }} the comma cuts {quoted(text)} in two",
+                         f"write {_in_quotes(text)}, or give it a line of its own outside the brackets")
+    return problem, _mended(source, start, end), start
+
+
+def bracket(source, start, file):
+    """(diagnostic, mended source, index) for a name at `start` with a [ right after it, or None."""
+    end = _expression_end(source, start)
+    if end is None:
+        return None
+    text = source[start:end].translate(SHOW)
+    problem = Diagnostic(decoding.place(source, start, file, end - start),
+                         f"inside [ ] and {{ }} the brackets of {quoted(text)} need quotes",
+                         f"write {_in_quotes(text)}, or give it a line of its own outside the brackets")
+    return problem, _mended(source, start, end), start
+
+
+def _expression_end(source, start):
+    """Where the expression ends: at a comma, closing bracket, ': ' or comment outside its own brackets."""
+    closers = []
+    for index in range(start, min(len(source), start + _LONGEST)):
+        char = source[index]
+        if char in _CLOSER:
+            closers.append(_CLOSER[char])
+        elif closers and char == closers[-1]:
+            closers.pop()
+        elif char in "\r\n" or (closers and char in ")]}"):
+            return None
+        elif not closers and (char in ",]}" or source[index : index + 2] in (": ", ":,", ":}", ":\n", " #")):
+            return start + len(source[start:index].rstrip())
+    return None
+
+
+def _in_quotes(text):
+    return f"'{text}'" if '"' in text or "\\" in text else f'"{text}"'
+
+
+def _mended(source, start, end):
+    return source[:start] + source[start:end].translate(_HIDE) + source[end:]

@@ -1,0 +1,32 @@
+"""Where something is drawn: a place [x, y], or the name of a point that is drawn there."""
+
+from vibcli.language.document.document import Scalar
+from vibcli.language.fields import NameOf, OneOf, vector
+from vibcli.symbolic.parser import plain_name
+
+
+class NamedPlace(list):
+    """The place [x, y] at which a named point is drawn: filled in once all points are known."""
+
+    __slots__ = ("name",)
+
+    def __init__(self, name):
+        super().__init__()
+        self.name = name
+
+
+class _PointAsDrawn(NameOf):
+    """The name of a point where the place at which it is drawn is meant."""
+
+    def __init__(self):
+        super().__init__("a place [x, y] or the name of a point", "points")
+
+    def read(self, node, reader):
+        if not isinstance(node, Scalar) or not plain_name(node.text.strip()).isidentifier():
+            return reader.expected(node, self.wants)
+        name = super().read(node, reader)
+        reader.named_places.append(NamedPlace(name))
+        return reader.named_places[-1]
+
+
+DRAWN = OneOf("a place [x, y] or the name of a point", scalar=_PointAsDrawn(), sequence=vector("m", "a place [x, y]"))

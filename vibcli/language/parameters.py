@@ -1,0 +1,188 @@
+"""Values of parameters: from the file, from outside, exact or in any arithmetic."""
+
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
+from vibcli.language.document.document import Scalar
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.parser import LARGEST, RANGE, SMALLEST, ExpressionError, parse
+from vibcli.symbolic.rationals import bits
+from vibcli.symbolic.semantics import lower, names_in, whole_literal
+
+WIDEST = 4096       # bits
+
+
+def override(record, tree, scalar):
+    """Replace a parameter's value; a bare number takes the unit in which the file gives the parameter."""
+    from vibcli.language.fields import Expression
+
+    old, number = record.get("value"), whole_literal(tree)
+    if number and not number[4] and (unit := _unit_of(record)):
+        was = parse("1 " + unit)
+        tree, scalar = _with_unit(tree, was[4]), Scalar(f"{scalar.text} {unit}", scalar.where)
+    if old is None:
+        record.values["value"] = Expression(scalar, tree, None, None)
+    else:
+        old.tree, old.scalar = tree, scalar
+
+
+def _unit_of(record):
+    """The text of the unit in which the file gives a parameter, '' where it gives none."""
+    if "value" not in record:
+        return record.get("unit", "")
+    was = whole_literal(record["value"].tree)
+    return record["value"].text[was[4][0][2]:was[2]].strip() if was and was[4] else ""
+
+
+def _with_unit(tree, chain):
+    if tree[0] == "sum":
+        sign, number = tree[3][0]
+        return (*tree[:3], [(sign, _with_unit(number, chain))])
+    return (*tree[:4], chain)
+
+
+def _may_be_negative(tree):
+    """Does a value hold a minus, a zero or a function?"""
+    if tree[0] in ("sum", "product"):
+        return any(sign < 0 and tree[0] == "sum" for sign, _ in tree[3]) or any(
+            _may_be_negative(part) for _, part in tree[3])
+    if tree[0] == "power":
+        return _may_be_negative(tree[3])
+    return tree[0] == "call" or (tree[0] == "number" and not tree[3])
+
+
+class Parameters:
+    """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
+    `in_letters`: what those that are defined by letters stand for in the scene."""
+
+    def __init__(self, spec, table):
+        self.table = table
+        self.records = spec.parameters
+        self.order = definition_order(spec.parameters)
+        unsigned = {name for name, record in spec.parameters.items() if record.get("sign") == "any"}
+        unsigned |= self._not_positive()
+        self.nodes = {name: table.parameter(name, name not in unsigned) for name in spec.parameters}
+        self.definitions = self._lowered()
+        self.free = [name for name in spec.parameters if name not in self.definitions]
+        self.in_letters = self._letters() if self.free else {}
+
+    def _not_positive(self):
+        """Names of parameters that are given as zero or a negative number: found where nothing is taken as positive."""
+        if not any(_may_be_negative(record["value"].tree) for record in self.records.values() if "value" in record):
+            return set()
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        table, values = self.table.__class__(), {}
+        nodes = {name: table.parameter(name, False) for name in self.records}
+        for name in self.order:
+            if "value" in self.records[name]:
+                try:
+                    node = lower(self.records[name]["value"].tree, table, lambda name, primes, tree: nodes[name])
+                    values[name] = evaluate([node], Floats, values)[0]
+                except (ExpressionError, KeyError):     # reported later, or defined by letters
+                    continue
+        return {name for name, value in values.items() if not value > 0}
+
+    def _letters(self):
+        """{name: expression} of parameters defined by parameters without value: m1 = 4·m is written out."""
+        letters, found = {self.nodes[name] for name in self.free}, {}
+        for name in self.order:
+            if name in self.definitions:
+                node = substitute([self.definitions[name]], {self.nodes[n]: part for n, part in found.items()})[0]
+                if letters.intersection(reachable([node])):
+                    found[name] = node
+        return found
+
+    def _lowered(self):
+        found, wrong = {}, []
+        for name in self.order:
+            value = self.records[name].get("value")
+            try:
+                if value is not None:
+                    found[name] = lower(value.tree, self.table, self._symbol)
+            except ExpressionError as error:
+                wrong.append(Diagnostic(value.scalar.place(error.offset, error.width), error.message, error.hint))
+        if wrong:
+            raise SpecError(wrong)
+        return found
+
+    def _symbol(self, name, primes, tree):
+        return self.nodes[name]
+
+    def values(self, arithmetic, given=None):
+        """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
+        from vibcli.symbolic.evaluation import evaluate
+
+        found, wrong = dict(given or {}), []
+        for name in self.order:
+            if name in found or name not in self.definitions:
+                continue
+            try:
+                value, = evaluate([self.definitions[name]], arithmetic, found)
+            except KeyError:
+                continue
+            if hasattr(arithmetic, "isfinite") and (problem := unusable(value, arithmetic)):
+                where = self.records[name]["value"].where
+                wrong.append(Diagnostic(where, f"the value of '{name}' is {problem[0]}", problem[1]))
+            else:
+                found[name] = value
+        if wrong:
+            raise SpecError(wrong)
+        return found
+
+    def rational(self, given=None):
+        """Exact values of the parameters that have one, without those that are irrational or have too many digits.
+
+        (Products of products double their digits at each step.)
+        """
+        from vibcli.symbolic.evaluation import evaluate_rational
+
+        found = dict(given or {})
+        for name in self.order:
+            if name in self.definitions:
+                value = evaluate_rational([self.definitions[name]], found)
+                if value is not None and bits(value[0]) <= WIDEST:
+                    found[name] = value[0]
+        return found
+
+
+def independent(records):
+    """Names of the parameters that are not defined by others."""
+    return [name for name, record in records.items() if "value" not in record
+            or not any(other in records for other, *_ in names_in(record["value"].tree))]
+
+
+def definition_order(records):
+    """Names in an order in which each comes after those it is defined by (there are no circles)."""
+    needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in records] if "value" in record else []
+             for name, record in records.items()}
+    done, order = set(), []
+    for start in records:
+        stack = [start]
+        while stack:
+            name = stack[-1]
+            waiting = [n for n in needs[name] if n not in done]
+            if name in done or not waiting:
+                stack.pop()
+                if name not in done:
+                    done.add(name)
+                    order.append(name)
+            else:
+                stack.extend(waiting)
+    return order
+
+
+def unusable(value, arithmetic):
+    """(what is wrong, hint) of a value that is no finite number of usual size, else None."""
+    if not arithmetic.isfinite(value):
+        return "not a finite real number", "look for a division by zero, or a root or logarithm of a negative number"
+    if value and not SMALLEST <= abs(value) <= LARGEST:
+        return "out of range", RANGE
+    return None
+
+
+def require_values(parameters, what):
+    """Refuse a numeric question about a scene that has symbols without value."""
+    if parameters.free:
+        names = ", ".join(parameters.free)
+        raise PhysicsError(f"{what} needs numbers, and these parameters have none: {names}",
+                           "give them values in the file or with --set")

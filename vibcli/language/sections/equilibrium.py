@@ -1,0 +1,25 @@
+"""A starting place for the search of the equilibrium, where several exist."""
+
+from vibcli.language.document.document import Mapping
+from vibcli.language.fields import Kind, Named, NameOf, Quantity
+
+
+class ByCoordinate(Kind):
+    """A mapping from coordinates of the scene to fields of one kind."""
+
+    def __init__(self, kind, wants):
+        self.wants, self.named = wants, Named(kind, wants)
+
+    def read(self, node, reader):
+        for key, _ in node.entries.values() if isinstance(node, Mapping) else ():
+            NameOf("the name of a coordinate", "coordinates").read(key, reader)
+        return self.named.read(node, reader)
+
+    def schema(self):
+        return self.named.schema()
+
+
+KIND = ByCoordinate(Quantity(), "a mapping from coordinates to values")
+ABOUT = ("Which equilibrium is meant: the one nearest to this place, stable or not, as in `{x: 1 m}`; coordinates that "
+         "are left out count as drawn. Distances are those of the coordinates, lengths divided by the size of the "
+         "figure. The report says how far it lies from there.")

@@ -1,0 +1,53 @@
+"""Where a motion starts: values of coordinates and velocities, or the equilibrium under a force that lets go."""
+
+from vibcli.language.document.document import Mapping
+from vibcli.language.fields import Kind, NameOf, Quantity
+from vibcli.language.reader import Name, Record
+from vibcli.symbolic.parser import plain_name
+
+RELEASED = "released"
+ABOUT = ("Where a motion in time starts: `{x: 2 cm, x': 0.5 m/s}`, coordinates counted as in the drawn position. "
+         "Those left out start at rest in the equilibrium without the loads that depend on time. `{released: pull}` "
+         "starts at rest in the equilibrium under the force `pull`, which then lets go and acts no more.")
+
+
+class Initial(Kind):
+    """A Record whose values are {"x'": expression}; `released` the Name of a force."""
+
+    wants = "a mapping from coordinates and velocities to values, such as {x: 2 cm, x': 0.5 m/s}"
+
+    def read(self, node, reader):
+        if not isinstance(node, Mapping):
+            return reader.expected(node, self.wants)
+        values, keys = {}, {}
+        for key, (key_node, value) in node.entries.items():
+            keys[key] = key_node.where
+            if key == RELEASED:
+                name = NameOf("the name of a force", "forces").read(value, reader)
+                if name is not None:
+                    values[RELEASED] = name
+                continue
+            name = key_node.text.rstrip("'")
+            primes = key_node.text[len(name):]
+            if len(primes) > 1:
+                reader.report(key_node.where, f"a motion starts from positions and velocities, found '{key_node.text}'",
+                              f"write {name} or {name}'")
+                continue
+            reader.references.append((Name(plain_name(name), key_node.where), ("coordinates",),
+                                      "the name of a coordinate"))
+            expression = Quantity().read(value, reader)
+            if expression is not None:
+                values[plain_name(name) + primes] = expression
+        return Record(None, "initial", node.where, values, keys)
+
+    def schema(self):
+        return {"type": "object", "properties": {RELEASED: {"type": "string"}},
+                "additionalProperties": {"type": ["string", "number"]}}
+
+
+KIND = Initial()
+
+def let_go(spec):
+    """The name of the force that lets go at t = 0; None where none does."""
+    record = spec.get("initial")
+    return record.get(RELEASED).text if record is not None and RELEASED in record else None

@@ -1,0 +1,113 @@
+"""Signals: what can be read off a scene beside its coordinates — places, turns, stretches, forces — and their units."""
+
+from vibcli.base import units
+
+POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
+BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
+        "normal": "N", "friction": "N"}
+SPRING = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")}      # of length, and of torsion
+DAMPER = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")}
+GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
+ENERGIES = {"T": "J", "V": "J", "Phi": "W"}      # of the whole scene, where no parameter has the name
+DRIVES = {"slide": {"drive": "N"}, "pin": {"drive": "N*m"}, "turn": {"drive": "N*m"}, "travel": {"drive": "N"},
+          "swing": {"drive": "N*m"}, "moves": {"drive.x": "N", "drive.y": "N"},
+          "move": {"drive.x": "N", "drive.y": "N", "drive.moment": "N*m"}}      # by what is prescribed
+FORCES = {"rope": ("force",), "link": ("force",), "gear": ("force",), "belt": ("force",), "point": ("force",),
+          "join": ("force.x", "force.y")}
+ABOUT = (
+    ("T, V, Phi", "kinetic and potential energy and dissipation function of the scene along a motion: `T(2 s)`, "
+                  "`max(V)`; V is counted from the drawn position"),
+    ("P.x, P.y", "displacement of a point from where it is drawn; of a body, that of its mass centre"),
+    ("B.angle", "turn of a body"),
+    ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),
+    ("s.energy", "energy stored in a spring, tension²/(2k)"),
+    ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
+    ("ground.force", "force that springs and dampers exert on the ground (fixed or driven) in one-axis scenes; "
+                     "ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
+    ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
+                    "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
+    ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "
+                                  "or mass centre, of what rolls about the centre of its circle; O.reaction.x of the "
+                                  "one body pinned at a point O"),
+    ("B.drive", "force or moment of what prescribes the motion of a body, along that motion: `crank.drive(1 s)` of "
+                "`pin: Omega*t`; of `move` B.drive.x, .y, .moment, of a point that `moves` P.drive.x, .y. Times the "
+                "prescribed velocity it is the power of the drive"),
+    ("B.normal, B.friction", "contact force on a rolling or sliding body: along the normal from the surface to the "
+                             "body, and along the tangent, which is the normal turned clockwise"),
+)
+
+
+def signal_dimension(spec, text):
+    """The dimension of a signal; None where the scene has none of that name."""
+    unit = _unit(spec, text)
+    return None if unit is None else units.parse_unit(unit).dimension
+
+
+def _unit(spec, text):
+    name, _, part = text.partition(".")
+    for section, parts in (("bodies", BODY), ("points", POINT)):
+        if name in (spec.get(section) or {}):
+            return (parts | drives(spec, spec.get(section)[name])).get(part)
+    if name == "ground":
+        return GROUND.get(part)
+    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
+        record = (spec.get(section) or {}).get(name)
+        if record is not None:
+            return parts[part]["torsion" in record] if part in parts else None
+    record = (spec.get("constraints") or {}).get(name)
+    if record is not None:
+        kind = next((kind for kind in FORCES if kind in record), None)
+        whole, _, number = part.rpartition(".")
+        if part in FORCES.get(kind, ()) or (kind == "rope" and whole == "force" and number.isdecimal()):
+            return "N"
+    return None
+
+
+def is_reaction(spec, text):
+    """Is this the force of a constraint, a support, a contact or a drive?"""
+    name, _, part = text.partition(".")
+    if name in (spec.get("constraints") or {}):
+        return part.partition(".")[0] == "force"
+    return part.partition(".")[0] in ("reaction", "drive", "normal", "friction") and (
+        name in (spec.get("bodies") or {}) or name in (spec.get("points") or {}))
+
+
+def drives(spec, record):
+    """{part: unit} of the forces along what is prescribed in time of a body or point."""
+    key = next((key for key in ("slide", "pin", "turn", "move", "roll", "moves") if key in record), None)
+    if key is None:
+        return {}
+    value = record[key]
+    if key == "roll":
+        key = next(kind for kind in ("travel", "swing", "turn") if kind in value)
+        value = value[key]
+    value = value["by"] if hasattr(value, "keys") and "by" in value else value
+    parts = DRIVES[key]
+    given = value if isinstance(value, list) else [value]
+    return {part: unit for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
+
+
+def _in_time(spec, expression):
+    """Does an expression hold the time?"""
+    from vibcli.symbolic.semantics import names_in
+
+    if "t" in spec.parameters or "t" in spec.coordinates:
+        return False
+    return any(name == "t" for name, *_ in names_in(expression.tree))
+
+
+def near_signals(spec, text):
+    """The signals of what `text` names, or the forms that signals have."""
+    name = text.partition(".")[0]
+    for section, parts in (("bodies", BODY), ("points", POINT)):
+        if name in (spec.get(section) or {}):
+            return [f"{name}.{part}" for part in parts | drives(spec, spec.get(section)[name])]
+    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
+        if name in (spec.get(section) or {}):
+            return [f"{name}.{part}" for part in parts]
+    if name == "ground":
+        return [f"ground.{part}" for part in GROUND]
+    record = (spec.get("constraints") or {}).get(name)
+    if record is not None:
+        return [f"{name}.{part}" for kind, parts in FORCES.items() if kind in record for part in parts]
+    return list(spec.coordinates)

@@ -1,0 +1,240 @@
+"""What a scene that depends on time is when its excitation is left out.
+
+M, C, G and K of the small oscillations must not depend on the time; what else does is excitation. Terms that hold the
+time are dropped from the residual and from K after expansion, when those of rotating frames have cancelled; the rows of
+M and C are taken at t = 0. Whether M, C, G, K then are those of every instant is tested at the equilibrium: periodic
+coefficients (a shaken pivot) are refused by name.
+"""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
+from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.symbolic.delta_functions import at_impulses
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced
+from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.smoothed_functions import SmoothFloats
+
+INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
+WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
+
+
+def without_time(scene, node):
+    """The terms of an expression that do not depend on the time."""
+    time = scene.time.mask
+    if not node.mask & time:
+        return node
+    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
+                                   if not any(atom.mask & time for atom, _ in monomial)})
+
+
+def load_at_rest(scene, term):
+    """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
+    time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
+    rest = dict.fromkeys(scene.v, scene.table.zero)
+    force, steady_part = substitute([term.weight, term.weight if term.force is None else term.force], rest)
+    parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
+    turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
+    constant = without_time(scene, force - steady_part)
+    return steady_part, turning, force - steady_part - constant, constant
+
+
+def _terms(scene, node):
+    try:
+        return reduced(expanded(node))
+    except (TooLong, ZeroDivisionError):
+        raise PhysicsError("the terms of this scene that depend on time are too long to be told from those that do not",
+                           "describe the driven motion in fewer steps") from None
+
+
+def steady(scene, form):
+    """The Linearisation without its excitation; that of a scene without time is returned as it is."""
+    if not scene.timed:
+        return form
+    time, table = scene.time.mask, scene.table
+    found = Linearisation()
+    found.n, found.table = form.n, table
+    residual, stiffness = {}, {}
+    found.springs = []
+    for weight, row in form.springs:
+        if any(node.mask & time for node in (weight, *row.values())):
+            for i, x in row.items():
+                for j, y in row.items():
+                    stiffness.setdefault((i, j), []).append(weight * x * y)
+        else:
+            found.springs.append((weight, row))
+    found.curved = []
+    for force, curvature, row in form.curved:
+        if any(node.mask & time for node in (*row.values(), *curvature.values())):
+            _gather(residual, {i: force * slope for i, slope in row.items()})
+            _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
+        else:
+            found.curved.append((without_time(scene, force), curvature, row))
+    found.residual, found.K = [], []
+    for parts, kept, bucket in ((form.residual, found.residual, residual), (form.K, found.K, stiffness)):
+        for part in parts:
+            kept.append({key: node for key, node in part.items() if not node.mask & time})
+            _gather(bucket, {key: node for key, node in part.items() if node.mask & time})
+    found.residual.append(_summed(scene, residual))
+    found.K.append(_summed(scene, stiffness))
+    start = {scene.time: table.zero}
+    found.inertias, found.dampers = (_at(form.inertias, start), _at(form.dampers, start))
+    for kind in ("M", "C", "G", "drag"):
+        entries = getattr(form, kind)
+        setattr(found, kind, dict(zip(entries, substitute(list(entries.values()), start), strict=True)))
+    return found
+
+
+def _gather(bucket, entries):
+    for key, node in entries.items():
+        bucket.setdefault(key, []).append(node)
+
+
+def _summed(scene, bucket):
+    found = {key: without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
+             for key, nodes in bucket.items()}
+    return {key: node for key, node in found.items() if not node.is_zero}
+
+
+def _at(terms, start):
+    nodes = [node for weight, row in terms for node in (weight, *row.values())]
+    moved = dict(zip(nodes, substitute(nodes, start), strict=True))
+    return [(moved[weight], {i: moved[node] for i, node in row.items() if not moved[node].is_zero})
+            for weight, row in terms]
+
+
+def require_autonomous(problem, values):
+    """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
+    scene = problem.scene
+    if scene.vibrating is not scene:
+        from vibcli.mechanics.inputs_outputs.constraint_excitation import carried_into
+
+        i = carried_into(problem.opened, values)
+        if i is not None:
+            raise _periodic(scene, i, "K")
+    wanted, loops = matrices_at(problem.form, values), scene.vibrating.loops
+    for instant in INSTANTS:
+        at = {**values, scene.time.name: instant}
+        if loops is not None:
+            at = loops.followed({**values, scene.time.name: 0.0}, at) or at
+        found = matrices_at(problem.timed_form, at)
+        for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
+            _compare(scene, key, wanted[key], found[key], size)
+
+
+def matrices_at(form, values):
+    numbers = in_numbers(form, SmoothFloats, values)
+    found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
+    return {**found, "size": numbers.elements.K_size}
+
+
+def _compare(scene, key, wanted, found, size):
+    largest = max(map(abs, (*wanted.values(), *found.values())), default=0.0)
+    for pair in {*wanted, *found}:
+        scale = max(abs(found.get(pair, 0.0)), (size or {}).get(pair, 0.0), 1e-6 * largest)
+        if not abs(found.get(pair, 0.0) - wanted.get(pair, 0.0)) <= SAME * scale:
+            raise _periodic(scene, pair[0], key)
+
+
+def _periodic(scene, i, key):
+    return PhysicsError(f"{WORDS[key]} of '{scene.coordinates[i]}' depends on the time: there are no natural "
+                        "frequencies", "such a motion is excited through its parameters; its full equations are those "
+                        "of `vibcli equations`, its motion from `initial` that of motion: full")
+
+
+def excitation(scene, form, position):
+    """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters.
+
+    Of the residual it is the terms that hold the time, as the others are in equilibrium; of driven displacements and
+    of loads in time it is the whole, the constants in them included, as the equilibrium is that of the scene with all
+    of them left out.
+    """
+    place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
+    rows, constants, found = residual_terms(at_position(form, place)), _shaken(scene), {}
+    for i, terms in _begun(scene).items():
+        constants.setdefault(i, []).extend(terms)
+    for i, terms in enumerate(rows):
+        node = with_time(scene, _negative(scene, terms))
+        if i in constants:
+            node = _whole(scene, node + _negative(scene, substitute(constants[i], place)))
+        if not node.is_zero:
+            found[i] = node
+    return found
+
+
+def _negative(scene, terms):
+    """−Σ terms, with f·δ(t − t₁) as f(t₁)·δ(t − t₁)."""
+    total = scene.table.sum(*((term, -ONE) for term in terms))
+    return at_impulses(total, scene.time) if "impulse" in scene.table.called else total
+
+
+def _whole(scene, node):
+    return collected(scene.table, _terms(scene, node)) if node.mask & scene.time.mask else node
+
+
+def with_time(scene, node):
+    """The terms of an expression that depend on the time."""
+    time = scene.time.mask
+    if not node.mask & time:
+        return scene.table.zero
+    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
+                                   if any(atom.mask & time for atom, _ in monomial)})
+
+
+def _begun(scene):
+    """{i: terms} of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
+    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+    for term in scene.loads_at_still():
+        constant = load_at_rest(scene, term)[3]
+        for q, slope in gradient(term.s).items() if not constant.is_zero else ():
+            if q in number:
+                found.setdefault(number[q], []).append(-(constant * slope))
+    return found
+
+
+def _shaken(scene):
+    """{i: terms} of the residual that are linear in the driven displacements u(t): Σ ∂(P ∂s/∂q)/∂u u of springs,
+    Σ c ∂s/∂q ∂s/∂u u̇ of dampers, and −Σ ∂(F ∂s/∂q)/∂u u of steady loads that turn or move with what is driven."""
+    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+    if not scene.shaken:
+        return found
+    zero = scene.table.zero
+    still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
+    moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
+    for kind in ("springs", "dampers", "forces") if still else ():
+        for term in scene.shaken[kind]:
+            term = _steady_part(scene, term) if kind == "forces" else term
+            parts = reachable([term.s, term.weight])
+            here = [symbol for symbol in still if symbol in parts]
+            slopes = gradient(term.s)
+            for q, i in number.items():
+                for symbol in here if q in slopes else ():
+                    part = _slope_by(scene, term, slopes[q], symbol, kind)
+                    found.setdefault(i, []).append(substitute([part], {**still, **moved})[0]
+                                                   * _function(scene, symbol, kind))
+    return found
+
+
+def _steady_part(scene, term):
+    """A load without its part in time, at rest."""
+    weight, = substitute([term.weight if term.force is None else term.force], dict.fromkeys(scene.v, scene.table.zero))
+    return term._replace(weight=weight, force=None)
+
+
+def _slope_by(scene, term, slope, symbol, kind):
+    """What multiplies u(t), or u̇(t) of a damper."""
+    stand_in = scene.table.variable(symbol.name + " small")
+    s, row, weight = substitute([term.s, slope, term.weight], {symbol: stand_in})
+    if kind == "dampers":
+        part = term.weight * row * gradient(s).get(stand_in, scene.table.zero)
+    elif kind == "forces":
+        part = -gradient(weight * row).get(stand_in, scene.table.zero)
+    else:
+        part = gradient((term.force + term.weight * s) * row).get(stand_in, scene.table.zero)
+    return substitute([part], {stand_in: symbol})[0]
+
+
+def _function(scene, symbol, kind):
+    node = scene.driven[symbol]
+    return scene.rate(node) if kind == "dampers" else node

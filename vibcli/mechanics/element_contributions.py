@@ -1,0 +1,73 @@
+"""The quadratic forms of T, V and Φ about the equilibrium, each part under the name of the element it came from.
+
+V has for each spring ½ k (∇s·q)², and with ½ V′ qᵀ∇²s q what its tension V′ = N + k s in equilibrium adds; the weights
+add ½ f qᵀ∇²s q. Such geometric parts may be negative.
+"""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.high_precision import place_to
+from vibcli.symbolic.evaluation import evaluate, multiprecision
+
+WEIGHTS, WRITTEN = "the weights", "written out"
+
+
+class Owned:
+    """kinetic, potential, dissipation: {name: (rows with weights, {(i, j): entry})}, in numbers of mpmath."""
+
+    __slots__ = ("dissipation", "kinetic", "potential")
+
+    def __init__(self):
+        self.kinetic, self.potential, self.dissipation = {}, {}, {}
+
+
+def owned_forms(problem):
+    """The Owned forms of a problem at its equilibrium, at the working precision of mpmath."""
+    scene, form = problem.scene.vibrating, problem.drawn_form if problem.equilibrium.drawn else problem.form
+    springs, dampers = scene.at_still("springs"), scene.at_still("dampers")
+    bent = _bent(scene, springs)
+    pairs = ((scene.inertias, form.inertias), (springs, form.springs), (dampers, form.dampers), (bent, form.curved))
+    if any(len(terms) != len(rows) for terms, rows in pairs):
+        raise PhysicsError("energies are not told apart where bodies, springs or loads move with what is driven",
+                           "ask for omega[i] and mode[i][q] alone")
+    number = _numbers(problem, form)
+    found = Owned()
+    for parts, terms, rows in ((found.kinetic, scene.inertias, form.inertias),
+                               (found.potential, springs, form.springs),
+                               (found.dissipation, dampers, form.dampers)):
+        for term, row in zip(terms, rows, strict=True):
+            _part(parts, term.owner)[0].append((number[row[0]], {i: number[node] for i, node in row[1].items()}))
+    for name, (force, curvature, _) in zip(bent, form.curved, strict=True):
+        _enter(found.potential, name, {pair: number[force] * number[node] for pair, node in curvature.items()})
+    for parts, matrices in ((found.kinetic, [form.M]), (found.potential, form.K), (found.dissipation, [form.C])):
+        for matrix in matrices:
+            _enter(parts, WRITTEN, {pair: number[node] for pair, node in matrix.items()})
+    return found
+
+
+def _bent(scene, springs):
+    return [f"tension of {term.owner}" for term in springs] + [WEIGHTS] * len(scene.weights) + [
+        f"load {term.owner}" for term in scene.loads_at_still()]
+
+
+def _numbers(problem, form):
+    """{expression: number} of all that the form is made of."""
+    nodes = [node for rows in (form.inertias, form.springs, form.dampers) for weight, row in rows
+             for node in (weight, *row.values())]
+    nodes += [node for force, curvature, _ in form.curved for node in (force, *curvature.values())]
+    nodes += [node for matrix in (form.M, form.C, *form.K) for node in matrix.values()]
+    arithmetic = multiprecision()
+    values = problem.values(arithmetic)
+    values |= place_to(problem, values, arithmetic)
+    return dict(zip(nodes, evaluate(nodes, arithmetic, values), strict=True))
+
+
+def _part(parts, name):
+    return parts.setdefault(name, ([], {}))
+
+
+def _enter(parts, name, entries):
+    """Add a matrix to a part."""
+    if any(entries.values()):
+        matrix = _part(parts, name)[1]
+        for pair, entry in entries.items():
+            matrix[pair] = matrix.get(pair, 0) + entry

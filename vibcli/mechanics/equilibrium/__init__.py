@@ -1,0 +1,1 @@
+"""Equilibria: one, the nearest, all of them, and what is known about each."""

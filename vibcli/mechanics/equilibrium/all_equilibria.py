@@ -1,0 +1,169 @@
+"""All equilibria of a scene within bounds: a scan of one coordinate, many starts for several; each checked by its
+residual and met once, images of it a turn apart included."""
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Spent
+from vibcli.mechanics.equilibrium import multistart, one_coordinate
+from vibcli.mechanics.equilibrium.completeness import proved
+from vibcli.mechanics.equilibrium.degenerate import sharpened
+from vibcli.mechanics.equilibrium.distinct_roots import Found
+from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+from vibcli.mechanics.equilibrium.families import Family
+from vibcli.mechanics.equilibrium.indices import compared
+from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle
+from vibcli.mechanics.equilibrium.search_box import bounds, given_bounds
+from vibcli.mechanics.nonsmooth import KINKED
+
+MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
+SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
+
+
+class Item:
+    """One equilibrium, or a line of them by one of its positions; free: directions {coordinate: component} in which it
+    can be moved and stays in equilibrium; singular: is K nearly so?"""
+
+    __slots__ = ("equilibrium", "free", "singular")
+
+    def __init__(self, equilibrium, free, singular=True):
+        self.equilibrium, self.free, self.singular = equilibrium, free, singular
+
+
+class Equilibria:
+    """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
+    those searched; complete: is it proved that there are no others; cut: was the search cut short; linear: are the
+    forces, so that there is no other? forces: the Forces that were searched; indices: Indices of what is not proved to
+    be complete, None where they are not known."""
+
+    __slots__ = ("bounds", "complete", "cut", "forces", "indices", "items", "linear")
+
+    def __init__(self, items, bounds, complete, linear, forces, cut=False, indices=None):
+        self.items, self.bounds, self.complete, self.linear, self.forces = items, bounds, complete, linear, forces
+        self.cut, self.indices = cut, indices
+
+    @property
+    def missed(self):
+        """Is it proved that there are others?"""
+        return self.indices is not None and not self.indices.agree
+
+
+def find_equilibria(problem):
+    """The Equilibria of a numeric problem; PhysicsError where the bounds are missing or wrong."""
+    if problem.symbolic:
+        asked = problem.spec.get("find")
+        raise PhysicsError("all equilibria are searched in numbers only, and this scene has symbols without value",
+                           "give them with --set", asked.search.where if asked and asked.search else None)
+    loose = idle(problem)
+    names = [name for name in problem.scene.coordinates if name not in loose]
+    forces = Forces(problem, names)
+    rests = _reached(problem)
+    linear = problem.is_linear and not problem.scene.table.called.intersection(KINKED)
+    if not names:
+        return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
+    if linear:
+        limits = {name: given_bounds(problem).get(name, (-np.inf, np.inf)) for name in names}
+        found = Found(forces, _box(forces, limits))
+    else:
+        limits, found = _prepared(problem, forces, rests)
+    places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
+    for place in places:
+        found.add(place)
+    cut = not linear and _cut_short(forces, found)
+    complete = problem.sticking is None and (linear or (not cut and proved(forces, found)))
+    indices = None if complete or problem.sticking is not None else compared(forces, found)
+    known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
+    items = [_item(forces, place, (), loose, known) for place in found.isolated]
+    items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
+    items.sort(key=lambda item: [round(x, 7) + 0.0 for x in forces.vector(item.equilibrium.values)])
+    limits = {name: pair for name, pair in limits.items() if np.all(np.isfinite(pair))}
+    return Equilibria(items, limits, complete, linear, forces, cut, indices)
+
+
+def _reached(problem):
+    """[the equilibrium next to the drawn position], empty where there is none."""
+    try:
+        return [problem.equilibrium]
+    except PhysicsError:
+        return []
+
+
+def _prepared(problem, forces, rests):
+    """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
+    forces.learn_periods()
+    limits = bounds(problem, forces, [rest.values for rest in rests])
+    low, high = _box(forces, limits)
+    forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.halton(len(low), SAMPLES))
+    return limits, Found(forces, (low, high))
+
+
+def _box(forces, limits):
+    return [forces.vector({name: pair[i] for name, pair in limits.items()}) for i in (0, 1)]
+
+
+def _cut_short(forces, found):
+    """Searches the box; True if that took too much."""
+    limit = min(MOST, max(LEAST, MOST_WORK // len(forces.names) ** 2))
+    with forces.work.task("the search for equilibria", limit) as task:
+        try:
+            _search(forces, found, [forces.vector(forces.problem.drawn_floats)])
+            return False
+        except TooMuch:
+            return True
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            return True
+
+
+def _search(forces, found, first):
+    if len(forces.names) > 1:
+        multistart.search(forces, found, first)
+        return
+    for place, stretch in one_coordinate.zeros(forces, found.box[0][0], found.box[1][0]):
+        if stretch is None:
+            found.add(place)
+        elif not _line(forces, stretch):
+            _add_multiple(forces, found, stretch)
+        elif not any(family.holds(forces, place) for family in found.families):
+            found.families.append(Family(place, np.ones((1, 1))))
+
+
+def _line(forces, stretch):
+    """Is every position of a stretch one of rest, and not only so flat that floats see no force?"""
+    from vibcli.mechanics.high_precision import rests
+
+    low, high = stretch
+    return forces.looped or rests(forces.problem, forces.position(np.array([low + (high - low) / 3])))
+
+
+def _add_multiple(forces, found, stretch):
+    """The one multiple zero of a stretch about which the forces are rounding."""
+    low, high = stretch
+    if any(low <= place.z[0] <= high for place in found.isolated):
+        return
+    middle = Equilibrium(forces.position(np.array([0.5 * (low + high)])), False, 0.0)
+    found.add(forces.at(forces.vector(sharpened(forces.problem, middle).values)))
+
+
+def _item(forces, place, rows, loose, known):
+    place = place if id(place) in known else _tidied(forces, place)
+    free = [{name: 1.0} for name in loose] + [_direction(forces, row) for row in rows]
+    rest = known.get(id(place))
+    if rest is None:
+        rest = Equilibrium(forces.position(place.z), False, forces.residual(place))
+        rest = rest if len(rows) else sharpened(forces.problem, rest)
+    return Item(rest, free, float(np.linalg.svd(place.J, compute_uv=False)[-1]) < SINGULAR)
+
+
+def _direction(forces, row):
+    """{coordinate: component} of a direction in z, the largest one 1."""
+    parts = row * forces.D
+    parts = parts / parts[np.argmax(np.abs(parts))]
+    return {name: float(x) for name, x in zip(forces.names, parts, strict=True) if abs(x) > 1e-9}
+
+
+def _tidied(forces, place):
+    """The place with coordinates that are zero but for rounding set to zero."""
+    plain = forces.at(np.where(np.abs(place.z) < DUST, 0.0, place.z))
+    return plain if plain is not None and forces.balanced(plain) else place

@@ -1,0 +1,277 @@
+"""Equilibrium by virtual work, r(q) = 0, reached from the drawn position by descending the potential energy.
+
+Steps are those of a trust region on V(q) with its exact Hessian (Conn, Gould & Toint 2000, alg. 7.3.1): where the
+Hessian is singular or indefinite the step goes downhill. Where loads have no potential, or motions are driven, the
+force −r is followed by implicit Euler steps that grow as it fades (pseudo-transient continuation, Kelley & Keyes 1998).
+Coordinates are scaled by the size of the figure (angles by 1), so that units change nothing; dependent coordinates
+follow by closing their loops. The end is polished by plain Newton steps until the residual is that of rounding.
+"""
+
+import math
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
+from vibcli.mechanics.equilibrium.rounding import may_vanish
+from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+EPSILON = 2.0**-52
+KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
+STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
+
+
+class Equilibrium:
+    """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
+    relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
+    `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?"""
+
+    __slots__ = ("degenerate", "drawn", "residual", "start", "steps", "values")
+
+    def __init__(self, values, drawn, residual, steps=0, start=None):
+        self.values, self.drawn, self.residual, self.steps, self.start = values, drawn, residual, steps, start
+        self.degenerate = False
+
+    @property
+    def from_start(self):
+        """{coordinate: how far it lies from the start}, None where none is named."""
+        return None if self.start is None else {name: self.values[name] - x for name, x in self.start.items()}
+
+
+def relative_residual(numbers):
+    return max((abs(r) / size for r, size in zip(numbers.residual, numbers.residual_size, strict=True) if size),
+               default=0.0)
+
+
+def is_balanced(numbers, terms=8):
+    """Does the residual vanish but for the rounding of its terms?"""
+    return relative_residual(numbers) <= 4 * terms * EPSILON
+
+
+def find_equilibrium(problem, start):
+    """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
+    search = Search(problem, start)
+    q = search.vector(start)
+    numbers = search.at(q)
+    step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
+    steps = 0
+    while not search.flat(numbers):
+        search.blocked = search.undefined = False
+        steps += 1
+        if search.far(q):
+            raise unbounded(search, q)
+        if steps > STEPS and search.balanced(numbers):
+            break       # there but for rounding
+        if steps > STEPS:
+            raise unbounded(search, q) if problem.conservative else unfinished(search, q, STEPS)
+        q, numbers, size, moved = step(q, numbers, size)
+        if not moved:
+            break
+    q, numbers = search.polished(q, numbers)
+    if not search.balanced(numbers) or search.faded(numbers):
+        raise unbounded(search, q)
+    return Equilibrium(search.here, False, search.relative(numbers), steps)
+
+
+class Search:
+    """The potential energy of a scene as a function to be descended."""
+
+    first_drift = 0.1
+
+    def __init__(self, problem, start):
+        import numpy as np
+
+        self.np, self.problem, self.scene = np, problem, problem.scene
+        self.names = self.scene.coordinates
+        size = figure_size(problem)
+        self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
+        self.first_radius = 0.5 if size else math.inf
+        self.met = [0.0] * len(self.names)
+        self.here, self.blocked, self.undefined = dict(start), False, False
+
+    def vector(self, values):
+        return self.np.array([values[name] for name in self.names], dtype=float)
+
+    def named_plainly(self, q):
+        return {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
+
+    def named(self, q):
+        """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
+        cannot be."""
+        target = self.named_plainly(q)
+        loops, floats = self.scene.resting.loops, {**self.problem.floats, self.scene.time.name: 0.0}
+        if loops is None:
+            return target
+        found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
+        self.blocked |= found is None
+        return None if found is None else {name: found[name] for name in self.here}
+
+    def at(self, q):
+        """The Numbers of a position, which becomes the present one."""
+        position = self.named(q)
+        if position is None:
+            raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
+                               "cannot close", "draw the scene nearer to its equilibrium")
+        numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **position})
+        stiffness = self.np.abs(self.stiffness(numbers))
+        if not (all(map(math.isfinite, numbers.residual)) and self.np.isfinite(stiffness).all()):
+            raise Undefined("the forces of this scene are not finite numbers at the place where the search for its "
+                            "equilibrium starts", "draw the scene elsewhere, or start elsewhere with `equilibrium:`")
+        self.here = position
+        bend = stiffness @ (self.np.abs(q) + KNOWN * self.scale)
+        numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
+        self.met = list(map(max, self.met, numbers.residual_size))
+        return numbers
+
+    def defined(self, q):
+        """The Numbers of a position that is tried; None where they are not finite."""
+        try:
+            return self.at(q)
+        except Undefined:
+            self.undefined = True
+            return None
+
+    def relative(self, numbers):
+        """The residual relative to the largest terms met: at q = 0 the terms of a condition may all vanish."""
+        return max((abs(r) / size for r, size in zip(numbers.residual, self.met, strict=True) if size), default=0.0)
+
+    def balanced(self, numbers):
+        """Is nothing left of the forces but what rounding leaves?"""
+        return self.relative(numbers) <= 1e-9 or may_vanish(self.problem, self.here)
+
+    def faded(self, numbers):
+        """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
+        held = self.np.abs(self.stiffness(numbers)) @ self.scale
+        return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
+                   zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
+
+    def newton(self, numbers):
+        """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
+        slope = -self.np.array(numbers.residual) * self.scale
+        return self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
+
+    def energy(self, q):
+        position = self.named(q)
+        return math.inf if position is None else evaluate([self.problem.potential], Floats,
+                                                          {**self.problem.floats, **position})[0]
+
+    def flat(self, numbers):
+        return self.relative(numbers) <= 1e-13
+
+    def far(self, q):
+        limit = FAR if math.isfinite(self.first_radius) else FARTHEST
+        return bool(self.np.any(self.np.abs(q) > limit * self.scale))
+
+    def hessian(self, numbers):
+        """K in scaled coordinates."""
+        K = self.stiffness(numbers)
+        if not self.np.all(self.np.isfinite(K)):
+            raise PhysicsError("the forces of this scene have no finite slope in a position that the search for its "
+                               "equilibrium passes", "draw the scene nearer to its equilibrium")
+        return K * self.np.outer(self.scale, self.scale)
+
+    def stiffness(self, numbers):
+        n = len(self.names)
+        K = self.np.zeros((n, n))
+        for pair, value in numbers.elements.stiffness().items():
+            K[pair] = value
+        return K
+
+    def step(self, q, numbers, radius):
+        """One accepted step: (q, numbers, radius, True), or False where no step lowers V any more."""
+        np = self.np
+        gradient = np.array(numbers.residual) * self.scale
+        values, vectors = np.linalg.eigh(self.hessian(numbers))
+        slope = vectors.T @ gradient
+        if math.isinf(radius) and values[0] <= _tiny(values):
+            radius = float(np.linalg.norm(slope) / max(np.max(np.abs(values)), 1e-300)) or 1.0
+        before = self.energy(q)
+        for _ in range(60):
+            p = _trust_step(values, slope, radius)
+            predicted = -(slope @ p + 0.5 * p @ (values * p))
+            trial = q + self.scale * (vectors @ p)
+            gained = before - self.energy(trial)
+            noise = 64 * EPSILON * (abs(before) + abs(predicted))
+            falls = abs(gained) < HUGE and (gained >= 0.1 * predicted or predicted <= noise)
+            after = self.defined(trial) if falls else None
+            if after is not None:
+                if predicted <= noise and not self.relative(after) < self.relative(numbers):
+                    return q, numbers, radius, False
+                length = float(np.linalg.norm(p))
+                if gained > 0.75 * predicted and length > 0.9 * radius:
+                    radius *= 2.0
+                elif math.isinf(radius) and gained < 0.5 * predicted:
+                    radius = length
+                return trial, after, radius, True
+            radius = 0.25 * min(radius, float(np.linalg.norm(p)))
+        return q, numbers, radius, False
+
+    def drift(self, q, numbers, dt):
+        """One implicit Euler step of q̇ = −r in scaled coordinates, twice as long as the last where the force fades as
+        it should, shorter where K pushes away (else it would turn back) or the force grows by much."""
+        np = self.np
+        force = -np.array(numbers.residual) * self.scale
+        K = self.hessian(numbers)
+        size = float(np.max(np.abs(K))) or float(np.max(np.abs(force))) or 1.0
+        least = float(np.linalg.eigvalsh((K + K.T) / 2)[0])
+        if least < 0.0:
+            dt = min(dt, 0.5 * size / -least)
+        here = self.here
+        for _ in range(60):
+            p = np.linalg.lstsq(K + size / dt * np.eye(len(q)), force, rcond=None)[0]
+            longest = float(np.max(np.abs(p)))
+            trial = q + self.scale * p * min(1.0, 0.5 / longest if longest else 1.0)
+            after = self.defined(trial) if self.named(trial) is not None else None
+            if after is not None:
+                left = float(np.linalg.norm(np.array(after.residual) * self.scale))
+                ratio = float(np.linalg.norm(force)) / (left or 1e-300)
+                if ratio > 0.2:
+                    if np.array_equal(trial, q):
+                        return q, numbers, dt, False
+                    return trial, after, dt * min(max(2.0 * ratio, 0.5), 10.0), True
+                self.here = here
+            dt *= 0.25
+        return q, numbers, dt, False
+
+    def polished(self, q, numbers):
+        """Newton steps as long as they lower the residual."""
+        for _ in range(POLISH):
+            trial, here = q + self.scale * self.newton(numbers), self.here
+            after = self.defined(trial)
+            if after is None or self.relative(after) >= self.relative(numbers):
+                self.here = here
+                break
+            q, numbers = trial, after
+        return q, numbers
+
+
+def _tiny(values):
+    """What counts as no curvature beside these."""
+    return 1e-14 * (max(map(abs, values)) or 1.0)
+
+
+def _trust_step(values, slope, radius):
+    """argmin slope·p + ½ Σ values p² within |p| ≤ radius, in the axes of the Hessian."""
+    import numpy as np
+
+    least = values[0]
+    tiny = _tiny(values)
+
+    def at(shift):
+        bottom = values + shift
+        return np.where(np.abs(slope) > 0, -slope / np.where(bottom > tiny, bottom, tiny), 0.0)
+
+    if least > tiny or (least >= -tiny and not np.any(slope[values <= tiny])):
+        p = at(0.0)
+        if np.linalg.norm(p) <= radius:
+            return p
+    low = max(0.0, -least)
+    high = low + float(np.linalg.norm(slope)) / radius + tiny
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if np.linalg.norm(at(middle)) > radius else (low, middle)
+    return at(high)
+
+
+def figure_size(problem):
+    """The extent of the drawn figure in metres; 0 where nothing has a place."""
+    return problem.scene.extent({**problem.floats, **problem.drawn_floats})

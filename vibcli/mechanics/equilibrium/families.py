@@ -1,0 +1,77 @@
+"""Lines and surfaces of equilibria: directions along which a position can be moved and stays balanced.
+
+A singular J alone does not tell them from a multiple zero (V = x⁴): a step along the direction, brought back to
+balance across it, must not lead back.
+"""
+
+import numpy as np
+
+from vibcli.mechanics.equilibrium.newton import settled
+
+STEP, SINGULAR, PACE = 0.05, 1e-8, 0.25
+REACHED, CLOSE, CORRECTIONS = 1e-6, 1e-9, 6
+
+
+def null_directions(place):
+    """Orthonormal directions in which J vanishes but for rounding, as rows."""
+    _, values, rows = np.linalg.svd(place.J)
+    return rows[values <= SINGULAR * max(values[0], 1.0)]
+
+
+def free_directions(forces, place):
+    """Orthonormal directions, as rows, in which neighbours of an equilibrium are equilibria."""
+    null = null_directions(place)
+    moves = [move for row in null if (move := _moved(forces, place, row)) is not None]
+    if not moves:
+        return np.zeros((0, len(place.z)))
+    _, values, rows = np.linalg.svd(np.array(moves) @ null.T @ null)
+    return rows[:len(values)][values > 0.1 * values[0]]
+
+
+def _moved(forces, place, row):
+    """Where a step along a direction leads, brought back to balance; None where that is back to the place."""
+    there = forces.at(place.z + STEP * row)
+    there = None if there is None else settled(forces, there, SINGULAR)
+    if there is None or not len(null_directions(there)):
+        return None
+    move = forces.gap(there.z, place.z)
+    return move if float(np.linalg.norm(move)) > STEP / 2 else None
+
+
+class Family:
+    """Equilibria that hang together: the first that was met, its free directions, and all places met so far."""
+
+    def __init__(self, place, rows):
+        self.place, self.rows, self.met = place, rows, [place]
+
+    def holds(self, forces, place):
+        """Does a walk along the family, from its nearest known place, lead to another equilibrium?"""
+        if len(null_directions(place)) < len(self.rows):
+            return False
+        def away(other):
+            return float(np.linalg.norm(forces.gap(place.z, other.z)))
+
+        here, before = min(self.met, key=away), np.inf
+        while (distance := away(here)) < before:
+            if distance <= REACHED:
+                self.met.append(place)
+                return True
+            rows = null_directions(here)
+            along = rows.T @ (rows @ forces.gap(place.z, here.z))
+            length = float(np.linalg.norm(along))
+            if not length > 1e-3 * distance:
+                return False
+            here, before = _returned(forces, here.z + along * min(1.0, PACE / length)), distance
+            if here is None:
+                return False
+        return False
+
+
+def _returned(forces, z):
+    """The place near z to which a few Newton steps across the null directions lead."""
+    place = forces.at(z)
+    for _ in range(CORRECTIONS):
+        if place is None or place.residual <= CLOSE:
+            break
+        place = forces.at(place.z + place.step(SINGULAR))
+    return place

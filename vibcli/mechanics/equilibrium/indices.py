@@ -1,0 +1,83 @@
+"""The indices of the equilibria found against the degree on the bounds: where they differ, at least one is missing.
+
+An equilibrium at which J is proved to be regular has the index sign det J; within bounds the indices of all sum to the
+degree of the forces there. That they do is no proof that none is missing: two of opposite indices may be.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vibcli.base.work import Spent
+from vibcli.mechanics.equilibrium.completeness import Enclosed, outside
+from vibcli.mechanics.equilibrium.degree import degree
+from vibcli.mechanics.equilibrium.eigenvector_following import look_for
+from vibcli.mechanics.equilibrium.scaled_forces import TooMuch
+
+PIECES, ROUNDS, PLACES, AWAY = 20_000, 10, 20_000, 1e-9
+
+
+class Indices(NamedTuple):
+    """The sum of the indices of those found, and the degree."""
+
+    sum: int
+    degree: int
+
+    @property
+    def agree(self):
+        return self.sum == self.degree
+
+
+def compared(forces, found):
+    """The Indices of what is found, more being searched for where they do not agree; None where either is unknown."""
+    if forces.looped or found.full:
+        return None
+    try:
+        enclosed = Enclosed(forces)
+    except (KeyError, ArithmeticError):
+        return None
+    total = _sum(enclosed, found)
+    asked = None if total is None else within_limit(forces, "the degree of the forces on the bounds", PIECES,
+                                                     lambda: degree(enclosed, *found.box))
+    if asked is None:
+        return None
+    if total != asked:
+        within_limit(forces, "the search for what is missing", PLACES, lambda: _missing(enclosed, found, asked))
+        total = _sum(enclosed, found)
+    return None if total is None else Indices(total, asked)
+
+
+def _missing(enclosed, found, asked):
+    """Search on until the indices agree, or are no longer known, or nothing new turns up."""
+    for _ in range(ROUNDS):
+        total = _sum(enclosed, found)
+        if total in (asked, None) or not look_for(enclosed.forces, found, asked - total):
+            return
+
+
+def within_limit(forces, what, limit, act):
+    """What an act returns, None where it takes more steps than its limit or finds more than can be listed."""
+    with forces.work.task(what, limit) as task:
+        try:
+            return act()
+        except TooMuch:
+            return None
+        except Spent as spent:
+            if spent.task is not task:
+                raise
+            return None
+
+
+def _sum(enclosed, found):
+    """The sum of the indices of what is found; None where one of them is not known, lies on the bounds or is no place
+    of its own."""
+    low, high = found.box
+    total, regions = 0, []
+    for place in found.isolated:
+        inside = enclosed.forces.periodic | ((place.z > low + AWAY) & (place.z < high - AWAY))
+        region = enclosed.region(place.z) if inside.all() else None
+        if region is None or not len(outside(place.z[None], place.z[None], regions)[0]):
+            return None
+        regions.append(region)
+        total += int(np.linalg.slogdet(place.J)[0])
+    return None if found.families else total

@@ -1,0 +1,87 @@
+"""All zeros of the forces of several coordinates within a box, by Newton's method from many starts.
+
+First plain Newton from the drawn position, the corners and middles of the box and points of Halton's sequence, until
+N starts that met w zeros leave less than half a zero to be expected elsewhere: w(N − 1)/(N − w − 2) < w + ½ (Boender &
+Rinnooy Kan 1987, Math. Programming 37, 59). Then deflated Newton from some of them until nothing new turns up.
+"""
+
+from itertools import count, product
+
+import numpy as np
+
+from vibcli.mechanics.equilibrium.newton import zero_from
+
+LEAST, GRID, DEFLATED, AVOIDED, START = 50, 4, 8, 20, 20
+
+
+def search(forces, found, first):
+    """Adds the zeros within the box of `found` to it; `first`: places to start from before all others."""
+    starts = _starts(forces, found.box, first)
+    tried = _plain(forces, found, starts)
+    while _deflated(forces, found, tried):
+        tried = _plain(forces, found, starts)
+
+
+def _plain(forces, found, starts):
+    """Plain Newton from further starts until few zeros are left to be expected; the starts."""
+    tried, least = [], LEAST * len(forces.names)
+    while True:
+        z = next(starts)
+        tried.append(z)
+        place = zero_from(forces, z, found.box)
+        if place is not None:
+            found.add(place)
+            found.met += 1
+        w = found.count
+        if len(tried) >= least and (found.met >= 2 * w * w + 3 * w + 2 if w else len(tried) >= 4 * least):
+            return tried
+
+
+def _deflated(forces, found, starts):
+    """Deflated Newton from every so many of these starts; True if it found a new zero."""
+    before = found.count
+    for z in starts[::max(1, len(starts) // (DEFLATED * len(forces.names)))]:
+        avoided = [other.z for other in found.isolated]
+        for _ in range(AVOIDED):
+            place = zero_from(forces, z, found.box, avoided)
+            if place is None or (not found.add(place) and found.holds(place)):
+                break
+            avoided.append(place.z)
+    return found.count > before
+
+
+def _starts(forces, box, first):
+    yield from first
+    low, high = box
+    if len(low) <= GRID:
+        parts = [(0.0, 0.5) if periodic else (0.0, 0.5, 1.0) for periodic in forces.periodic]
+        for fractions in product(*parts):
+            yield low + np.array(fractions) * (high - low)
+    for fractions in halton(len(low)):
+        yield low + fractions * (high - low)
+
+
+def halton(n, most=None):
+    """Points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
+    bases = _primes(n)
+    for number in count(START) if most is None else range(START, START + most):
+        yield np.array([_radical_inverse(number, base) for base in bases])
+
+
+def _radical_inverse(number, base):
+    """The digits of a number mirrored at the point (Halton 1960)."""
+    value, place = 0.0, 1.0 / base
+    while number:
+        number, digit = divmod(number, base)
+        value += digit * place
+        place /= base
+    return value
+
+
+def _primes(n):
+    found, candidate = [], 2
+    while len(found) < n:
+        if all(candidate % p for p in found):
+            found.append(candidate)
+        candidate += 1
+    return found

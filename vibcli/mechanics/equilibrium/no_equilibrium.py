@@ -1,0 +1,49 @@
+"""Why a search ends at no equilibrium, in words."""
+
+from vibcli.base.errors import PhysicsError
+
+FAR = 1e6      # of the size of the figure
+JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
+
+
+class Undefined(PhysicsError):
+    """Forces or stiffnesses are not finite at a place."""
+
+
+def unbounded(search, q):
+    """Nothing holds the coordinate that went farthest, or the way ends there."""
+    np = search.np
+    start = search.vector(search.problem.drawn_floats)
+    name = search.names[int(np.argmax(np.abs(q - start) / search.scale))]
+    if search.blocked:
+        place = ", ".join(f"{other} = {value:.6g}" for other, value in search.named_plainly(q).items())
+        return PhysicsError(f"the search for the equilibrium reaches a dead centre of the linkage near {place}: "
+                            f"there '{name}' cannot go on", "list another coordinate first under `coordinates:`, "
+                            "or draw the scene nearer to its equilibrium")
+    if search.scene.table.called.intersection(JUMPS) and np.all(np.abs(q) <= FAR * search.scale):
+        here = ", ".join(f"{other} = {value:.6g}" for other, value in search.named_plainly(q).items())
+        return PhysicsError(f"the search for the equilibrium ends near {here}, where forces that jump leave none "
+                            "that is smooth", "round the kink off, or follow the motion with motion: full")
+    if search.undefined:
+        return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
+                            f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
+                            "add the spring or support that carries the load, or start elsewhere with "
+                            "`equilibrium:`", search.problem.spec.coordinates[name].where)
+    why = "the potential energy keeps falling" if search.problem.conservative else "forces keep driving"
+    return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
+                        "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
+                        search.problem.spec.coordinates[name].where)
+
+
+def _origin(search):
+    return "place that `equilibrium:` names" if search.problem.spec.get("equilibrium") else "drawn position"
+
+
+def unfinished(search, q, steps):
+    """Steps are out, though nothing has run off."""
+    place = ", ".join(f"{name} = {value:.6g}" for name, value in search.named_plainly(q).items())
+    if search.blocked or search.np.any(search.np.abs(q) > FAR * search.scale):
+        return unbounded(search, q)
+    return PhysicsError(
+        f"no equilibrium is reached from the {_origin(search)} in {steps} steps: the search has come to {place}",
+        "draw the scene nearer to its equilibrium, or say where it is with `equilibrium:`")

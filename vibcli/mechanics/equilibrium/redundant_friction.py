@@ -1,0 +1,186 @@
+"""Which forces of dry friction statics alone does not fix while they hold a scene.
+
+Friction at zero speed enters the equations as Σ σₖ aₖ, the signs σₖ of the speeds ṡₖ being unknown. With constraints
+G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in parallel have aₑ = c a_d, and share a load anyhow.
+"""
+
+from typing import NamedTuple
+
+from vibcli.base.errors import NotFixed
+from vibcli.symbolic.array_arithmetic import Arrays
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.normal_form import is_zero
+
+STEP = 0.1
+TINY = 1e-9     # of the length of a column: it depends on others
+
+
+class Held(NamedTuple):
+    """One sign of a speed: the `owner` of its law, "" of what is no element, the speed in it with
+    its slopes ∂ṡ/∂q̇ and its `drift`, the speed at q̇ = 0, the `size` of the force of
+    the element, and its column a."""
+
+    owner: str
+    argument: object
+    slopes: tuple
+    drift: object
+    size: object
+    column: tuple
+
+
+class Redundancy:
+    """The signs of speeds in the equations of a scene, `slopes` being {(i, j): ∂Gᵢ/∂qⱼ} of its constraints."""
+
+    def __init__(self, scene, equations, slopes=None):
+        self.scene = scene
+        self.ties = [[(slopes or {}).get((i, j), scene.table.zero) for j in range(len(scene.q))]
+                     for i in sorted({i for i, _ in slopes or {}})]
+        self.parts = _of_laws(scene)
+        self.parts += _of_others(scene, equations, self.parts)
+
+    @property
+    def possible(self):
+        """Could any be redundant?"""
+        return len(self.parts) > 1 and any(part.owner for part in self.parts)
+
+    def carried(self, values, count, held):
+        """At which of `count` instants, of which the `values` are known, the sign of each part is held, as its speed
+        follows from those that are known to be: `held`, a row for each part."""
+        W, drift, G = (self._array(nodes, values, count) for nodes in (
+            [part.slopes for part in self.parts], [[part.drift] for part in self.parts], self.ties))
+        return _each(_carried, W, drift[:, :, 0], G, held.T).T
+
+    def moves(self, values, count, held):
+        """{owner: changes of its force} of shape (count,): one N, small beside the friction, where `held`, a row for
+        each part, says that a sign is held."""
+        A, sizes, G = (self._array(nodes, values, count) for nodes in (
+            [part.column for part in self.parts], [[part.size] for part in self.parts], self.ties))
+        found = _each(_free, A, G, held.T) * sizes[:, :, 0]
+        return {owner: sum(found[:, k] for k, part in enumerate(self.parts) if part.owner == owner)
+                for owner in dict.fromkeys(part.owner for part in self.parts) if owner}
+
+    def _array(self, rows, values, count):
+        import numpy as np
+
+        nodes = [node for row in rows for node in row]
+        found = [np.broadcast_to(value, (count,)) for value in evaluate(nodes, Arrays, values)]
+        width = len(rows[0]) if rows else len(self.scene.q)
+        return np.array(found, dtype=float).reshape(len(rows), width, count).transpose(2, 0, 1)
+
+
+def shared(owner):
+    """The refusal of the force of an element."""
+    return NotFixed(f"{owner}.force", "more friction holds the scene than it needs",
+                    "take one of the elements that share the load out")
+
+
+def require_fixed_at_rest(problem, owner):
+    """PhysicsError where the force of an element with dry friction is not fixed in equilibrium."""
+    scene = problem.scene
+    if not any(law.owner == owner and signs_of_speeds(scene, scene.law_at(law, law.force)) for law in scene.laws):
+        return
+    import numpy as np
+
+    from vibcli.mechanics.equations_of_motion import dynamics
+
+    parts = dynamics(scene)
+    found = Redundancy(scene, parts.h, parts.slopes)
+    everything = np.ones((len(found.parts), 1), dtype=bool)
+    if found.possible and found.moves({**problem.at_rest, scene.time.name: 0.0}, 1, everything).get(owner, 0.0):
+        raise shared(owner)
+
+
+def signs_of_speeds(scene, node):
+    """The signs in a node that a velocity changes, in order."""
+    speeds = 0
+    for v in scene.v:
+        speeds |= v.mask
+    return [part for part in reachable([node]) if part.name == "sign" and part.mask & speeds]
+
+
+def _of_laws(scene):
+    found = []
+    for law in scene.laws:
+        force, speed = scene.law_at(law, law.force), scene.rate(law.s)
+        for sign in signs_of_speeds(scene, force) if law.damper else ():
+            size = _slope(scene, force, sign)
+            found.append(_held(scene, law.owner, sign, size, tuple(size * slope for slope in _slopes(scene, speed))))
+    return found
+
+
+def _of_others(scene, equations, laws):
+    """What else holds with a sign of the equations, loads and energies: the column that no law accounts for."""
+    found, table = [], scene.table
+    for sign in dict.fromkeys(sign for node in equations for sign in signs_of_speeds(scene, node)):
+        argument = sign.args[0]
+        own = [part.column for part in laws if part.argument is argument]
+        column = tuple(_slope(scene, node, sign) - table.sum(*((part[i], 1) for part in own))
+                       for i, node in enumerate(equations))
+        if not all(is_zero(node) for node in column):
+            found.append(_held(scene, "", sign, table.zero, column))
+    return found
+
+
+def _held(scene, owner, sign, size, column):
+    argument = sign.args[0]
+    drift, = substitute([argument], dict.fromkeys(scene.v, scene.table.zero))
+    return Held(owner, argument, _slopes(scene, argument), drift, size, column)
+
+
+def _slope(scene, node, sign):
+    sigma = scene.table.variable("sigma of friction")
+    return gradient(substitute([node], {sign: sigma})[0]).get(sigma, scene.table.zero)
+
+
+def _slopes(scene, node):
+    found = gradient(node)
+    return tuple(found.get(v, scene.table.zero) for v in scene.v)
+
+
+def _each(function, *arrays):
+    """A function of each instant, of equal ones once."""
+    import numpy as np
+
+    known, found = {}, []
+    for row in zip(*arrays, strict=True):
+        key = b"".join(np.ascontiguousarray(part).tobytes() for part in row)
+        if key not in known:
+            known[key] = function(*row)
+        found.append(known[key])
+    return np.array(found)
+
+
+def _free(a, g, held):
+    """An N of one instant, the largest of its Nₖ being STEP."""
+    import numpy as np
+
+    lengths = np.linalg.norm(a, axis=1)
+    held = held & (lengths > 0)
+    B = np.concatenate([_unit(a[held]), _unit(g)])
+    some = np.cos(1.0 + np.arange(len(B)))                  # in no special direction
+    y = (some - B @ (np.linalg.pinv(B, rcond=TINY) @ some))[:int(held.sum())]
+    found = np.zeros(len(a))
+    found[held] = np.where(np.abs(y) > TINY, y, 0.0) / lengths[held]
+    largest = np.abs(found).max(initial=0.0)
+    return STEP * found / largest if largest else found
+
+
+def _unit(rows):
+    import numpy as np
+
+    size = np.linalg.norm(rows, axis=-1, keepdims=True)
+    return rows / np.where(size > 0, size, 1.0)
+
+
+def _carried(w, drift, g, held):
+    """Which speeds vanish as those that are held do, being linear in them: w = C w_held + D g."""
+    import numpy as np
+
+    if not held.any():
+        return held
+    known, offsets = np.concatenate([w[held], g]), np.concatenate([drift[held], np.zeros(len(g))])
+    C = w @ np.linalg.pinv(known, rcond=TINY)
+    inside = np.linalg.norm(w - C @ known, axis=1) <= TINY * np.linalg.norm(w, axis=1)
+    return held | inside & (np.abs(drift - C @ offsets) <= TINY * (np.abs(drift) + np.abs(C) @ np.abs(offsets)))

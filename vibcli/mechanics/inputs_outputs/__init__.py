@@ -1,0 +1,1 @@
+"""What drives small oscillations and what is read off them."""

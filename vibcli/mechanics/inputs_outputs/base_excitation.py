@@ -1,0 +1,163 @@
+"""A scene with its inputs as further coordinates u: displacements that drive it, and unit loads.
+
+Linearised like any other, its matrices hold beside those of the coordinates q the columns of the inputs:
+
+    M q̈ + C q̇ + K q = −(M_u ü + C_u u̇ + K_u u) + excitation,        y = y₀ + y_q δ + y_v δ̇ + y_a δ̈ + the same of u.
+"""
+
+from fractions import Fraction
+from functools import cached_property
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady, without_time
+from vibcli.mechanics.inputs_outputs.linear_functions import Row
+from vibcli.mechanics.linearise import linearise
+from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.mechanics.static_preload import take_over
+from vibcli.scene.build import build_scene
+from vibcli.scene.closed_loops import drawn_values
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import reachable
+
+
+class Opened:
+    """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
+    with and without excitation."""
+
+    def __init__(self, problem, releasing=False):
+        self.problem = problem
+        self.scene = scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=releasing,
+                                         releasing=releasing, opened=True, holding=problem.holding is not None)
+        if scene.static_preloads:
+            take_over(scene, problem.preloads)
+        scene.rename([q for q in scene.q if q not in scene.inputs] + list(scene.inputs))
+        self.n = len(scene.q) - len(scene.inputs)
+        self.timed = linearise(scene)
+        self.form = steady(scene, self.timed)
+
+    @cached_property
+    def values(self):
+        """{name: float} of every symbol in equilibrium."""
+        known = self.problem
+        return {**self.at_zero, **known.dependent_values, **known.at_rest}
+
+    @property
+    def at_zero(self):
+        """{name: 0} of every coordinate, input, velocity and acceleration."""
+        return {node.name: 0.0 for nodes in (self.scene.q, self.scene.v, self.scene.a) for node in nodes}
+
+    @cached_property
+    def sample(self):
+        """The same as drawn where the scene has letters, with sample values for them."""
+        return {**self.at_zero, **drawn_values(self.scene)} if self.problem.symbolic else self.values
+
+    @property
+    def place(self):
+        """{coordinate: its number in equilibrium as a node}, rates and inputs zero."""
+        values, scene = self.values, self.scene
+        symbols = [*scene.drawn, *scene.v, *scene.a]
+        return {symbol: scene.table.number(Fraction(values[symbol.name])) for symbol in symbols}
+
+    @cached_property
+    def numbers(self):
+        """The Numbers of the Linearisation in equilibrium."""
+        return in_numbers(self.form, Floats, self.values)
+
+    @cached_property
+    def turning(self):
+        """The numbers of the coordinates and inputs whose columns are others at other instants."""
+        if not self.scene.timed:
+            return set()
+        wanted, columns = matrices_at(self.form, self.values), set()
+        for instant in INSTANTS:
+            found = matrices_at(self.timed, {**self.values, self.scene.time.name: instant})
+            for key in "MCGK":
+                columns |= self._others(wanted[key], found[key], found["size"] if key == "K" else {})
+        return columns
+
+    def _others(self, one, two, size):
+        """The columns in which two matrices differ."""
+        largest = max(map(abs, (*one.values(), *two.values())), default=0.0)
+        return {pair[1] for pair in {*one, *two} if pair[0] < self.n
+                and not abs(one.get(pair, 0.0) - two.get(pair, 0.0)) <= SAME * max(
+                    abs(two.get(pair, 0.0)), size.get(pair, 0.0), 1e-6 * largest)}
+
+    def require_steady(self, weights):
+        """PhysicsError where what these inputs {number: weight} do depends on the time."""
+        if self.turning & {*range(self.n), *(j for j, weight in weights.items() if weight)}:
+            raise self._turns()
+
+    def _turns(self):
+        return PhysicsError("what acts here turns with what is driven: it has no constant coefficients",
+                            f"ask for a response to a coordinate, as in frf[…, {self.problem.scene.coordinates[0]}]")
+
+    def carried(self, weights):
+        """{i: number} of b₀ of loads that turn with what is driven, `weights` {number of an input: node of the time}:
+        the product of the two is what must not depend on it."""
+        self.require_steady({})
+        found, values = [], {**self.values}
+        for instant in (0.0, *INSTANTS):
+            values[self.scene.time.name] = instant
+            shares = dict(zip(weights, evaluate(list(weights.values()), Floats, values), strict=True))
+            K = matrices_at(self.timed, values)["K"]
+            found.append({(i, 0): -sum(w * K.get((i, j), 0.0) for j, w in shares.items()) for i in range(self.n)})
+        if any(self._others(found[0], later, {}) for later in found[1:]):
+            raise self._turns()
+        return {i: x for (i, _), x in found[0].items() if x}
+
+    @cached_property
+    def columns(self):
+        """{number of an input: [{i: number}] of b₀, b₁, b₂}, the residual moved to the right side."""
+        M, C, G, K = self.numbers.elements.matrices()
+        found = {j: [{}, {}, {}] for j in range(self.n, len(self.scene.q))}
+        for power, matrices in enumerate(((K,), (C, G), (M,))):
+            for matrix in matrices:
+                for (i, j), x in matrix.items():
+                    if i < self.n <= j and x:
+                        column = found[j][power]
+                        column[i] = column.get(i, 0.0) - x
+        return found
+
+    def rows(self, nodes):
+        """The Row of each node."""
+        scene, kinds = self.scene, (self.scene.q, self.scene.v, self.scene.a)
+        slopes = [[{i: slopes[x] for i, x in enumerate(kind) if x in slopes} for kind in kinds]
+                  for slopes in map(gradient, nodes)]
+        flat = [node for parts in slopes for part in parts for node in part.values()]
+        known = dict(zip(flat, self._autonomous(flat), strict=True))
+        found = []
+        for node, parts in zip(nodes, slopes, strict=True):
+            numbers = [{i: known[slope] for i, slope in part.items() if known[slope]} for part in parts]
+            found.append(Row(*self._fixed(node), *numbers))
+        if scene.timed:
+            self._steady_constraints(nodes)
+        return found
+
+    def _autonomous(self, nodes):
+        """The numbers of slopes, which must not depend on the time."""
+        values, time = self.values, self.scene.time
+        found = evaluate(nodes, Floats, values)
+        if any(node.mask & time.mask for node in nodes):
+            for instant in INSTANTS:
+                later = evaluate(nodes, Floats, {**values, time.name: instant})
+                if any(abs(x - y) > SAME * max(abs(x), abs(y), 1e-6) for x, y in zip(found, later, strict=True)):
+                    raise PhysicsError("this signal turns with what is driven: it is no linear function of the "
+                                       "coordinates", "ask for one that is counted in the carrier")
+        return found
+
+    def _fixed(self, node):
+        """(value in equilibrium, [(1.0, what depends on the time there)])."""
+        scene = self.scene
+        if not node.mask & scene.time.mask:
+            return evaluate([node], Floats, self.values)[0], []
+        at = substitute([node], self.place)[0]
+        steadily = without_time(scene, at)
+        return evaluate([steadily], Floats, self.values)[0], [] if at is steadily else [(1.0, at - steadily)]
+
+    def _steady_constraints(self, nodes):
+        closed = set(self.scene.dependent.values())
+        for part in reachable(nodes):
+            if part.op == "symbol" and part in closed and self.scene.time in gradient(part):
+                raise PhysicsError(f"'{part.name}' is driven through a loop that closes at every instant",
+                                   "drive a point or a body instead of the constraint")

@@ -1,0 +1,82 @@
+"""What is driven to and fro and acts through constraints: its share of the excitation, as columns of the opened scene.
+
+About the equilibrium, in which it is held, a displacement u(t) that constraints tie to the coordinates drives them by
+
+    Qᵢ = −Σ (Mᵢᵤ ü + (C + G)ᵢᵤ u̇ + Kᵢᵤ u)
+
+to first order. Inertia must not carry it into M, C or K: of each s(q, u) with its weight w in T, the terms
+
+    w (sᵢⱼ sᵤ + sᵢ sⱼᵤ) ü qⱼ,      2 w sᵢ sⱼᵤ u̇ q̇ⱼ,      w (sᵢᵤ sⱼ + sᵢ sⱼᵤ) u q̈ⱼ        must vanish in sum.
+"""
+
+from itertools import product
+
+from vibcli.mechanics.lagrange import matrices_in_letters
+from vibcli.mechanics.linearisation import at_position
+from vibcli.mechanics.symbolic_linear import place_in_letters
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.transfer_between_tables import copied
+
+SAME = 1e-9
+
+
+def excitation_through(problem):
+    """{i: Q(t)} of the displacements that are driven to and fro."""
+    opened = problem.opened
+    table, found = opened.scene.table, {}
+    if problem.linear_in_letters:
+        M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(problem)))
+    else:
+        opened.require_steady({j: 1.0 for j, _ in _driven(opened)})
+        M, C, G, K = ({pair: table.number(exact(x)) for pair, x in part.items()}
+                      for part in opened.numbers.elements.matrices())
+    for j, opening in _driven(opened):
+        moved = opening.node
+        for matrices in ((K,), (C, G), (M,)):
+            for matrix in matrices:
+                for i in range(opened.n):
+                    if (i, j) in matrix:
+                        found[i] = found.get(i, table.zero) - matrix[i, j] * moved
+            moved = opened.scene.rate(moved)
+    return dict(zip(found, copied(list(found.values()), problem.scene.table), strict=True))
+
+
+def exact(value):
+    from fractions import Fraction
+
+    return Fraction(value)
+
+
+def _driven(opened):
+    return [(j, opening) for j, opening in enumerate(opened.scene.inputs.values(), opened.n)
+            if opening.node is not None]
+
+
+def carried_into(opened, values):
+    """The number of a coordinate whose inertia, damping or stiffness changes with what is driven; None if none does.
+    `values`: {name: float} of all symbols in equilibrium."""
+    inputs = [j for j, _ in _driven(opened)]
+    number = {q: i for i, q in enumerate(opened.scene.q)}
+    sums, sizes = {}, {}
+    for term in opened.scene.inertias:
+        w, row, bend = _derivatives(term, number, {**opened.at_zero, **values})
+        own = [i for i in row if i < opened.n]
+        for i, j in product(own, {j for pair in bend for j in pair if j < opened.n} | set(own)):
+            for u in inputs:
+                parts = (bend.get((i, j), 0.0) * row.get(u, 0.0), row[i] * bend.get((j, u), 0.0),
+                         bend.get((i, u), 0.0) * row.get(j, 0.0))
+                for kind, shares in enumerate((parts[:2], parts[1:2], parts[1:])):
+                    key = i, j, u, kind
+                    sums[key] = sums.get(key, 0.0) + w * sum(shares)
+                    sizes[key] = sizes.get(key, 0.0) + w * sum(map(abs, shares))
+    return next((key[0] for key, total in sums.items() if abs(total) > SAME * sizes[key]), None)
+
+
+def _derivatives(term, number, values):
+    """(w, {i: ∂s/∂qᵢ}, {(i, j): ∂²s/∂qᵢ∂qⱼ}) of an inertia in numbers."""
+    slopes = {number[q]: slope for q, slope in gradient(term.s).items() if q in number}
+    seconds = {(i, number[q]): node for i, slope in slopes.items() for q, node in gradient(slope).items()
+               if q in number}
+    w, *flat = evaluate([term.weight, *slopes.values(), *seconds.values()], Floats, values)
+    return w, dict(zip(slopes, flat, strict=False)), dict(zip(seconds, flat[len(slopes):], strict=True))

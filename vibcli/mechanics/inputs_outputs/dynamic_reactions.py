@@ -1,0 +1,146 @@
+"""Forces in constraints and supports during small oscillations, inertia included.
+
+The scene is released (mechanics/reactions.py): all its coordinates p are free, and the supports give way by ρ. With the
+residual E(p, ṗ, p̈, u) of both, linear about the equilibrium, and the constraints G_k(p) = 0,
+
+    δE_p + Σ λ_k δ(∂G_k/∂p) + Σ δλ_k ∂G_k/∂p = 0     gives δλ, and    δR_ρ = δE_ρ + Σ λ_k δ(∂G_k/∂ρ) + Σ δλ_k ∂G_k/∂ρ
+
+with δp = P δq + P_u δu. What q does follows from its own equations, so any left inverse of ∂G/∂p gives the same δλ.
+"""
+
+from functools import cached_property
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.autonomous import excitation
+from vibcli.mechanics.inputs_outputs.base_excitation import Opened
+from vibcli.mechanics.inputs_outputs.linear_functions import Row, combined, product
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, signal_of, solved
+from vibcli.mechanics.signals import pinned_at
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.transfer_between_tables import copied
+
+
+class MovingReactions:
+    """The Rows of all multipliers and supports of a problem."""
+
+    def __init__(self, problem):
+        self.problem, self.opened = problem, problem.opened
+        self.released = Opened(problem, releasing=True)
+
+    @cached_property
+    def rows(self):
+        """{signal: Row, or None where the scene is supported by more than it needs}."""
+        import numpy as np
+
+        scene = self.released.scene
+        if any(node.mask & scene.time.mask for node in (part.node for part in scene.constraints)):
+            raise PhysicsError("the forces of constraints that depend on the time are not found",
+                               "drive a point or a body instead of the constraint")
+        real = [i for i, q in enumerate(scene.q) if q.name in self.problem.spec.coordinates]
+        held = [scene.q.index(q) for q in scene.released]
+        residual = self._residual()
+        G = self._slopes()
+        constants = np.array([residual[i].constant for i in (*real, *held)])
+        static, loose = solved(G[:, real], constants[:len(real)])
+        self._bend(residual, static)
+        inverse = _left_inverse(G[:, real])
+        multipliers = [combined((-float(x), residual[i]) for x, i in zip(line, real, strict=True) if x)
+                       for line in inverse]
+        for row, value in zip(multipliers, static, strict=True):
+            row.constant = float(value)
+        found = {}
+        for k, constraint in enumerate(scene.constraints):
+            sign, row = 1.0 if constraint.form in LENGTHENING else -1.0, multipliers[k]
+            open_one = np.abs(loose[:, k]).max(initial=0.0) > OPEN
+            found[signal_of(constraint)] = None if open_one else combined([(sign, row)])
+        for i in held:
+            ties = [(float(G[k, i]), row) for k, row in enumerate(multipliers) if G[k, i]]
+            open_one = np.abs(loose @ G[:, i]).max(initial=0.0) > OPEN
+            found[scene.q[i].name] = None if open_one else combined([(1.0, residual[i]), *ties])
+        return found
+
+    def _residual(self):
+        """{i: Row of E_i} over the coordinates and inputs of the opened scene."""
+        released, motions = self.released, self._motions()
+        numbers = released.numbers
+        M, C, G, K = numbers.elements.matrices()
+        parts = {i: {"q": {}, "v": {}, "a": {}} for i in range(released.n)}
+        for kind, matrices in (("q", (K,)), ("v", (C, G)), ("a", (M,))):
+            for matrix in matrices:
+                for (i, j), x in matrix.items():
+                    if i < released.n:
+                        _add(parts[i][kind], x, motions[j])
+        driven = excitation(released.scene, released.timed, released.place)
+        driven = dict(zip(driven, copied(list(driven.values()), self.opened.scene.table), strict=True))
+        return {i: Row(float(numbers.residual[i]), [(-1.0, driven[i])] if i in driven else [], **part)
+                for i, part in parts.items()}
+
+    def _motions(self):
+        """δp_j of every coordinate of the released scene, {number: coefficient} over those of the opened one."""
+        opened, released = self.opened, self.released.scene
+        names = [q.name for q in released.q if q.name in self.problem.spec.coordinates]
+        rows = dict(zip(names, opened.rows([opened.scene.symbol(name) for name in names]), strict=True))
+        inputs = {q.name: {opened.n + k: 1.0} for k, q in enumerate(released.inputs)}
+        return [rows[q.name].q if q.name in rows else inputs.get(q.name, {}) for q in released.q]
+
+    def _slopes(self):
+        """∂G_k/∂p as an array."""
+        import numpy as np
+
+        scene = self.released.scene
+        slopes = [gradient(constraint.node) for constraint in scene.constraints]
+        nodes = [slope.get(q, scene.table.zero) for slope in slopes for q in scene.q]
+        return np.array(evaluate(nodes, Floats, self.released.values)).reshape(len(slopes), len(scene.q))
+
+    def _bend(self, residual, multipliers):
+        """Adds Σ λ_k δ(∂G_k/∂p) to the residual."""
+        scene, motions = self.released.scene, self._motions()
+        number = {q: i for i, q in enumerate(scene.q)}
+        for constraint, size in zip(scene.constraints, multipliers, strict=True):
+            seconds = {(number[p], number[q]): node for p, slope in gradient(constraint.node).items() if p in number
+                       for q, node in gradient(slope).items() if q in number}
+            values = evaluate(list(seconds.values()), Floats, self.released.values)
+            for (i, j), x in zip(seconds, values, strict=True):
+                if i in residual and x and size:
+                    _add(residual[i].q, float(size) * x, motions[j])
+
+    def row(self, text):
+        """The Row of a reaction, a force in a constraint, or a force of contact."""
+        name, _, part = text.partition(".")
+        if part in ("normal", "friction"):
+            return self._contact(name, part)
+        if name in (self.problem.spec.get("points") or {}) and not part.startswith("drive"):
+            text = f"{pinned_at(self.problem, name)}.{part}"
+        if text not in self.rows:
+            pieces = [signal for signal in self.rows if signal.startswith(text + ".")]
+            raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
+                               "see `find: [reactions]` for those that it has")
+        if self.rows[text] is None:
+            raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
+                               "take a redundant support out")
+        return self.rows[text]
+
+    def _contact(self, name, part):
+        body = self.opened.scene.bodies[name]
+        if body.normal is None:
+            raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
+        nx, ny = self.opened.rows(list(body.normal))
+        x, y = (self.row(f"{name}.reaction.{axis}") for axis in "xy")
+        parts = [(1.0, x, nx), (1.0, y, ny)] if part == "normal" else [(1.0, x, ny), (-1.0, y, nx)]
+        return combined((sign, product(one, two)) for sign, one, two in parts)
+
+
+def _left_inverse(G):
+    """The array that gives λ of Gᵀλ = e, times e."""
+    import numpy as np
+
+    if not len(G):
+        return np.zeros((0, G.shape[1]))
+    scale = np.abs(G).max(axis=1)
+    return np.linalg.pinv((G / scale[:, None]).T, rcond=OPEN) / scale[:, None]
+
+
+def _add(total, factor, row):
+    for i, x in row.items() if factor else ():
+        total[i] = total.get(i, 0.0) + factor * x

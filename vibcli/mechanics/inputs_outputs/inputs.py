@@ -1,0 +1,158 @@
+"""Inputs of the small oscillations: what a load, a driven displacement or a coordinate of this name does to them.
+
+A unit of an input e^{st} drives M q̈ + C q̇ + K q by b(s) e^{st}, b(s) = b₀ + b₁ s + b₂ s²: a force of 1 N along the line
+in which it is written, a moment of 1 N·m, an unbalance of 1 kg·m turning at s = iΩ (in the plane from the direction +x,
+its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised force 1 along a coordinate.
+"""
+
+from fractions import Fraction
+from math import isfinite
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import reachable
+
+INSTANTS, SAME = (0.0, 0.173, 0.891, 2.317), 1e-12
+
+
+class Input(NamedTuple):
+    """weights {number of an input coordinate: its share}, times (−s²)^turns: an unbalance acts with m₀ e Ω². carried:
+    the shares as nodes of the time where a load turns with a body that is driven; then weights are those at t = 0."""
+
+    weights: dict
+    turns: int = 0
+    carried: dict = None
+
+
+def named_input(problem, text):
+    """The Input of this name: a load, a driven point or body (a component of it: drive.x), a coordinate."""
+    opened = problem.opened
+    found = dict(enumerate(opened.scene.inputs.values(), opened.n))
+    for kind in (_loads, _driven, _along_coordinate):
+        chosen = kind(problem, text, found)
+        if chosen is not None:
+            return chosen
+    names = list(dict.fromkeys(opening.name for opening in found.values()))
+    raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names))
+
+
+def input_columns(problem, chosen):
+    """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
+    if chosen.carried:
+        return [problem.opened.carried(chosen.carried), {}, {}]
+    problem.opened.require_steady(chosen.weights)
+    return in_powers(problem.opened.columns, chosen.weights, chosen.turns)
+
+
+def in_powers(columns, weights, turns):
+    """Σ weight·column of the columns [{i: number or node}] of input coordinates, times (−s²)^turns."""
+    parts = [{} for _ in range(3)]
+    for j, weight in weights.items():
+        for power, column in enumerate(columns[j]):
+            for i, x in column.items():
+                parts[power][i] = parts[power][i] + weight * x if i in parts[power] else weight * x
+    return _turned(parts, turns, {})
+
+
+def direct_part(row, chosen):
+    """d as [number] of the powers s⁰, s¹, s²: what an Input does to a Row at once."""
+    if chosen.carried and any(part.get(j) for part in (row.q, row.v, row.a) for j in chosen.carried):
+        raise PhysicsError("what this load does to the signal at once turns with what is driven",
+                           "ask for a coordinate")
+    parts = [sum(weight * part.get(j, 0.0) for j, weight in chosen.weights.items()) for part in (row.q, row.v, row.a)]
+    return _turned(parts, chosen.turns, 0.0)
+
+
+def _turned(parts, turns, nothing):
+    """The same times (−s²)^turns; what a load does has no s."""
+    if not turns:
+        return parts
+    negative = {i: -x for i, x in parts[0].items()} if isinstance(parts[0], dict) else -parts[0]
+    return [nothing, nothing, negative]
+
+
+def _loads(problem, text, found):
+    name, _, axis = text.partition(".")
+    record = (problem.spec.get("forces") or {}).get(name)
+    terms = {i: opening.load for i, opening in found.items() if opening.load is not None and opening.name == name}
+    if record is None or axis not in ("", "x", "y") or not terms:
+        return None
+    if axis:
+        return Input({list(terms)["xy".index(axis)]: 1.0}) if len(terms) == 2 else None
+    if "unbalance" in record:
+        return Input(dict(zip(terms, (1.0, -1j), strict=False)), turns=1)
+    if len(terms) == 2 and "carrier" in record and not _fixed_line(problem, terms.values()):
+        return _carried(problem, record, name, terms)
+    return Input(dict(zip(terms, _line(problem, name, terms.values()), strict=True)))
+
+
+def _carried(problem, record, name, terms):
+    """The direction of a load, as it is written in the axes of the body that carries it."""
+    scene, sample = problem.opened.scene, problem.opened.sample
+    written = _amplitudes(scene, [scene.lower(part) for part in record["force"]], sample)
+    line = [scene.table.number(Fraction(x)) for x in _unit(written, name)]
+    nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
+    start = evaluate(list(nodes.values()), Floats, {**sample, scene.time.name: 0.0})
+    return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
+
+
+def _fixed_line(problem, loads):
+    """Does a load of two components keep its line?"""
+    opened = problem.opened
+    nodes = [opened.scene.forces[k].weight for k in loads]
+    moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
+    return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
+
+
+def _line(problem, name, loads):
+    """The direction of a load as it is written, its function of the time being positive."""
+    opened = problem.opened
+    nodes = [opened.scene.forces[k].weight for k in loads]
+    if len(nodes) == 2 and not _fixed_line(problem, loads):
+        raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
+    return _unit(_amplitudes(opened.scene, nodes, opened.sample), name)
+
+
+def _amplitudes(scene, nodes, sample):
+    """The nodes with each function of the time as 1, or as near to it as they are defined: not so 1/(1 − cos Ωt)."""
+    calls = [part for part in reachable(nodes) if part.op == "call" and part.mask & scene.time.mask]
+    waves = {part: scene.table.parameter(f"wave {i}", positive=False) for i, part in enumerate((*calls, scene.time))}
+    nodes = substitute(nodes, waves)
+    found = (evaluate(nodes, Floats, sample | {wave.name: size for wave in waves.values()}) for size in (1.0, 0.9, 0.7))
+    return next((values for values in found if all(map(isfinite, values))), [0.0] * len(nodes))
+
+
+def _unit(vector, name):
+    if len(vector) == 1:
+        return [-1.0 if vector[0] < 0 else 1.0]
+    length = sum(x * x for x in vector) ** 0.5
+    if not length:
+        raise PhysicsError(f"'{name}' has no direction in equilibrium", f"name {name}.x or {name}.y")
+    return [x / length for x in vector]
+
+
+def _driven(problem, text, found):
+    """A point or body that is driven: its one displacement, or the line along which it moves."""
+    scene = problem.opened.scene
+    moved = {i: opening for i, opening in found.items() if opening.node is not None}
+    exact = [i for i, opening in moved.items() if opening.name == text]
+    parts = exact or [i for i, opening in moved.items() if opening.name.partition(".")[0] == text]
+    if not parts:
+        return None
+    if len(parts) == 1:
+        return Input({parts[0]: 1.0})
+    nodes = [moved[i].node for i in parts]
+    values = problem.opened.sample
+    moving = [evaluate(nodes, Floats, {**values, scene.time.name: t}) for t in INSTANTS]
+    if exact or any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving):
+        raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")
+    return Input(dict(zip(parts, _unit(_amplitudes(scene, nodes, values), text), strict=True)))
+
+
+def _along_coordinate(problem, text, found):
+    if text not in problem.spec.coordinates:
+        return None
+    return Input({i: 1.0 for i, opening in found.items()
+                  if opening.name == text and opening.load is None and opening.node is None})

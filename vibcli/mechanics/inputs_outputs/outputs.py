@@ -1,0 +1,84 @@
+"""Outputs of the small oscillations: every signal (vibcli/language/signals.py) as a linear function of the motion.
+
+Signals are counted from the drawn position, so the constant of an output is its value in equilibrium. What a driven
+displacement or a load does to a signal directly goes to a channel of its own. Energies and powers are quadratic: sums
+of squares of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of dampers.
+"""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import ENERGIES
+from vibcli.mechanics.inputs_outputs.linear_functions import combined, rate
+from vibcli.mechanics.signals import displacement
+from vibcli.mechanics.support_forces import on_the_ground
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.rationals import ONE
+
+QUADRATIC = ("energy", "power")
+
+
+def is_quadratic(text):
+    return text.partition(".")[2] in QUADRATIC
+
+
+def linear_row(problem, text):
+    """The Row of a signal over the coordinates and inputs of the opened scene."""
+    bare = text.rstrip("'")
+    row = _row(problem, bare)
+    for _ in range(len(text) - len(bare)):
+        row = rate(row, problem.opened.scene)
+    return row
+
+
+def _row(problem, text):
+    opened, scene = problem.opened, problem.opened.scene
+    name, _, part = text.partition(".")
+    if text in ENERGIES:
+        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
+    if is_quadratic(text):
+        raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear",
+                           f"ask for {name}.force or {name}.stretch")
+    if name == "ground":
+        return on_the_ground(opened, part)
+    node = displacement(scene, text)
+    if node is not None:
+        return opened.rows([node])[0]
+    if name in (problem.spec.get("springs") or {}):
+        return opened.rows([tension(scene, name)])[0]
+    if name in (problem.spec.get("dampers") or {}):
+        laws = scene.law_forces(name)
+        return opened.rows(laws)[0] if laws else combined((c, row) for c, row in _rates(opened, name))
+    return problem.moving_reactions.row(text)
+
+
+def tension(scene, name):
+    """The tension of a spring as an expression; of one without free length its magnitude."""
+    forces = [term.force + term.weight * term.s for term in scene.springs if term.owner == name]
+    forces = forces or scene.law_forces(name)
+    if len(forces) == 1:
+        return forces[0]
+    return scene.table.sqrt(scene.table.sum(*((force * force, ONE) for force in forces)))
+
+
+def _rates(opened, name):
+    """[(c, Row of ṡ)] of a damper."""
+    terms = [term for term in opened.scene.dampers if term.owner == name]
+    coefficients = evaluate([term.weight for term in terms], Floats, opened.values)
+    return [(c, rate(row, opened.scene)) for c, row in zip(coefficients, opened.rows([term.s for term in terms]),
+                                                            strict=True)]
+
+
+def squares(problem, text):
+    """[(weight, Row)] of a signal that is a sum of squares."""
+    opened = problem.opened
+    name, _, part = text.partition(".")
+    if opened.scene.law_forces(name):
+        raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
+    if part == "power":
+        return _rates(opened, name)
+    terms = [term for term in opened.scene.springs if term.owner == name]
+    stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
+    if not all(stiffnesses):
+        raise PhysicsError(f"'{name}' has no stiffness: its energy is not a square of its force",
+                           f"ask for {name}.force")
+    rows = opened.rows([term.force + term.weight * term.s for term in terms])
+    return [(0.5 / k, row) for k, row in zip(stiffnesses, rows, strict=True)]

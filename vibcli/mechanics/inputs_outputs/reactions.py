@@ -1,0 +1,166 @@
+"""Forces in ropes, links, pins, guides and contacts, by multipliers.
+
+Every constraint G_k = 0 of the scene with all its coordinates has a multiplier λ_k; every support of a body is released
+by displacements ρ (x, y and a rotation about its reference point) that are held at zero. With the work of what acts
+
+    E_q + Σ λ_k ∂G_k/∂q = 0          R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,          E = d/dt ∂T/∂q̇ − ∂T/∂q + ∂Φ/∂q̇ + ∂V/∂q − Q.
+
+R is the force (moment) that the support exerts on the body, in the fixed axes, its moment about the pin or the mass
+centre, of what rolls about the centre of its circle; λ is a tension for ropes and links, positive in lengthening.
+"""
+
+from typing import NamedTuple
+
+from vibcli.mechanics.lagrange import equation_of
+from vibcli.mechanics.linearisation import residual_terms
+from vibcli.mechanics.linearise import linearise
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.rationals import ONE
+
+OPEN = 1e-9
+LENGTHENING = ("rope", "link", "gear", "belt", "equation")
+
+
+class Reaction(NamedTuple):
+    """`signal`: its name, such as rod.reaction.x or hoist.force; value: N or N·m, None where statics leaves it open."""
+
+    signal: str
+    value: float
+    form: str
+
+
+class Released:
+    """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
+
+    def __init__(self, problem):
+        from vibcli.scene.build import build_scene
+
+        self.problem = problem
+        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True,
+                                 holding=problem.holding is not None)
+        if self.scene.static_preloads and not problem.symbolic:
+            nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
+                     in self.scene.static_preloads}
+            self.scene.put(nodes)
+        count = len(problem.spec.coordinates)
+        self.held, self.real = self.scene.q[count:], self.scene.q[:count]
+
+    def slopes(self):
+        """∂G_k/∂q over all coordinates, releases last, as lists of expressions."""
+        return self._slopes_of(self.scene.constraints)
+
+    def slopes_at_rest(self):
+        return self._slopes_of(self.scene.resting.constraints)
+
+    def _slopes_of(self, constraints):
+        zero = self.scene.table.zero
+        return [[gradient(constraint.node).get(q, zero) for q in self.scene.q] for constraint in constraints]
+
+
+def _float_of(problem, record):
+    from fractions import Fraction
+
+    return Fraction(evaluate([problem.preloads[record.name]], Floats, problem.floats)[0])
+
+
+def reactions(problem):
+    """The Reactions in equilibrium: constraints first, then the supports of the bodies."""
+    import numpy as np
+
+    released = Released(problem)
+    scene, n = released.scene.resting, len(released.real)
+    values = _at_rest(problem, released)
+    terms = residual_terms(linearise(scene, still=True))
+    nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
+    sizes = evaluate([term for row in terms for term in row], Floats, values)
+    flat = evaluate([*nodes, *(node for row in released.slopes_at_rest() for node in row)], Floats, values)
+    E = np.array(flat[:len(nodes)])
+    G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
+    multipliers, loose = solved(G[:, :n], E[:n])
+    held = E[n:] + multipliers @ G[:, n:]
+    left_open = np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
+    found = []
+    for k, constraint in enumerate(scene.constraints):
+        sign = 1.0 if constraint.form in LENGTHENING else -1.0
+        unknown = np.abs(loose[:, k]).max(initial=0.0) > OPEN
+        found.append(Reaction(signal_of(constraint), None if unknown else sign * float(multipliers[k]) + 0.0,
+                              constraint.form))
+    size = float(max(np.abs(held).max(initial=0.0), np.abs(sizes).max(initial=0.0)))
+    for symbol, force, unknown in zip(released.held, held, left_open, strict=True):
+        value = 0.0 if abs(force) <= 1e-13 * size else float(force)
+        found.append(Reaction(symbol.name, None if unknown else value, "support"))
+    return found
+
+
+def signal_of(constraint):
+    """hoist.force, or knee.force.x of a join, or hoist.force.1 of a rope in several pieces."""
+    name, dot, part = constraint.name.partition(".")
+    return f"{name}.force{dot}{part}"
+
+
+def _at_rest(problem, released):
+    """{symbol: float} of the released scene in equilibrium."""
+    scene = problem.scene.resting
+    nodes = [scene.symbol(name) for name in problem.spec.coordinates]
+    values = dict(zip(problem.spec.coordinates, evaluate(nodes, Floats, problem.at_rest), strict=True))
+    return {**problem.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),
+            released.scene.time.name: 0.0}
+
+
+def solved(G, E):
+    """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
+    import numpy as np
+
+    if not len(G):
+        return np.zeros(0), np.zeros((0, 0))
+    scale = np.abs(G).max(axis=1)
+    u, s, vt = np.linalg.svd((G / scale[:, None]).T, full_matrices=True)
+    rank = int(np.sum(s > OPEN * s[0]))
+    multipliers = vt[:rank].T @ ((u[:, :rank].T @ -E) / s[:rank])
+    return multipliers / scale, vt[rank:] / scale
+
+
+def along_the_motion(problem):
+    """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints
+    stay in it as symbols lambda_NAME."""
+    released = Released(problem)
+    scene, table = released.scene, released.scene.table
+    still = {node: table.zero for symbol in released.held
+             for node in (symbol, table.variable(symbol.name + "'"), table.variable(symbol.name + "''"))}
+    symbols = [table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
+    found = {}
+    equations = {}
+    for i, symbol in enumerate(scene.q):
+        ties = [(_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier, ONE)
+                for constraint, multiplier in zip(scene.constraints, symbols, strict=True)
+                if symbol in gradient(constraint.node)]
+        node = table.sum((equation_of(scene, i), ONE), *ties)
+        equations[symbol] = textbook(substitute([node], still)[0])
+    free = [table.zero, *(equations[q] for q in released.real)]      # what a free coordinate does costs no reaction
+    for symbol in released.held:
+        if not any(is_zero(equations[symbol] - sign * node) for node in free for sign in (1, -1)):
+            found[symbol.name] = equations[symbol]
+    return found
+
+
+def _steady_slope(released, node):
+    """A slope that is 0 or ±1 in all positions as that number: a rope that keeps its direction."""
+    scene = released.scene
+    values = []
+    for attempt in range(3):
+        at = {q.name: 0.01 * (attempt + 1) * (-1) ** i * scene.unit_of(q.name) for i, q in enumerate(released.real)}
+        start = {q.name: scene.number(q) for q in released.real}
+        at = {name: start[name] + shift for name, shift in at.items()}
+        values += evaluate([node], Floats, {**scene.sample, **dict.fromkeys((q.name for q in released.held), 0.0), **at,
+                                            scene.time.name: 0.0})
+    whole = round(values[0]) if values[0] == values[0] else 2
+    return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
+
+
+def slack(problem):
+    """[(rope's signal, tension)] of ropes that equilibrium would have to push."""
+    forces = [reaction for reaction in problem.reactions if reaction.form == "rope" and reaction.value is not None]
+    largest = max((abs(reaction.value) for reaction in problem.reactions if reaction.value is not None), default=0.0)
+    return [(reaction.signal, reaction.value) for reaction in forces if reaction.value < -1e-9 * largest]

@@ -1,0 +1,211 @@
+"""The full equations of motion in numbers: accelerations of many instants at once.
+
+Up to DIRECT coordinates without constraints M q̈ = −h is solved in the expressions; else by LU factors of
+
+    [M  Gᵀ] [q̈]   [−h]
+    [G  0 ] [λ] = [−γ]        at each instant, of constant M once.
+"""
+
+import numpy as np
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.equations_of_motion import drift, dynamics
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.numeric_code import Compiled
+from vibcli.symbolic.rationals import ONE
+
+DIRECT = 3
+PROJECTIONS = 4
+
+
+class System:
+    """A scene's equations compiled; `n` coordinates, `m` independent constraints.
+
+    switches: the arguments whose signs stay as they are while the motion is smooth, in the order of their senses g.
+    """
+
+    def __init__(self, scene, floats, redundant=()):
+        self.scene, self.floats = scene, floats
+        self.parts = parts = dynamics(scene, redundant)
+        self.n, self.m = len(scene.q), len(parts.gaps)
+        self._slots, self._sizes = {}, None
+        self.still = self.m == 0 and all(not node.mask for node in parts.M.values())
+        self.direct = self.m == 0 and self.n <= DIRECT
+        self._require_inertia()
+        self.inertia = self.compiled([parts.M[i, i] for i in range(self.n)])
+        if self.direct:
+            self._compiled = self.compiled(_solved(scene.table, parts, self.n))
+        else:
+            self._pairs, self._ties = list(parts.M), list(parts.slopes)
+            entries = [*parts.M.values(), *parts.slopes.values(), *parts.h, *parts.bends]
+            self._compiled = self.compiled(entries)
+            self._inverse = self._factors() if self.still else None
+        self._closing = self.compiled([*parts.gaps, *parts.rates]) if self.m else None
+
+    def _require_inertia(self):
+        for i, name in enumerate(self.scene.coordinates):
+            if (i, i) not in self.parts.M:
+                raise massless(name)
+
+    def compiled(self, nodes):
+        """The nodes as a function of arrays; its switches are added to those of the system."""
+        return Compiled(self.scene, self.floats, self._slots, nodes)
+
+    @property
+    def switches(self):
+        return list(self._slots)
+
+    def prepared(self, t):
+        return self._compiled.prepared(t)
+
+    def accelerations(self, t, q, v, g=(), c=None):
+        """q̈ of shape (n, instants)."""
+        if not self.direct:
+            return self.solved(t, q, v, g, c)[0]
+        a = np.empty(q.shape)
+        for i, value in enumerate(self._compiled(t, q, v, g, c)):
+            a[i] = value
+        return a
+
+    def solved(self, t, q, v, g=(), c=None):
+        """(q̈, λ) of shapes (n, instants) and (m, instants)."""
+        if self.direct:
+            return self.accelerations(t, q, v, g, c), None
+        values, shape = self._compiled(t, q, v, g, c), q.shape[1]
+        n, m = self.n, self.m
+        right = np.empty((n + m, shape))
+        for i, value in enumerate(values[len(self._pairs) + len(self._ties):]):
+            right[i] = value
+        if self._inverse is not None:
+            column = self._inverse.shape[1] == 1
+            return (-right / self._inverse if column else -(self._inverse @ right)), None
+        A = _bordered(values, self._pairs, self._ties, self.n, self.m, shape)
+        try:
+            x = np.linalg.solve(A, -right.T[:, :, None])[:, :, 0].T
+        except np.linalg.LinAlgError:
+            return np.full((n, shape), np.nan), np.full((m, shape), np.nan)
+        return x[:n], x[n:]
+
+    def _factors(self):
+        """The inverse of a constant M, as a column where it is diagonal."""
+        values = evaluate(list(self.parts.M.values()), Floats, self.floats)
+        M = np.zeros((self.n, self.n))
+        for (i, j), value in zip(self.parts.M, values, strict=True):
+            M[i, j] = M[j, i] = value
+        size = np.diag(M)
+        if not (size > 0).all():
+            raise massless(self.scene.coordinates[int(np.argmin(size))])
+        if not (M - np.diag(size)).any():
+            return size[:, None]
+        scale = size ** -0.5
+        return scale[:, None] * np.linalg.inv(M * np.outer(scale, scale)) * scale
+
+    def sizes(self, t, q, v, g=()):
+        """Σ |terms of hᵢ| at one instant: what the rounding of hᵢ is relative to."""
+        terms = [(i, part) for i, node in enumerate(self.parts.h)
+                 for part in ([arg for arg, _ in node.args] if node.op == "sum" else [node])]
+        factors = [abs(float(c)) for node in self.parts.h for c in
+                   ([c for _, c in node.args] if node.op == "sum" else [1])]
+        if self._sizes is None:
+            self._sizes = self.compiled([part for _, part in terms])
+        found = np.zeros(self.n)
+        values = self._sizes(np.array([t]), q[:, None], v[:, None], g)
+        for (i, _), factor, value in zip(terms, factors, values, strict=True):
+            found[i] += factor * abs(float(np.max(value)))
+        return found
+
+    def gaps(self, t, q, v):
+        """(G, Ġ) of shapes (m, instants), which no switch changes."""
+        found = np.empty((2 * self.m, q.shape[1]))
+        for k, value in enumerate(self._closing(t, q, v, (1.0,) * len(self._slots))):
+            found[k] = value
+        return found[:self.m], found[self.m:]
+
+    def slopes(self, t, q, v, g=()):
+        """∂G/∂q of shape (m, n, instants)."""
+        values = self._compiled(t, q, v, g or (1.0,) * len(self._slots))
+        A = _bordered(values, self._pairs, self._ties, self.n, self.m, q.shape[1])
+        return A[:, self.n:, :self.n].transpose(1, 2, 0)
+
+    def projected(self, t, q, v, g):
+        """The nearest (q, q̇) at an instant that close the loops, distances being measured by M."""
+        for _ in range(PROJECTIONS):
+            step = self._projection(t, q, v, g, 0)
+            q = q + step
+            if (np.abs(step) <= 4e-16 * np.abs(q)).all():
+                break
+        return q, v + self._projection(t, q, v, g, 1)
+
+    def _projection(self, t, q, v, g, which):
+        t, q, v = np.array([t]), q[:, None], v[:, None]
+        A = _bordered(self._compiled(t, q, v, g), self._pairs, self._ties, self.n, self.m, 1)[0]
+        right = np.concatenate([np.zeros(self.n), -self.gaps(t, q, v)[which][:, 0]])
+        return np.linalg.solve(A, right)[:self.n]
+
+    def struck(self, t, q, v, g, blows):
+        """q̇ after impulses of the sizes {impulse node: N·s} just before an instant: M Δq̇ + Gᵀ Λ = Σ size ∂(−h)/∂δ, and
+        Ġ = 0 again where a constraint is driven at another speed from then on."""
+        slopes = self.slopes_by(blows)
+        point = np.array([t]), q[:, None], v[:, None], g
+        sizes = np.array([float(np.max(value)) for value in self.compiled(slopes)(*point)]).reshape(len(blows), self.n)
+        entries = [*self.parts.M.values(), *self.parts.slopes.values()]
+        values = [float(np.max(value)) for value in self.compiled(entries)(*point)]
+        A = _bordered(values, list(self.parts.M), list(self.parts.slopes), self.n, self.m, 1)[0]
+        parted = self.gaps(*point[:3])[1][:, 0] if self.m else np.zeros(0)
+        right = np.concatenate([-np.array(list(blows.values())) @ sizes, -parted])
+        return v + np.linalg.solve(A, right)[:self.n]
+
+    def slopes_by(self, blows):
+        """[∂h/∂δ] of each impulse node, one coordinate after the other."""
+        table = self.scene.table
+        stand_in = {node: table.variable(f"impulse {i}") for i, node in enumerate(blows)}
+        h = substitute(self.parts.h, stand_in)
+        slopes = [gradient(node).get(symbol, table.zero) for symbol in stand_in.values() for node in h]
+        if any(symbol in gradient(slope) for slope in slopes for symbol in stand_in.values()):
+            raise PhysicsError("a force of this scene is no linear function of an impulse",
+                               "let the impulse stand alone, as in P*impulse(t - t1)")
+        return slopes
+
+    def rate_of(self, node):
+        """(dnode/dt without accelerations, {i: its slope by q̈ᵢ}) of an expression of q, q̇ and t."""
+        speeds = {v: i for i, v in enumerate(self.scene.v)}
+        return drift(self.scene, node), {speeds[v]: x for v, x in gradient(node).items() if v in speeds}
+
+
+def _bordered(values, pairs, ties, n, m, instants):
+    """[M Gᵀ; G 0] at each instant, of shape (instants, n + m, n + m)."""
+    A = np.zeros((n + m, n + m, instants))
+    for (i, j), value in zip(pairs, values, strict=False):
+        A[i, j] = A[j, i] = value
+    for (k, i), value in zip(ties, values[len(pairs):], strict=False):
+        A[n + k, i] = A[i, n + k] = value
+    return A.transpose(2, 0, 1)
+
+
+def massless(name):
+    return PhysicsError(f"no inertia moves with '{name}': its motion in time does not follow from a mass",
+                        "give what moves with it a mass, take the coordinate out, or look at small oscillations "
+                        "with motion: small")
+
+
+def _solved(table, parts, n):
+    """[q̈ᵢ] as expressions, by elimination without pivoting: M is positive definite."""
+    M = {(i, j): parts.M.get((min(i, j), max(i, j)), table.zero) for i in range(n) for j in range(n)}
+    h = list(parts.h)
+    for k in range(n):
+        if M[k, k].is_zero:
+            raise PhysicsError("the mass matrix is singular", "give each coordinate an inertia")
+        for i in range(k + 1, n):
+            if M[i, k].is_zero:
+                continue
+            factor = M[i, k] / M[k, k]
+            for j in range(k + 1, n):
+                M[i, j] = M[i, j] - factor * M[k, j]
+            h[i] = h[i] - factor * h[k]
+    found = [None] * n
+    for i in reversed(range(n)):
+        rest = table.sum((h[i], ONE), *((M[i, j] * found[j], ONE) for j in range(i + 1, n)))
+        found[i] = -(rest / M[i, i])
+    return found
+

@@ -1,0 +1,96 @@
+"""A Linearisation in numbers of any arithmetic: element data, residual, and the sizes of what they were summed from."""
+
+from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.linearisation import each
+from vibcli.symbolic.evaluation import evaluate, evaluate_rational
+
+ALIKE = 2.0**-46
+
+
+class Numbers:
+    """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
+
+    __slots__ = ("elements", "residual", "residual_size")
+
+    def __init__(self, elements, residual, residual_size):
+        self.elements, self.residual, self.residual_size = elements, residual, residual_size
+
+
+def in_numbers(form, arithmetic, values, rational=None):
+    """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
+    nodes = []
+    each(form, lambda node: nodes.append(node) or node)
+    unique = list(dict.fromkeys(nodes))
+    known = dict(zip(unique, evaluate(unique, arithmetic, values), strict=True))
+    data = _Evaluated(known)
+    n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
+    K, size = {}, {}
+    residual, residual_size = [zero] * n, [zero] * n
+    for force, curvature, row in form.curved:
+        f = known[force]
+        for pair, second in curvature.items():
+            _accumulate(K, size, pair, f * known[second])
+        for i, slope in row.items():
+            _gather(residual, residual_size, i, f * known[slope])
+    for part in form.K:
+        for pair, node in part.items():
+            _accumulate(K, size, pair, known[node])
+    for part in form.residual:
+        for i, node in part.items():
+            _gather(residual, residual_size, i, known[node])
+    if arithmetic.ordered:
+        _even_out(K, size)
+    elements = OscillatorElements(
+        n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
+        C=data.entries(form.C), G=data.entries(form.G), drag=data.entries(form.drag), K=K, K_size=size,
+        massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    return Numbers(elements, residual, residual_size)
+
+
+def _accumulate(K, size, pair, term):
+    if term:
+        K[pair] = K.get(pair, 0) + term
+        size[pair] = size.get(pair, 0) + abs(term)
+
+
+def _even_out(K, size):
+    """K of forces with a potential is symmetric: what differs by rounding alone is made equal."""
+    for (i, j), one in list(K.items()):
+        other = K.get((j, i), 0)
+        if i < j and one != other and abs(one - other) <= ALIKE * max(size[i, j], size.get((j, i), 0)):
+            K[i, j] = K[j, i] = (one + other) / 2
+
+
+def _gather(residual, size, i, term):
+    residual[i] = residual[i] + term
+    size[i] = size[i] + abs(term)
+
+
+class _Evaluated:
+    def __init__(self, known):
+        self.known = known
+
+    def rows(self, terms):
+        known = self.known
+        return [(known[weight], {i: known[node] for i, node in row.items()}) for weight, row in terms]
+
+    def entries(self, mapping):
+        return {pair: self.known[node] for pair, node in mapping.items()}
+
+
+def massless(form, known):
+    """Coordinates which no inertia moves: those in no row of T and in no entry of M but such as are exactly zero."""
+    moving = {i for weight, row in form.inertias if known[weight] for i in row}
+    moving |= {i for (i, _), node in form.M.items() if known[node]}
+    return [i for i in range(form.n) if i not in moving]
+
+
+def _rational_rows(form, rational):
+    if rational is None:
+        return None
+    nodes = [node for _, row in form.springs for node in row.values()]
+    values = evaluate_rational(nodes, rational)
+    if values is None:
+        return None
+    known = dict(zip(nodes, values, strict=True))
+    return [{i: known[node] for i, node in row.items()} for _, row in form.springs]

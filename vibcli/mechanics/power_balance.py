@@ -1,0 +1,77 @@
+"""The energy of a motion and where it comes from and goes: d(T + V)/dt = loads − dissipated + drive.
+
+What drives a scene has the power of the forces along the prescribed motions. With h = Σ q̇ ∂T/∂q̇ − T + V, whose rate is
+∂(V − T)/∂t but for loads, dampers and the constraints G(q, t) = 0 with their multipliers, and T + V = h + b,
+
+    drive = ∂(V − T)/∂t + ḃ + Σ λ ∂G/∂t − Σ F ∂s/∂t + Σ c ṡ ∂s/∂t,        b = 2T − Σ q̇ ∂T/∂q̇ = Σ w ṡ ∂s/∂t + …,
+
+the last two sums because loads and dampers count with the whole of ṡ, that which is prescribed included.
+"""
+
+from typing import NamedTuple
+
+from vibcli.mechanics.energies import dissipation, kinetic, potential
+from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import ONE
+
+
+class Powers(NamedTuple):
+    """Expressions: T + V, T, the power of the loads, what is dissipated, the power of the drive but for ḃ and
+    Σ λ ∂G/∂t, b, and ∂G/∂t of each constraint."""
+
+    energy: object
+    kinetic: object
+    loads: object
+    lost: object
+    drive: object
+    carried: object
+    ties: list
+
+    @property
+    def driven(self):
+        """Does anything move as it is prescribed?"""
+        return not (self.drive.is_zero and self.carried.is_zero and all(tie.is_zero for tie in self.ties))
+
+
+def powers(scene, ties=()):
+    """The Powers of a scene; `ties`: the conditions G that multipliers hold."""
+    table, T, V = scene.table, kinetic(scene), potential(scene)
+    zero, loads, drags = table.zero, _loads(scene), _drags(scene)
+    timed = gradient(V).get(scene.time, zero) - gradient(T).get(scene.time, zero)
+    return Powers(T + V, T, _summed(table, (F * scene.rate(s) for F, s in loads)),
+                  _slopes(scene, dissipation(scene)) + _prescribed(scene, drags),
+                  timed - _prescribed(scene, loads) + _prescribed(scene, drags), _carried(scene),
+                  [gradient(node).get(scene.time, zero) for node in ties])
+
+
+def _loads(scene):
+    """[(F, s)] of the loads."""
+    return [(term.weight, term.s) for term in scene.forces]
+
+
+def _drags(scene):
+    """[(F, s)] of the dampers."""
+    return [*((term.weight * scene.rate(term.s), term.s) for term in scene.dampers),
+            *((scene.law_at(law, law.force), law.s) for law in scene.laws if law.damper)]
+
+
+def _prescribed(scene, forces):
+    """Σ F ∂s/∂t."""
+    return _summed(scene.table, (F * gradient(s)[scene.time] for F, s in forces if scene.time in gradient(s)))
+
+
+def _carried(scene):
+    """b: 2T − Σ q̇ ∂T/∂q̇."""
+    moved = _prescribed(scene, [(term.weight * scene.rate(term.s), term.s) for term in scene.inertias])
+    T = scene.energies["T"]
+    return moved if T.is_zero else moved + textbook(2 * T - _slopes(scene, T))
+
+
+def _slopes(scene, node):
+    """Σ q̇ ∂/∂q̇ of an expression."""
+    return _summed(scene.table, (gradient(node)[v] * v for v in scene.v if v in gradient(node)))
+
+
+def _summed(table, nodes):
+    return table.sum(*((node, ONE) for node in nodes))

@@ -1,0 +1,143 @@
+"""Static preloads: the tensions that make the drawn position the equilibrium.
+
+In the drawn position r₀ + Σ Nⱼ ∇sⱼ = 0 is linear in the unknown tensions Nⱼ. It is solved on the rows and columns
+that a pivoted elimination picks out in floats, in letters, so that every later question sees exact expressions.
+"""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.autonomous import steady
+from vibcli.mechanics.linearisation import at_position, residual_terms
+from vibcli.mechanics.linearise import linearise
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import ONE
+
+LOOSE = 1e-9
+
+
+def settle_static_preloads(scene):
+    """Replace every `preload: static` of the scene by its tension."""
+    if not scene.static_preloads:
+        return {}
+    names = [record.name for _, record in scene.static_preloads]
+    unknowns = [node for node, _ in scene.static_preloads]
+    vibrating = scene.vibrating
+    form = at_position(steady(vibrating, linearise(vibrating)), vibrating.drawn_position)
+    columns = [_column(form, unknown) for unknown in unknowns]
+    sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
+    rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
+    numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
+    rows, picked = pivots([row[:-1] for row in numbers])
+    tensions = solve_linear([[columns[j][i] for j in picked] + [-rest[i]] for i in rows], scene.table.zero)
+    values = dict.fromkeys(unknowns, scene.table.zero)
+    values.update({unknowns[j]: textbook(tension) for j, tension in zip(picked, tensions, strict=True)})
+    _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
+    for free in set(range(len(unknowns))) - set(picked):
+        _harmless(scene, form, unknowns, columns, rows, picked, free)
+    scene.put(values)
+    return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
+
+
+def _column(form, unknown):
+    """∂r/∂N of one tension, by coordinate: r is linear in it."""
+    found = [form.table.zero] * form.n
+    for force, _, row in form.curved:
+        share = _share(force, unknown)
+        if not share.is_zero:
+            for i, slope in row.items():
+                found[i] = found[i] + share * slope
+    return found
+
+
+def _share(force, unknown):
+    """The coefficient of a symbol in a force that is linear in it."""
+    one, zero = unknown.table.one, unknown.table.zero
+    with_one = substitute([force], {unknown: one})[0]
+    return with_one - substitute([force], {unknown: zero})[0] if with_one is not force else zero
+
+
+def _floats(scene, rows):
+    flat = evaluate([node for row in rows for node in row], Floats, scene.sample)
+    width = len(rows[0]) if rows else 0
+    return [flat[i * width:(i + 1) * width] for i in range(len(rows))]
+
+
+def pivots(rows):
+    """(rows, columns) of a largest regular block, by elimination with full pivoting on scaled rows."""
+    work = [[x / (max(map(abs, row)) or 1.0) for x in row] for row in rows]
+    left, open_columns, pivots = set(range(len(work))), set(range(len(work[0]) if work else 0)), []
+    while True:
+        best, i, j = max(((abs(work[i][j]), i, j) for i in left for j in open_columns), default=(0.0, 0, 0))
+        if best <= LOOSE:
+            return [i for i, _ in pivots], [j for _, j in pivots]
+        pivots.append((i, j))
+        left.remove(i)
+        open_columns.remove(j)
+        for other in left:
+            if work[other][j]:
+                factor = work[other][j] / work[i][j]
+                work[other] = [x - factor * y for x, y in zip(work[other], work[i], strict=True)]
+
+
+def solve_linear(rows, zero):
+    """The solution of a regular system [A | b] whose diagonal pivots do not vanish, in letters."""
+    work = [list(row) for row in rows]
+    for i, row in enumerate(work):
+        pivot = row[i]
+        for other in work[i + 1:]:
+            if other[i].is_zero:
+                continue
+            factor = other[i] / pivot
+            for column in range(i, len(row)):
+                other[column] = other[column] - factor * row[column]
+    solution = [zero] * len(work)
+    for i in reversed(range(len(work))):
+        total = work[i][-1]
+        for j in range(i + 1, len(work)):
+            total = total - work[i][j] * solution[j]
+        solution[i] = total / work[i][i]
+    return solution
+
+
+def _consistent(scene, numbers, tensions, names):
+    """All equations must hold, not only those that were solved."""
+    values = evaluate(tensions, Floats, scene.sample)
+    for i, row in enumerate(numbers):
+        terms = [a * N for a, N in zip(row[:-1], values, strict=True)] + [row[-1]]
+        if abs(sum(terms)) > LOOSE * sum(map(abs, terms)):
+            raise PhysicsError(
+                f"no preload of {_listed(names)} makes the drawn position an equilibrium: the condition for "
+                f"'{scene.coordinates[i]}' is left with {sum(terms):.6g}",
+                "draw the position of equilibrium, or let a spring act along that coordinate",
+                scene.static_preloads[0][1].place("preload"))
+
+
+def _harmless(scene, form, unknowns, columns, rows, picked, free):
+    """A tension which the conditions leave open must not change the stiffness."""
+    names = [record.name for _, record in scene.static_preloads]
+    shares = solve_linear([[columns[j][i] for j in picked] + [-columns[free][i]] for i in rows], scene.table.zero)
+    total = {}
+    for j, share in [(free, scene.table.one), *zip(picked, shares, strict=True)]:
+        for force, curvature, _ in form.curved:
+            weight = _share(force, unknowns[j]) * share
+            for pair, second in curvature.items():
+                total.setdefault(pair, []).append(weight * second)
+    for terms in total.values():
+        values = evaluate(terms, Floats, scene.sample)
+        if abs(sum(values)) > LOOSE * sum(map(abs, values)):
+            raise PhysicsError(f"the conditions of equilibrium do not fix the preloads of {_listed(names)}, and the "
+                               "stiffness depends on them", "give the tension of one of them: `preload: 20 N`",
+                               scene.static_preloads[free][1].place("preload"))
+
+
+def _listed(names):
+    return " and ".join(f"'{name}'" for name in names)
+
+
+def take_over(scene, preloads):
+    """Give a variant of a scene the static preloads {name: node} of the scene itself."""
+    from vibcli.symbolic.transfer_between_tables import copied
+
+    tensions = copied([preloads[record.name] for _, record in scene.static_preloads], scene.table)
+    scene.put({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})

@@ -1,0 +1,85 @@
+"""What springs and dampers exert on the ground, Σ F: on whatever is fixed or driven, in the fixed axes.
+
+An element with tension F pulls each of its ends towards the other.
+"""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.mechanics.inputs_outputs.linear_functions import combined, product, rate
+
+PARTS = {"force": "slide", "moment": "turn"}
+
+
+def on_the_ground(opened, part):
+    """The Row of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
+    kind, _, axis = part.partition(".")
+    terms = []
+    for section in ("springs", "dampers"):
+        for record in (opened.problem.spec.get(section) or {}).values():
+            terms += _of_element(opened, section, record, kind, axis)
+    if not terms:
+        raise PhysicsError(f"no spring or damper exerts a {kind} on the ground" + (f" along {axis}" if axis else ""),
+                           "ask for ground.force in one-axis scenes, else for ground.force.x or .y")
+    return combined(terms)
+
+
+def _of_element(opened, section, record, kind, axis):
+    """[(factor, Row)] of one element; none where it does not end at the ground."""
+    scene = opened.scene
+    if "between" not in record:
+        raise PhysicsError(f"'{record.name}' gives its stretch outright: what it exerts on the ground is not known",
+                           "give its two ends with `between`")
+    ends = record["between"]
+    sign = along_the_axis(opened, record, kind)
+    if sign is not None:
+        return [] if axis or not sign else [(float(sign), force) for force in _forces(opened, section, record.name)]
+    if "torsion" in record or not axis:
+        return []
+    places = [scene.place_of(end) for end in ends]
+    held = [not any(_moves(opened, node) for node in place) for place in places]
+    if held[0] == held[1]:
+        return []
+    span = [b - a for a, b in zip(*places, strict=True)]
+    sign, forces = 1.0 if held[0] else -1.0, _forces(opened, section, record.name)
+    if len(forces) > 1:
+        return [(sign, forces["xy".index(axis)])]
+    along, = opened.rows([span["xy".index(axis)] / scene.distance(*span)])
+    return [(sign, product(forces[0], along))]
+
+
+def along_the_axis(opened, record, kind):
+    """±1: the sign with which the tension of an element between lumped ends acts on the ground; 0 where it does not,
+    None of an element between places."""
+    lumped = [_axis_of(opened.scene, end) for end in record["between"]]
+    if None in lumped:
+        return None
+    held = [not _moves(opened, node) for _, node in lumped]
+    if held[0] == held[1] or ("torsion" in record) != (kind == "moment"):
+        return 0
+    return 1 if held[0] else -1
+
+
+def _axis_of(scene, end):
+    """(slide or turn, displacement) of the ground or a lumped body; None of what has a place."""
+    if isinstance(end, list):
+        return None
+    if end.text == "ground":
+        return "ground", scene.table.zero
+    body = scene.bodies.get(end.text)
+    return None if body is None else body.lumped
+
+
+def _moves(opened, node):
+    return any(node.mask & q.mask for q in opened.scene.q[:opened.n])
+
+
+def _forces(opened, section, name):
+    """The Rows of the force of an element; those of its components where it has no free length."""
+    laws = opened.scene.law_forces(name)
+    if laws:
+        return opened.rows(laws)
+    terms = [term for term in getattr(opened.scene, section) if term.owner == name]
+    if section == "springs":
+        return opened.rows([term.force + term.weight * term.s for term in terms])
+    weights = opened.rows([term.weight for term in terms])
+    return [combined([(c.constant, rate(row, opened.scene))]) for c, row in
+            zip(weights, opened.rows([term.s for term in terms]), strict=True)]

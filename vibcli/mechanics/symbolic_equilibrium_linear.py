@@ -1,0 +1,88 @@
+"""Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.mechanics.autonomous import steady
+from vibcli.mechanics.lagrange import matrices_in_letters
+from vibcli.mechanics.linearisation import at_position, residual_terms
+from vibcli.mechanics.linearise import linearise
+from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.mechanics.static_preload import solve_linear
+from vibcli.scene.build import SAMPLES, build_scene, sample_values
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero, textbook
+from vibcli.symbolic.rationals import ONE
+
+
+def vanishes(scene, terms):
+    """Is the sum of these expressions zero: by expansion, or at several unrelated sets of values?"""
+    total = scene.table.sum(*((term, ONE) for term in terms))
+    if is_zero(total):
+        return True
+    for attempt in range(3):
+        values = scene.parameters.values(Floats, sample_values(scene.parameters.free, attempt + 50))
+        numbers = evaluate(terms, Floats, values)
+        if not abs(sum(numbers)) <= 1e-13 * sum(map(abs, numbers)):
+            return False
+    return True
+
+
+def residual_at(problem, place):
+    """The terms of each condition of equilibrium at {symbol: expression}, None: as drawn."""
+    if place is None:
+        return problem.drawn_residual
+    return residual_terms(at_position(problem.form, {**problem.scene.drawn_position, **place}))
+
+
+def equilibrium_in_letters(problem):
+    """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
+    scene, start = problem.scene, problem.start_in_letters
+    if problem.balanced_as_drawn and start is None:
+        return scene.drawn_coordinates
+    if problem.equilibrium_letters is not None:
+        settled = problem.equilibrium_letters.values
+        return {q.name: settled[q] for q in scene.q}
+    if not problem.is_linear:
+        raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
+                           "not found in letters",
+                           "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
+    _, _, _, K = matrices_in_letters(problem.form)
+    n, zero = len(scene.q), scene.table.zero
+    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in residual_at(problem, start)]
+    held = [i for i in range(n) if any((i, j) in K for j in range(n))]
+    for i in range(n):
+        if i not in held and not load[i].is_zero:
+            name = scene.coordinates[i]
+            raise PhysicsError(f"no equilibrium: nothing holds '{name}'", "add the spring that carries the load",
+                               scene.spec.coordinates[name].where)
+    rows = [[K.get((i, j), zero) for j in held] + [-load[i]] for i in held]
+    try:
+        shift = dict(zip(held, solve_linear(rows, zero), strict=True))
+    except ZeroDivisionError:
+        raise NotInLetters("the equilibrium of this scene is not unique in letters",
+                           "give numbers with --set") from None
+    if n == 1:
+        from vibcli.symbolic.common_denominator import single as simplest
+    else:
+        from vibcli.symbolic.rational_functions import factored as simplest
+    place = list(scene.drawn_coordinates.values()) if start is None else [start[q] for q in scene.q]
+    return {name: simplest(place[i] + shift[i]) if i in shift else place[i] for i, name in enumerate(scene.coordinates)}
+
+
+def drawn_stable(spec, given, scene):
+    """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
+    for start in SAMPLES:
+        if not _falls_as_drawn(scene):
+            break
+        scene = build_scene(spec, given, start)
+    return scene
+
+
+def _falls_as_drawn(scene):
+    """Has K a negative diagonal entry in the drawn position, at the sample values of the symbols?"""
+    values = {**dict.fromkeys((node.name for node, _ in scene.static_preloads), 0.0), **scene.sample}
+    try:
+        form = steady(scene.vibrating, linearise(scene.vibrating))
+        numbers = in_numbers(at_position(form, scene.vibrating.drawn_position), Floats, values)
+    except ZeroDivisionError:  # said where the drawn position is asked for
+        return False
+    return any(value < 0 for (i, j), value in numbers.elements.stiffness().items() if i == j)

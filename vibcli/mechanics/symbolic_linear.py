@@ -1,0 +1,113 @@
+"""Inputs and outputs of the small oscillations in letters."""
+
+from vibcli.base.errors import NotInLetters
+from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
+from vibcli.mechanics.inputs_outputs.outputs import tension
+from vibcli.mechanics.lagrange import matrices_in_letters
+from vibcli.mechanics.linearisation import at_position
+from vibcli.mechanics.signals import displacement
+from vibcli.mechanics.support_forces import PARTS, along_the_axis
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.transfer_between_tables import copied
+
+
+def coefficients(problem, signal, driven_by):
+    """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
+    opened, place = problem.opened, place_in_letters(problem)
+    chosen = named_input(problem, driven_by)
+    if chosen.carried or any(isinstance(weight, complex) for weight in chosen.weights.values()):
+        raise NotInLetters(f"what turns as '{driven_by}' does has no amplitudes in letters here",
+                           "ask for them in numbers")
+    scene, n = opened.scene, opened.n
+    M, C, G, K = matrices_in_letters(at_position(opened.form, place))
+    columns = {j: [{}, {}, {}] for j in chosen.weights}
+    for power, matrices in enumerate(((K,), (C, G), (M,))):
+        for matrix in matrices:
+            for (i, j), node in matrix.items():
+                if i < n and j in columns:
+                    columns[j][power][i] = columns[j][power].get(i, scene.table.zero) - node
+    q, v, a = _slopes(problem, signal, place)
+    weights = _exact(problem, chosen)
+    b = in_powers(columns, weights, chosen.turns)
+    direct = {j: [{0: part[j]} if j in part else {} for part in (q, v, a)] for j in columns}
+    return b, [{i: node for i, node in part.items() if i < n} for part in (q, v, a)], in_powers(direct, weights,
+                                                                                              chosen.turns)
+
+
+def outputs(problem, signal):
+    """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
+    function of the time in the scene."""
+    opened, table = problem.opened, problem.scene.table
+    rows, direct = _slopes(problem, signal, place_in_letters(problem)), table.zero
+    for j, opening in enumerate(opened.scene.inputs.values(), opened.n):
+        moved = opening.node
+        for part in rows if moved is not None else ():
+            if j in part:
+                direct = direct + copied([part[j] * moved], table)[0]
+            moved = opened.scene.rate(moved)
+    return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
+
+
+def place_in_letters(problem):
+    """{symbol: node} of the equilibrium in letters."""
+    scene = problem.opened.scene
+    rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)
+    if problem.balanced_as_drawn or problem.is_linear:
+        return {**rest, **scene.drawn_position}
+    if problem.equilibrium_letters is None:
+        raise NotInLetters("the equilibrium of this scene is not found in letters", "give numbers with --set")
+    settled = problem.equilibrium_letters.values
+    nodes = dict(zip((q.name for q in settled), copied(list(settled.values()), scene.table), strict=True))
+    return {**rest, **scene.drawn_position, **{q: nodes[q.name] for q in scene.q if q.name in nodes}}
+
+
+def _slopes(problem, signal, place):
+    """∂y/∂q, ∂y/∂q̇, ∂y/∂q̈ as {i: node}."""
+    scene, bare = problem.opened.scene, signal.rstrip("'")
+    node = _node(problem.opened, bare)
+    if node is None:
+        raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
+    slopes = gradient(node)
+    rows = [{i: textbook(x) for i, q in enumerate(kind) if q in slopes
+             for x in substitute([slopes[q]], place) if not x.is_zero} for kind in (scene.q, scene.v, scene.a)]
+    primes = len(signal) - len(bare)
+    if any(rows[3 - primes:]):
+        raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
+    return [{}] * primes + rows[:3 - primes]
+
+
+def _node(opened, text):
+    """A signal as a function of the coordinates and velocities of the opened scene; None where it is not known."""
+    name, _, part = text.partition(".")
+    found = displacement(opened.scene, text)
+    if found is None and part == "force" and name in (opened.problem.spec.get("springs") or {}):
+        return tension(opened.scene, name)
+    if found is None and part == "force" and name in (opened.problem.spec.get("dampers") or {}):
+        return _damping(opened.scene, name)
+    return _on_the_ground(opened, part) if found is None and name == "ground" and part in PARTS else found
+
+
+def _damping(scene, name):
+    """The force of a damper between two ends on a line."""
+    terms = [term for term in scene.dampers if term.owner == name]
+    return terms[0].weight * scene.rate(terms[0].s) if len(terms) == 1 else None
+
+
+def _on_the_ground(opened, kind):
+    """Σ of what springs and dampers exert on the ground of a scene with one axis; None of other scenes."""
+    total, spec = opened.scene.table.zero, opened.problem.spec
+    for section, force in (("springs", tension), ("dampers", _damping)):
+        for name, record in (spec.get(section) or {}).items():
+            sign = along_the_axis(opened, record, kind) if "between" in record else None
+            if sign is None:
+                return None
+            total = total + sign * force(opened.scene, name) if sign else total
+    return total
+
+
+def _exact(problem, chosen):
+    """The shares of the input coordinates as nodes: a line along an axis."""
+    if any(weight not in (-1.0, 0.0, 1.0) for weight in chosen.weights.values()):
+        raise NotInLetters("the line of this input is along no axis", "name its component, as in drive.x")
+    return {j: problem.opened.scene.table.number(int(weight)) for j, weight in chosen.weights.items()}

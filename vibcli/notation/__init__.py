@@ -1,0 +1,1 @@
+"""Expressions and numbers as they are written: text, LaTeX, MathML, scene language."""

@@ -1,0 +1,47 @@
+"""Long lengths under a root get a symbol of their own, ℓ₁ = √(…), so that equations stay readable."""
+
+from vibcli.symbolic.rationals import HALF, ONE
+
+SHORT = 2           # roots of fewer terms are left in place
+
+
+def abbreviated(nodes, known):
+    """(nodes with long roots replaced, [(symbol, root)] of those that are new). `known` {sum: symbol} is added to."""
+    table, new = nodes[0].table if nodes else None, []
+    for node in nodes:
+        for base in _rooted(node):
+            if base not in known:
+                known[base] = table.variable(f"ℓ{len(known) + 1}")
+                new.append((known[base], table.power(base, HALF)))
+    return [_replaced(table, node, known) for node in nodes], new
+
+
+def _rooted(node):
+    """The long sums that stand under a root, or below a line as the square of a length does, anywhere in a node."""
+    pending, found = [node], []
+    while pending:
+        part = pending.pop()
+        if part.op == "product":
+            found += [base for base, e in part.args if base.op == "sum" and base.mask and len(base.args) >= SHORT
+                      and (e.denominator == 2 or e < 0)]
+        if part.op in ("sum", "product"):
+            pending.extend(arg for arg, _ in part.args)
+        elif part.op == "call":
+            pending.extend(part.args)
+    return sorted(found, key=lambda base: base.index)
+
+
+def _replaced(table, node, roots):
+    """The node with each Σ^(e) of a long root written as ℓ^(2e)."""
+    if node.op == "sum":
+        terms = [(_replaced(table, part, roots), c) for part, c in node.args]
+        return table.sum((table.number(node.coefficient), ONE), *terms)
+    if node.op == "product":
+        factors = []
+        for base, e in node.args:
+            if base in roots:
+                factors.append((roots[base], 2 * e))
+            else:
+                factors.append((_replaced(table, base, roots), e))
+        return table.product((table.number(node.coefficient), ONE), *factors)
+    return roots[node] ** 2 if node in roots else node

@@ -1,0 +1,92 @@
+"""Expressions as LaTeX, for math mode."""
+
+from vibcli.notation.plain import GREEK
+from vibcli.notation.typeset import Stacked
+
+COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}
+NAMES = {letter: name for name, letter in GREEK.items()}
+FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}
+OPERATORS = {"−": "-", "≤": r"\le", "≥": r"\ge", "∓": r"\mp", "±": r"\pm", "∞": r"\infty", "Σ": r"\sum",
+             "…": r"\ldots", "∠": r"\angle"}
+
+
+def _escaped(name):
+    return name.replace("_", r"\_")
+
+
+class Latex(Stacked):
+    """LaTeX, for math mode."""
+
+    minus, thin, thick = "-", r"\,", r"\;"
+
+    def numeral(self, text):
+        text, _, power = text.replace("−", "-").partition("e")
+        return rf"{text} \cdot 10^{{{int(power)}}}" if power else text
+
+    def lettered(self, letter, below, primes):
+        letter = NAMES.get(letter, letter)
+        if letter == "ℓ":
+            letter = r"\ell"
+        elif letter == "∂":
+            letter = r"\partial"
+        elif letter in GREEK:
+            letter = "\\" + COMMANDS.get(letter, letter)
+        elif len(letter) > 1:
+            letter = self.word(letter)
+        accent = {"": "{}", "'": r"\dot{{{}}}", "''": r"\ddot{{{}}}"}[primes]
+        if below and not below.isascii():
+            below = self.notation(below)
+        elif len(below) > 1 and not below.replace(",", "").isdigit():
+            below = self.word(below)
+        letter = accent.format(letter)
+        return self.indexed(letter, below) if below else letter
+
+    def word(self, text):
+        return rf"\mathrm{{{_escaped(text)}}}"
+
+    def indexed(self, letter, below):
+        return f"{letter}_{{{below}}}"
+
+    def brackets(self, text):
+        return rf"\left({text}\right)"
+
+    def magnitude(self, text):
+        return rf"\left|{text}\right|"
+
+    def power(self, base, exponent):
+        return f"{base}^{{{exponent}}}"
+
+    def function(self, name, args):
+        return rf"{self.functional(name)}\left({', '.join(args)}\right)"
+
+    def functional(self, name):
+        return "\\" + name if name in FUNCTIONS else rf"\operatorname{{{_escaped(name)}}}"
+
+    def applied(self, head, text, bare):
+        return head + " " * bare + text
+
+    def times(self, texts):
+        return f" {self.thin} ".join(texts)
+
+    def fraction(self, above, below):
+        return rf"\frac{{{above}}}{{{below}}}"
+
+    def sqrt(self, text):
+        return rf"\sqrt{{{text}}}"
+
+    def operator(self, symbol):
+        return self.thin if symbol == "·" else OPERATORS.get(symbol, symbol)
+
+    def gap(self, columns):
+        return r"\quad" if columns > 1 else self.thick
+
+    def words(self, text):
+        from vibcli.notation.latex_text import escaped
+
+        return rf"\text{{{escaped(text)}}}" if text else ""
+
+    def beside(self, *texts):
+        return " ".join(filter(None, map(str.strip, texts)))
+
+
+latex = Latex()

@@ -1,0 +1,98 @@
+"""Expressions as MathML: presentation markup as in MathML Core, which browsers show without help.
+
+Every text is a row of elements; an element that takes a fixed number of arguments gets them in an mrow.
+"""
+
+import re
+from html import escape
+
+from vibcli.notation.plain import GREEK
+from vibcli.notation.typeset import Stacked
+
+TIMES = '<mo>&#x2062;</mo><mspace width="0.17em"/>'       # invisible, with the space by which letters stand apart
+APPLY = "<mo>&#x2061;</mo>"
+DOTS = {"'": "˙", "''": "¨"}
+_LEAF = re.compile(r"<(m[ion])[^<>]*>[^<>]*</\1>")
+
+
+def row(text):
+    """One element that holds a row."""
+    return text if _LEAF.fullmatch(text) else f"<mrow>{text}</mrow>"
+
+
+def _operator(symbol, form=None):
+    return f'<mo form="{form}">{escape(symbol)}</mo>' if form else f"<mo>{escape(symbol)}</mo>"
+
+
+class MathML(Stacked):
+    """The inside of a <math> element."""
+
+    def numeral(self, text):
+        text, _, power = text.replace("−", "-").partition("e")
+        found = f"<mn>{text}</mn>" if text[0] != "-" else f"{_operator('−', 'prefix')}<mn>{text[1:]}</mn>"
+        return f"{found}<mo>·</mo>{self.power('<mn>10</mn>', self.numeral(str(int(power))))}" if power else found
+
+    def lettered(self, letter, below, primes):
+        found = f"<mi>{escape(GREEK.get(letter, letter))}</mi>"
+        if primes:
+            found = f'<mover accent="true">{found}<mo>{DOTS[primes]}</mo></mover>'
+        if not below:
+            return found
+        if not below.isascii():
+            below = row(self.notation(below))
+        elif below.replace(",", "").isdigit():
+            below = f"<mn>{below}</mn>"
+        else:
+            below = f"<mi>{GREEK.get(below, below)}</mi>"
+        return f"<msub>{found}{below}</msub>"
+
+    def brackets(self, text):
+        return f"<mrow><mo>(</mo>{text}<mo>)</mo></mrow>"
+
+    def magnitude(self, text):
+        return f"<mrow>{_operator('|', 'prefix')}{text}{_operator('|', 'postfix')}</mrow>"
+
+    def power(self, base, exponent):
+        if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
+            return f"<msubsup>{base[len('<msub>'):-len('</msub>')]}{row(exponent)}</msubsup>"
+        return f"<msup>{row(base)}{row(exponent)}</msup>"
+
+    def function(self, name, args):
+        return self.functional(name) + APPLY + self.brackets("<mo>,</mo>".join(args))
+
+    def functional(self, name):
+        return f"<mi>{escape(name)}</mi>"
+
+    def applied(self, head, text, bare):
+        return head + APPLY + '<mspace width="0.17em"/>' * bare + text
+
+    def times(self, texts):
+        return TIMES.join(texts)
+
+    def fraction(self, above, below):
+        return f"<mfrac>{row(above)}{row(below)}</mfrac>"
+
+    def sqrt(self, text):
+        return f"<msqrt>{text}</msqrt>"
+
+    def signed(self, negative, text, first=False):
+        if first:
+            return (_operator("−", "prefix") if negative else "") + text
+        return _operator("−" if negative else "+") + text
+
+    def operator(self, symbol):
+        if symbol == "·":
+            return TIMES
+        return _operator("∑" if symbol == "Σ" else symbol)
+
+    def gap(self, columns):
+        return f'<mspace width="{1 if columns > 1 else 0.3}em"/>'
+
+    def words(self, text):
+        return f"<mtext>{escape(text).replace(' ', '&#xA0;')}</mtext>" if text else ""
+
+    def beside(self, *texts):
+        return "".join(texts)
+
+
+mathml = MathML()

@@ -1,0 +1,66 @@
+"""Numbers as they are printed: the digits that a result supports, its unit after it."""
+
+import math
+
+from vibcli.base import units
+
+SHOWN = 6
+
+
+def figure(value, error=0.0, digits=SHOWN):
+    """A number with at most `digits` significant digits, fewer where its relative error bound allows fewer."""
+    if value is None:
+        return "–"
+    if not isinstance(value, (int, float)):
+        return str(value)
+    if error and error > 0:
+        digits = max(1, min(digits, int(-math.log10(min(error, 0.5)))))
+    text = f"{value:.{digits}g}"
+    return "0" if text in ("-0", "0") else text.replace("e+0", "e").replace("e-0", "e-").replace("e+", "e")
+
+
+def supported(value, error, digits=SHOWN):
+    """A number with the digits that its absolute error allows; where that is all of it, how far it may be from 0."""
+    if error >= 0.5 * abs(value) and error > 0 and value:
+        return f"0 ± {figure(abs(value) + error, digits=1)}"
+    return figure(value, error / abs(value) if value else 0.0, digits)
+
+
+def with_unit(value, dimension, error=0.0):
+    """`0.0785 m`: a number and the SI unit of its dimension."""
+    return "".join(quantity(value, dimension, error))
+
+
+def quantity(value, dimension, error=0.0):
+    """The number, and what is written behind it: ("0.0785", " m")."""
+    unit = "rad" if dimension == {} else units.text(dimension)
+    degrees = f" ({figure(math.degrees(value), digits=4)}°)" if dimension == {} and value else ""
+    return figure(value, error), f" {unit}".rstrip() + degrees
+
+
+def table(rows, head):
+    """Lines of an aligned table; columns two spaces apart."""
+    cells = [head, *rows]
+    widths = [max(width(row[i]) for row in cells) for i in range(len(head))]
+    return ["  ".join(padded(cell, w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in cells]
+
+
+def width(text):
+    """Columns of a text: combining dots take none."""
+    return sum(1 for letter in text if not "\u0300" <= letter <= "\u036f")
+
+
+def padded(text, columns):
+    return text + " " * (columns - width(text))
+
+
+def wrapped(text, columns=100, indent=2, gap=" ", first=0):
+    """Text broken at gaps into lines of at most `columns`, the lines after the first indented."""
+    lines, line = [], ""
+    for word in text.split(gap):
+        if line and width(line) + width(gap) + width(word) > columns:
+            lines.append(line)
+            line = " " * indent + word if gap == " " else word
+        else:
+            line = f"{line}{gap}{word}" if line else " " * first + word
+    return [*lines, line] if line else lines

@@ -1,0 +1,75 @@
+"""The order in which the terms of a sum and the factors of a product are written."""
+
+from operator import itemgetter
+
+from vibcli.notation.radicals import is_constant
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.rationals import ONE
+
+
+def positive_first(pieces, rooted):
+    """The terms of a sum, (negative, text), the positive ones first; the `rooted` last ones stay there if others can
+    begin."""
+    front = pieces[:len(pieces) - rooted]
+    if rooted and not all(negative for negative, _ in front):
+        return sorted(front, key=itemgetter(0)) + pieces[len(pieces) - rooted:]
+    return sorted(pieces, key=itemgetter(0))
+
+
+def is_rooted(node):
+    """Does a term of parameters hold the root of a letter or of a sum?"""
+    return not node.mask and node.op == "product" and any(
+        e.denominator == 2 and not is_constant(base) for base, e in node.args)
+
+
+def term_rank(pair):
+    """Accelerations first, then velocities, then coordinates, each in the order of the coordinates; constants last."""
+    node = pair[0]
+    deepest = _most_primes(node)
+    moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
+    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), *_letters(node), node.index
+
+
+def _letters(node):
+    """Of terms of parameters those without a root first, then in the order of letters, higher powers first."""
+    if node.mask:
+        return False, []
+    factors = node.args if node.op == "product" else ((node, ONE),)
+    return is_rooted(node), sorted((_first_letter(base), -e) for base, e in factors)
+
+
+def _first_letter(node):
+    return node.index if node.op == "symbol" else min(
+        (part.index for part in reachable([node]) if part.op == "symbol"), default=node.index)
+
+
+def _lowest(mask):
+    return (mask & -mask).bit_length()
+
+
+def primes(symbol):
+    """1 for x', 2 for x''."""
+    return len(symbol.name) - len(symbol.name.rstrip("'"))
+
+
+def _symbols(node):
+    factors = [base for base, _ in node.args] if node.op == "product" else [node]
+    return [base for base in factors if base.op == "symbol"]
+
+
+def _most_primes(node):
+    return max(map(primes, _symbols(node)), default=0)
+
+
+def factor_rank(pair):
+    """Numbers, parameters, brackets, then functions and variables; velocities and accelerations last."""
+    base = pair[0]
+    if base.op == "number" or (base.op == "sum" and is_constant(base)):
+        kind = -1 if base.op == "number" else 0
+    elif base.op in ("symbol", "pi") and not base.mask:
+        kind = 1
+    elif base.op in ("sum", "call"):
+        kind = 2 if base.op == "sum" else 3
+    else:
+        kind = 4 + _most_primes(base)
+    return kind, base.index

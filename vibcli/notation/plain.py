@@ -1,0 +1,251 @@
+"""Expressions as text, m·L²·φ̈/3, in the notation of the field: dots for time derivatives, roots as √(…)."""
+
+import re
+from fractions import Fraction
+
+from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
+from vibcli.notation.radicals import LARGEST, is_constant, place, split
+from vibcli.symbolic.discontinuous_functions import PULSES
+from vibcli.symbolic.rationals import ONE
+
+GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",
+          "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "rho": "ρ", "sigma": "σ",
+          "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
+          "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
+          "Omega": "Ω"}
+_NAME = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))}|[A-Za-zℓ])(.*)")
+_SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
+_PRECOMPOSED = {"x\u0307": "ẋ", "x\u0308": "ẍ", "y\u0307": "ẏ", "y\u0308": "ÿ", "s\u0307": "ṡ", "z\u0307": "ż",
+                "u\u0308": "ü", "r\u0307": "ṙ"}
+
+
+def split_name(name):
+    """('φ', '1', "'") of phi1': letter, subscript, primes; a word such as length stays whole."""
+    bare = name.rstrip("'")
+    primes = name[len(bare):]
+    match = _NAME.fullmatch(bare)
+    if match is None:
+        return bare, "", primes
+    letter, rest = match.groups()
+    if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2):
+        return letter, rest, primes
+    return bare, "", primes
+
+
+class Notation:
+    """Writes nodes; the subclasses say how symbols, products, powers and brackets look."""
+
+    minus = "−"
+
+    def __call__(self, node):
+        return self.write(node, 0)
+
+    def write(self, node, tightness):
+        """`tightness`: 0 within a sum, 1 within a product, 2 as the base of a power or argument."""
+        return getattr(self, "_" + node.op)(node, tightness)
+
+    def _number(self, node, tightness):
+        text = self.number(node.coefficient)
+        loose = node.coefficient < 0 or (tightness > 1 and not decimal(node.coefficient).isdigit())
+        return self.brackets(text) if loose and tightness else text
+
+    def _pi(self, node, tightness):
+        return self.symbol("pi")
+
+    def _symbol(self, node, tightness):
+        return self.symbol(node.name)
+
+    def _sum(self, node, tightness):
+        text = self.added(self.terms(node))
+        return self.brackets(text) if tightness else text
+
+    def terms(self, node):
+        """[(negative, text)] of the terms of a sum; one of a sum over a denominator, and of anything else."""
+        if node.op != "sum":
+            return [self._alone(node)]
+        terms = sorted(node.args, key=term_rank)
+        parts = [(c * part.coefficient if part.op == "product" else c, part) for part, c in terms]
+        rooted = sum(is_rooted(part) for part, _ in terms)
+        below = _common_denominator(node, [value for value, _ in parts])
+        pieces = [(value < 0, self._term(abs(value) * below, part)) for value, part in parts]
+        if node.coefficient:
+            place = 0 if all(is_constant(part) for part, _ in node.args) else len(pieces)
+            pieces.insert(place, (node.coefficient < 0, self.number(abs(node.coefficient) * below)))
+        if pieces[0][0]:
+            pieces = positive_first(pieces, rooted)
+        if below == 1:
+            return pieces
+        turned = pieces[0][0]
+        return [(turned, self.over(self.added([(sign is not turned, text) for sign, text in pieces]), below))]
+
+    def _alone(self, node):
+        """(negative, text of the magnitude) of what is no sum."""
+        if node.op == "number":
+            return node.coefficient < 0, self.number(abs(node.coefficient))
+        if node.op == "product":
+            return node.coefficient < 0, self.product(abs(node.coefficient), node.args)
+        return False, self.write(node, 0)
+
+    def signed(self, negative, text, first=False):
+        """A term of a sum with the sign before it."""
+        sign = self.minus if negative else "+"
+        return (sign * negative if first else f" {sign} ") + text
+
+    def added(self, pieces):
+        """The sum of (negative, text)."""
+        return "".join(self.signed(negative, text, not i) for i, (negative, text) in enumerate(pieces))
+
+    def over(self, text, below):
+        return f"({text})/{below}"
+
+    def _term(self, value, part):
+        if part.op == "product":
+            return self.product(value, part.args)
+        return self.product(value, ((part, ONE),))
+
+    def _product(self, node, tightness):
+        text = self.added([self._alone(node)])
+        return self.brackets(text) if tightness > 1 or (tightness and node.coefficient < 0) else text
+
+    def _call(self, node, tightness):
+        if node.name == "power":
+            return self.power(self.write(node.args[0], 2), self.write(node.args[1], 0))
+        if node.name in PULSES or node.name in node.table.records:
+            order = node.args[1].coefficient if len(node.args) > 1 else 0
+            return self.function(node.name + "'" * order, [self.write(node.args[0], 0)])
+        if len(node.args) == 1:
+            return self.call(node.name, node.args[0], ONE)
+        return self.function(node.name, [self.write(arg, 0) for arg in node.args])
+
+    @staticmethod
+    def bare(call):
+        """Does the argument of a function stand behind it without brackets?"""
+        table = call.table
+        return call.args[0].op in ("symbol", "pi") and call.name not in PULSES and call.name not in table.records
+
+    def factors(self, value, args):
+        """(value, above, below, under the root above, below it): a rational and lists of (node, exponent)."""
+        return split(value, sorted(args, key=factor_rank))
+
+    def powered(self, base, exponent, alone):
+        if base.op == "call" and exponent != 1:
+            angled = base.name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")
+            if angled and exponent.denominator == 1:
+                return self.call(base.name, base.args[0], exponent)
+            if angled or base.name in ("abs", "sign") or self.bare(base):      # exp φ² is exp(φ²)
+                return self.power(self.brackets(self.write(base, 0)), self.number(exponent))
+        if exponent == 1:
+            return self.write(base, 0 if alone else 1)
+        if base.op == "sum" and exponent.denominator == 1 and exponent.numerator % 2 == 0:
+            leading = min(base.args, key=term_rank)
+            base = -base if leading[1] < 0 and not base.table.squares_at_sample else base
+        return self.power(self.write(base, 2), self.number(exponent))
+
+
+class Plain(Notation):
+    """Unicode text; a no-break space holds a function and its argument together."""
+
+    def notation(self, text):
+        return text
+
+    def words(self, text):
+        return text
+
+    def beside(self, *texts):
+        return "".join(texts)
+
+    def number(self, value):
+        return decimal(value).replace("-", "−")
+
+    def symbol(self, name):
+        letter, rest, primes = split_name(name)
+        letter = GREEK.get(letter, letter)
+        if len(letter) > 1:
+            return letter + primes
+        dotted = letter + _DOTS[primes]
+        return _PRECOMPOSED.get(dotted, dotted) + (rest.translate(_SUBSCRIPT) if rest.isdigit() else rest)
+
+    def brackets(self, text):
+        return f"({text})"
+
+    def power(self, base, exponent):
+        if re.fullmatch(r"-?\d+", exponent):
+            return base + exponent.translate(_SUPERSCRIPT)
+        return f"{base}^{exponent}" if re.fullmatch(r"\w+", exponent) else f"{base}^({exponent})"
+
+    def function(self, name, args):
+        return f"{name}({', '.join(args)})"
+
+    def divisors(self, below):
+        """The factors below a line; a quotient has brackets: x/(y/z) is not x/y/z."""
+        texts = [self.powered(base, e, False) for base, e in below]
+        return [self.brackets(text) if base.op == "product" and "/" in text else text
+                for (base, _), text in zip(below, texts, strict=True)]
+
+    def call(self, name, arg, exponent):
+        if name == "abs":
+            return f"|{self.write(arg, 0)}|"
+        head = name if exponent == 1 else name + decimal(exponent).translate(_SUPERSCRIPT)
+        inner = self.write(arg, 0)
+        return f"{head}\u00a0{inner}" if arg.op in ("symbol", "pi") else f"{head}({inner})"
+
+    def product(self, value, args):
+        value, above, below, root_above, root_below = self.factors(value, args)
+        single = len(above) == 1 and value.numerator == 1 and not (below or root_above or root_below)
+        tops = [self.powered(base, e, single and value == 1) for base, e in above]
+        bottoms = self.divisors(below)
+        if root_above:
+            tops.insert(place(above, root_above), self.root(root_above, root_below))
+        elif root_below:
+            bottoms.append(self.root(root_below, []))
+        if value.denominator > 1 and not shown_as_decimal(value):
+            bottoms.insert(0, str(value.denominator))
+            value = Fraction(value.numerator)
+        if value != 1 or not tops:
+            tops.insert(0, decimal(value))
+        text = "·".join(tops)
+        if not bottoms:
+            return text
+        return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'·'.join(bottoms)})")
+
+    def root(self, above, below):
+        inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))
+        simple = re.fullmatch(r"[\w₀-₉]+", inner)
+        return "√" + (inner if simple or enclosed(inner) else f"({inner})")
+
+
+def enclosed(text):
+    """Is the text one pair of brackets around everything?"""
+    depth = 0
+    for i, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if depth == 0:
+            return text.startswith("(") and i == len(text) - 1
+    return False
+
+
+def shown_as_decimal(value):
+    """0.75 m reads better as a decimal, 3/4·m·L² as a fraction: denominators up to 48 are fractions."""
+    return value.denominator > LARGEST
+
+
+def decimal(value):
+    """A rational as text: an integer, p/q, or a decimal where that is short enough, else 12 digits."""
+    if value.denominator == 1:
+        text = str(value.numerator)
+        return text if len(text) < 16 else f"{float(value):.12g}"
+    if not shown_as_decimal(value):
+        return f"{value.numerator}/{value.denominator}".replace("-", "−")
+    return f"{float(value):.12g}".replace("-", "−") if abs(value) >= 1e-4 else f"{float(value):.12g}"
+
+
+def _common_denominator(node, values):
+    """The denominator that all terms of a sum of parameters share; 1 where they do not."""
+    values = [*values, node.coefficient] if node.coefficient else values
+    below = {value.denominator for value in values}
+    return 1 if node.mask or len(below) > 1 or shown_as_decimal(values[0]) else below.pop()
+
+
+plain = Plain()

@@ -1,0 +1,67 @@
+"""What typeset notations share: fractions stand on a line, roots under one. A subclass says how each is written:
+
+    numeral(text)   lettered(letter, below, primes)   functional(name)   applied(head, text, bare)
+    times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)
+    operator(symbol)   gap(columns)   words(text)   beside(*texts)
+"""
+
+from vibcli.notation.notation_text import read
+from vibcli.notation.plain import Notation, decimal, shown_as_decimal, split_name
+from vibcli.notation.radicals import place
+from vibcli.symbolic.rationals import ONE
+
+KNOWN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
+
+
+class Stacked(Notation):
+    """Nodes with fractions and roots; texts in notation are read into the same pieces."""
+
+    def notation(self, text):
+        return read(text, self)
+
+    def number(self, value):
+        if value.denominator == 1 or shown_as_decimal(value):
+            return self.numeral(decimal(value))
+        found = self.fraction(self.numeral(str(abs(value.numerator))), self.numeral(str(value.denominator)))
+        return self.signed(value < 0, found, first=True)
+
+    def symbol(self, name):
+        letter, rest, primes = split_name(name)
+        return self.lettered(letter, rest.removeprefix("_"), primes)
+
+    def call(self, name, arg, exponent):
+        inner = self.write(arg, 0)
+        if name == "abs":
+            return self.magnitude(inner)
+        head = self.functional(KNOWN.get(name, name))
+        head = head if exponent == 1 else self.power(head, self.numeral(decimal(exponent)))
+        bare = arg.op in ("symbol", "pi")
+        return self.applied(head, inner if bare else self.brackets(inner), bare)
+
+    def over(self, text, below):
+        return self.fraction(text, self.numeral(str(below)))
+
+    def product(self, value, args):
+        value, above, below, root_above, root_below = self.factors(value, args)
+        alone = len(above) == 1 and value.numerator == 1 and not (root_above or root_below)
+        lone_root = root_below and not root_above
+        flat = not below and not lone_root and (value.denominator == 1 or shown_as_decimal(value))
+        tops = [self.powered(base, e, alone and (not flat or value == 1)) for base, e in above]
+        if root_above:
+            tops.insert(place(above, root_above), self.root(root_above, root_below))
+        if flat:
+            if value != 1 or not tops:
+                tops.insert(0, self.numeral(decimal(value)))
+            return self.times(tops)
+        only = len(below) == 1 and value.denominator == 1 and not lone_root
+        bottoms = [self.powered(base, e, only) for base, e in below]
+        if lone_root:
+            bottoms.append(self.root(root_below, []))
+        if value.denominator > 1:
+            bottoms.insert(0, self.numeral(str(value.denominator)))
+        if value.numerator != 1 or not tops:
+            tops.insert(0, self.numeral(str(value.numerator)))
+        return self.fraction(self.times(tops), self.times(bottoms))
+
+    def root(self, above, below):
+        return self.sqrt(self.product(ONE, (*above, *((base, -e) for base, e in below))))

@@ -1,0 +1,36 @@
+"""Complex matrices in fixed point, far finer than floats: real and imaginary parts side by side, [Re | Im]."""
+
+import numpy as np
+
+from vibcli.numerics import fixed_point as fx
+
+BITS = 320
+
+
+def wide(a):
+    """A matrix of floats in fixed point."""
+    return fx.fixed(np.concatenate([a.real, a.imag], axis=1), BITS)
+
+
+def parts(a):
+    """Re and Im."""
+    middle = a.shape[1] // 2
+    return a[:, :middle], a[:, middle:]
+
+
+def narrow(a):
+    """The nearest floats."""
+    re, im = parts(fx.floats(a, BITS))
+    return re + 1j * im
+
+
+def times(a, b):
+    """a b."""
+    re, im = parts(b)
+    left, right = parts(a)
+    return fx.product(left, b, BITS) + fx.product(right, np.concatenate([-im, re], axis=1), BITS)
+
+
+def real_times(a, b):
+    """a b for a real matrix a in fixed point."""
+    return fx.product(a, b, BITS)

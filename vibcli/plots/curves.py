@@ -1,0 +1,133 @@
+"""The curves of a panel on a canvas: lines told apart by their dots, points by letters, each with its label beside."""
+
+from vibcli.plots.canvas import Canvas
+from vibcli.plots.paper import thinned
+from vibcli.plots.words import cells, shortened
+
+_PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
+_OF_KIND = {"envelope": "x   ", "guide": "x    "}
+_POINTS, _MARKS = "×o#@$", "*+=~%&"
+_LONGEST = 14      # columns of a label beside its curve
+_APART = 3         # rows between such a label and any other line
+
+
+def draw(canvas, sheet, ascii=False):
+    """Draw everything within the axes; returns the legend, one entry a labelled curve where there are several."""
+    _behind(canvas, sheet)
+    curves, samples, lines, points = sheet.panel.curves, [], [], 0
+    alone = sum(curve.kind in ("line", "steady") for curve in curves) == 1
+    for number, (curve, runs) in enumerate(zip(curves, sheet.strokes, strict=True)):
+        if curve.kind in ("markers", "stem"):
+            samples.append(_POINTS[points % len(_POINTS)])
+            points += 1
+            _points(canvas, sheet, curve, runs, canvas.layer("|"), samples[-1])
+            continue
+        mark = "." if curve.kind in _OF_KIND else "" if alone else _MARKS[len(lines) % len(_MARKS)]
+        pattern = _OF_KIND.get(curve.kind) or _PATTERNS[len(lines) % len(_PATTERNS)]
+        _line(canvas, sheet, runs, canvas.layer(mark), pattern)
+        samples.append(mark or "--" if ascii else _sample(pattern))
+        lines += [] if curve.kind in _OF_KIND else [number]
+    _names(canvas, sheet)
+    if not any(sheet.strokes):
+        canvas.write(canvas.rows // 2, canvas.columns // 2 - 4, "no values")
+    for number in lines if len(lines) > 1 else ():
+        _beside(canvas, number, cells(shortened(curves[number].label, _LONGEST)))
+    entries = [f"{sample} {curve.label}" for sample, curve in zip(samples, curves, strict=True)
+               if curve.label and curve.kind != "guide"]
+    return entries if len(entries) > 1 else []
+
+
+def _line(canvas, sheet, runs, layer, pattern):
+    for run in runs:
+        canvas.polyline(layer, _dots(canvas, sheet, run), pattern)
+        if len(run) == 1:
+            canvas.write(*_cell(canvas, sheet, *run[0]), "o")
+
+
+def _sample(pattern):
+    """A short piece of line for the legend."""
+    sample = Canvas(6, 1)
+    sample.polyline(sample.layer(), [(0, 2), (11, 2)], pattern)
+    return sample.lines()[0]
+
+
+def _dots(canvas, sheet, run):
+    """The points of a run in dots, those that fall on one column of dots thinned out."""
+    return [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in thinned(run, sheet.x, 2 * canvas.columns)]
+
+
+def _cell(canvas, sheet, x, y):
+    """(row, column) of a point."""
+    return canvas.row(sheet.y.part(y)), canvas.column(sheet.x.part(x))
+
+
+def _points(canvas, sheet, curve, runs, layer, letter):
+    for run in runs:
+        for x, y in run:
+            if curve.kind == "stem":
+                canvas.polyline(layer, _dots(canvas, sheet, [(x, max(0.0, sheet.y.low)), (x, y)]))
+            canvas.write(*_cell(canvas, sheet, x, y), letter)
+
+
+def _behind(canvas, sheet):
+    """The zero line and the marks, where nothing else is."""
+    if not sheet.y.log and sheet.y.low < 0 < sheet.y.high:
+        _across(canvas, sheet, 0.0)
+    for mark in sheet.panel.marks:
+        axis = sheet.x if mark.axis == "x" else sheet.y
+        place = axis.place(mark.at)
+        if place is None or not axis.low <= place <= axis.high:
+            continue
+        if mark.axis == "x":
+            column = _cell(canvas, sheet, place, sheet.y.low)[1]
+            canvas.behind.update({(row, column): "┊" for row in range(canvas.rows)})
+        else:
+            row = _across(canvas, sheet, place)
+            label = cells(shortened(mark.label, canvas.columns))
+            start = canvas.columns - len(label)
+            canvas.behind.update({(row, start + i): cell for i, cell in enumerate(label)})
+
+
+def _across(canvas, sheet, place):
+    row = _cell(canvas, sheet, sheet.x.low, place)[0]
+    canvas.behind.update({(row, column): "┈" for column in range(canvas.columns)})
+    return row
+
+
+def _names(canvas, sheet):
+    """The texts beside points: right of them, left, above or below, wherever there is room first."""
+    for curve in sheet.panel.curves:
+        for x, y, name in zip(curve.x, curve.y, curve.names, strict=False):
+            x, y, text = sheet.x.place(x), sheet.y.place(y), cells(shortened(name, _LONGEST))
+            if not text or x is None or y is None:
+                continue
+            row, column = _cell(canvas, sheet, x, y)
+            n = len(text)
+            for r, c in ((row, column + 2), (row, column - n - 1), (row - 1, column - n // 2),
+                         (row + 1, column - n // 2), (row - 1, column + 1), (row + 1, column + 1)):
+                if canvas.free(r, c, n):
+                    canvas.write(r, c, text)
+                    break
+
+
+def _beside(canvas, number, text):
+    """Write the label of a line over or under it, where the other lines are farthest away."""
+    best, place = _APART - 1, None
+    rows = {}
+    for column in range(canvas.columns):
+        for row in range(canvas.rows):
+            for layer in canvas.used(row, column):
+                rows.setdefault(column, {}).setdefault(layer, []).append(row)
+    for column in range(1, canvas.columns - len(text)):
+        own = rows.get(column + len(text) // 2, {}).get(number)
+        if not own:
+            continue
+        others = [row for layer, found in rows[column + len(text) // 2].items() if layer != number for row in found]
+        for row in (min(own) - 1, max(own) + 1):
+            if not canvas.free(row, column - 1, len(text) + 2):
+                continue
+            distance = min((abs(row - other) for other in others), default=canvas.rows)
+            if distance > best:
+                best, place = distance, (row, column)
+    if place is not None and text:
+        canvas.write(*place, text)

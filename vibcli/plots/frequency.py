@@ -1,0 +1,99 @@
+"""A frequency response as a figure: magnitude above, phase lag below; or in the complex plane."""
+
+import cmath
+import math
+
+from vibcli.plots.figure import Curve, Figure, Mark, Panel
+from vibcli.plots.prefixes import labelled, largest, readable, unit_text
+
+_SAME = 1.01
+
+
+def of_frequency_response(Omega, H, kind="", unit="", peaks=(), antiresonances=(), title="", note="", log=None):
+    """`H`: {label: complex values} at the angular frequencies Omega [rad/s], in one unit (or dimension); `kind`: what
+    it is (receptance); `peaks`, `antiresonances`: angular frequencies to be marked; `log`: of Omega, else by its range.
+
+    The phase is the lag θ = −arg H, X sin(Ωt − θ), in degrees, without jumps by whole turns.
+    """
+    log = min(Omega, default=0) > 0 and _spans(Omega, 10) if log is None else log
+    magnitudes = {label: [abs(h) for h in values] for label, values in H.items()}
+    together = [size for values in magnitudes.values() for size in values]
+    y_log = _spans(together, 100)
+    factor, unit = (1.0, unit_text(unit)) if y_log else readable(largest(together), unit_text(unit))
+    name = f"|{next(iter(H))}|" if len(H) == 1 else kind
+    marks = [Mark(at, _short(at)) for at in (*_distinct(peaks), *_distinct(antiresonances))]
+    upper = Panel("", "Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
+        Curve(label, tuple(Omega), tuple(size * factor for size in values)) for label, values in magnitudes.items()))
+    lags = {label: lag(values) for label, values in H.items()}
+    lower = Panel("", "Ω [rad/s]", "phase lag [°]", log, degrees=True, tall=0.6, y_range=_turns(lags.values()),
+                  marks=tuple(mark._replace(label="") for mark in marks),
+                  curves=tuple(Curve(label, tuple(Omega), values) for label, values in lags.items()))
+    return Figure(title, (upper, lower), note)
+
+
+def _spans(values, ratio):
+    """Do the positive values span more than that ratio?"""
+    values = [value for value in values if 0 < value < math.inf]
+    return bool(values) and max(values) > ratio * min(values)
+
+
+def _distinct(places):
+    """Peaks of several curves at nearly the same place are marked once."""
+    found = []
+    for place in sorted(places):
+        if not found or place > _SAME * found[-1]:
+            found.append(place)
+    return found
+
+
+def _short(value):
+    return f"{value:.4g}"
+
+
+def lag(values):
+    """−arg of complex numbers in degrees, from the first in (−180, 180] on without jumps of more than half a turn."""
+    found, last = [], None
+    for h in values:
+        if h == 0 or not cmath.isfinite(h):
+            found.append(math.nan)
+            continue
+        angle = -math.degrees(cmath.phase(h))
+        angle = angle + 360 if angle < -180 + 1e-9 else angle
+        if last is not None:
+            turns = (angle - last) / 360
+            angle -= 360 * (math.ceil(turns - 0.5 - 1e-9) if turns > 0 else math.floor(turns + 0.5 + 1e-9))
+        found.append(angle)
+        last = angle
+    return tuple(found)
+
+
+def _turns(lags):
+    """The range of phases, in whole quarter turns."""
+    values = [angle for angles in lags for angle in angles if math.isfinite(angle)]
+    low, high = min(values, default=0), max(values, default=180)
+    low, high = 90 * math.floor(low / 90 + 1e-3), 90 * math.ceil(high / 90 - 1e-3)
+    return (float(low), float(high)) if high > low else (low - 90.0, high + 90.0)
+
+
+def nyquist(Omega, H, unit="", at=(), title="", note=""):
+    """The frequency response in the complex plane, {label: complex values}; `at`: angular frequencies whose points
+    are marked with their values."""
+    factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))
+    curves = []
+    for label, values in H.items():
+        curves.append(Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values)))
+    for values in H.values():
+        points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to) for to in _distinct(at)]
+        curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
+                            tuple(values[i].imag * factor for i, _ in points), "markers",
+                            tuple(f"{_short(to)} rad/s" for _, to in points)))
+    panel = Panel("", labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
+                  x_range=_with_zero(x for curve in curves for x in curve.x),
+                  y_range=_with_zero(y for curve in curves for y in curve.y))
+    return Figure(title, (panel,), note)
+
+
+def _with_zero(values):
+    values = [value for value in values if math.isfinite(value)]
+    low, high = min(values, default=0.0), max(values, default=0.0)
+    return (min(low, 0.0), max(high, 0.0)) if high > low else None

@@ -1,0 +1,170 @@
+"""From a panel to its paper: strokes of finite points, logarithms taken where the axis is log, and the ranges shown."""
+
+import math
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError
+
+LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
+MOST_DECADES = 12
+MOST_PANELS = 40
+
+
+class Axis(NamedTuple):
+    """What an axis shows; of a log axis the decades."""
+
+    low: float
+    high: float
+    log: bool = False
+    degrees: bool = False
+
+    def part(self, place):
+        """0 at the low end, 1 at the high end."""
+        return (place - self.low) / (self.high - self.low)
+
+    def place(self, value):
+        """Where a value stands; None for one that has no place."""
+        return _place(value, self.log)
+
+
+class Sheet(NamedTuple):
+    """A panel with its axes; `strokes`: for each curve its unbroken runs of points (x, y)."""
+
+    panel: object
+    x: Axis
+    y: Axis
+    strokes: tuple
+
+
+def sheets(figure):
+    """The sheets of a figure; neighbours with the same x share its range."""
+    if len(figure.panels) > MOST_PANELS:
+        raise PhysicsError(f"a figure of {len(figure.panels)} panels is too large, {MOST_PANELS} are the most",
+                           "show fewer signals or modes at once")
+    drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in figure.panels]
+    ranges = [_limits([x for runs in strokes for run in runs for x, _ in run], panel.x_log, panel.x_range)
+              for panel, strokes in zip(figure.panels, drawn, strict=True)]
+    return [Sheet(panel, Axis(*_shared(figure.panels, ranges, i), panel.x_log), _y_axis(panel, drawn[i]), drawn[i])
+            for i, panel in enumerate(figure.panels)]
+
+
+def shares_x(one, other):
+    """Can these panels stand above each other with one set of ticks?"""
+    return (one.x_label, one.x_log, one.names) == (other.x_label, other.x_log, other.names) and not (
+        one.equal or other.equal)
+
+
+def repeats(panel, above):
+    """Are its curves those of the panel above, which has the legend?"""
+    return shares_x(panel, above) and [(c.label, c.kind) for c in panel.curves] == [
+        (c.label, c.kind) for c in above.curves]
+
+
+def _shared(panels, ranges, i):
+    first = last = i
+    while first > 0 and shares_x(panels[first - 1], panels[i]):
+        first -= 1
+    while last + 1 < len(panels) and shares_x(panels[last + 1], panels[i]):
+        last += 1
+    group = ranges[first:last + 1]
+    return min(low for low, _ in group), max(high for _, high in group)
+
+
+def _y_axis(panel, strokes):
+    values = [y for runs in strokes for run in runs for _, y in run]
+    marked = [_place(mark.at, panel.y_log) for mark in panel.marks if mark.axis == "y"]
+    values += [value for value in marked if value is not None]
+    if any(curve.kind == "stem" for curve in panel.curves) and not panel.y_log:
+        values.append(0.0)
+    return Axis(*_limits(values, panel.y_log, panel.y_range), panel.y_log, panel.degrees)
+
+
+def _place(value, log):
+    value = float(value)
+    if log:
+        return math.log10(value) if 0 < value < math.inf else None
+    if abs(value) < SMALLEST:
+        return 0.0
+    return value if -LARGEST < value < LARGEST else None
+
+
+def _strokes(curve, panel):
+    runs, run = [], []
+    for x, y in zip(curve.x, curve.y, strict=True):
+        x, y = _place(x, panel.x_log), _place(y, panel.y_log)
+        if x is None or y is None:
+            if run:
+                runs.append(run)
+            run = []
+        else:
+            run.append((x, y))
+    return [*runs, run] if run else runs
+
+
+def _limits(values, log, given):
+    """The range that holds all values; wider where there is only one of them, cut where poles would fill it."""
+    if given is not None:
+        return tuple(map(math.log10, given)) if log else given
+    low, high = min(values, default=0.0), max(values, default=1.0)
+    if log:
+        if high - low > MOST_DECADES:
+            low, high = _without_poles(values, low, high)
+        return (low, high) if high - low > 1e-9 else (low - 0.5, high + 0.5)
+    size = max(abs(low), abs(high))
+    if high - low > 1e-12 * size:
+        return low, high
+    return (-1.0, 1.0) if size == 0 else (min(0.0, 1.25 * low), max(0.0, 1.25 * high))
+
+
+def _without_poles(values, low, high):
+    """The range of nine values in ten and three decades more: a pole on the grid or an exact zero is cut off."""
+    ordered = sorted(values)
+    tenth = len(ordered) // 20
+    return max(low, ordered[tenth] - 3), min(high, ordered[-1 - tenth] + 3)
+
+
+def thinned(run, axis, columns):
+    """Of the points that follow each other within one column the first, lowest, highest and last: the same drawing."""
+    if len(run) <= 2 * columns:
+        return run
+    scale, found, group, column = columns / (axis.high - axis.low), [], [], None
+    for point in run:
+        here = int((point[0] - axis.low) * scale)
+        if here != column and group:
+            found += _extremes(group)
+            group = []
+        column = here
+        group.append(point)
+    return found + _extremes(group)
+
+
+def fewer(x, y, most=20000):
+    """(x, y) as tuples, of very many points the first, lowest, highest and last of each few that follow each other."""
+    if len(x) > most:
+        size = -(-4 * len(x) // most)
+        parts = [list(zip(x[i:i + size], y[i:i + size], strict=True)) for i in range(0, len(x), size)]
+        kept = [point for part in parts for point in (_extremes(part) if math.isfinite(sum(y for _, y in part))
+                                                      else part)]
+        x, y = zip(*kept, strict=True)
+    return tuple(x), tuple(y)
+
+
+def _extremes(group):
+    if len(group) <= 4:
+        return group
+    ys = [y for _, y in group]
+    kept = sorted({0, ys.index(min(ys)), ys.index(max(ys)), len(ys) - 1})
+    return [group[i] for i in kept]
+
+
+def equal_scales(x, y, ratio):
+    """Both axes with one scale, for paper `ratio` times as wide as high: the one with room to spare is widened."""
+    width, height = x.high - x.low, y.high - y.low
+    if width < ratio * height:
+        return _widened(x, ratio * height), y
+    return x, _widened(y, width / ratio)
+
+
+def _widened(axis, length):
+    middle = (axis.low + axis.high) / 2
+    return axis._replace(low=middle - length / 2, high=middle + length / 2)

@@ -1,0 +1,1 @@
+"""Quantities that answers and conditions name, with their values."""

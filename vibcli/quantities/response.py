@@ -1,0 +1,231 @@
+"""Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
+
+from math import isfinite, pi
+
+from vibcli.base.errors import PhysicsError
+from vibcli.quantities.frequency_response import ERROR, OF_FREQUENCY, TURN, frf, number_of, wrapped
+from vibcli.quantities.quantity import PARTS
+from vibcli.results import signal_features, steady_features
+from vibcli.results.signals import LinearSignal
+from vibcli.symbolic.derivatives import gradient
+
+ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
+
+
+def measure_response(problem, tree):
+    """(value, relative error bound) of a quantity with arguments; the value of an frf is complex."""
+    head = tree[4]
+    in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
+    if not in_time:
+        return OF_FREQUENCY[head](problem, tree)
+    try:
+        value = _IN_TIME[head](problem, tree)
+        return value, max(ERROR, _doubt(problem, tree, value))
+    except PhysicsError as error:
+        if error.hint and "(x)" in error.hint:
+            raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from error
+        raise
+
+
+def _doubt(problem, tree, value):
+    """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
+    others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
+    if problem.motion.KIND != "full":
+        return 0.0
+    if tree[4] == "period" and problem.motion.by_quadrature(tree[7][0]) is not None:
+        return problem.motion.by_quadrature(tree[7][0])[1]
+    if not problem.motion.integrated:
+        return 0.0
+    if tree[4] == "value":
+        instant = number_of(problem, tree[7][1])
+    elif tree[4] in ("max", "min"):
+        instant = _extreme(1 if tree[4] == "max" else -1, 0)(problem, tree)
+    else:
+        until = value if tree[4] in ("argmax", "argmin", "zero") else problem.motion.known
+        return problem.motion.reaching(until).shared.of_state(until)
+    return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
+
+
+def _found(problem, tree):
+    """The text of the signal that a quantity is asked of, or of that within it which is found: hints speak of x."""
+    arg = tree[7][0]
+    while arg[0] == "quantity" and arg[4] in PARTS and not _is_found(problem, arg):
+        arg = arg[7][0]
+    return tree[3][arg[1] - tree[1]:arg[2] - tree[1]]
+
+
+def _is_found(problem, arg):
+    import numpy as np
+
+    try:
+        problem.motion.signal(arg).values(np.zeros(1))
+    except PhysicsError:
+        return False
+    return True
+
+
+def _signal(problem, tree):
+    return problem.motion.signal(tree[7][0])
+
+
+def _value(problem, tree):
+    import numpy as np
+
+    time = number_of(problem, tree[7][1])
+    if not time >= 0 or not isfinite(time):
+        raise PhysicsError(f"there is no motion at t = {time:.6g} s", "motions start at t = 0")
+    return float(_signal(problem, tree).values(np.array([time]))[0])
+
+
+def _inertia(problem, tree):
+    """∂²T/∂q̇ᵢ∂q̇ⱼ at an instant of the motion."""
+    import numpy as np
+
+    from vibcli.mechanics.energies import kinetic
+    from vibcli.quantities.modal import number_of as numbered
+
+    scene = problem.scene
+    i, j = (scene.v[numbered(problem, index)] for index in tree[5])
+    zero = scene.table.zero
+    node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
+    return float(problem.motion.state_signal(node).values(np.array([number_of(problem, tree[7][0])]))[0])
+
+
+def _extreme(sense, which):
+    def value(problem, tree):
+        return _signal(problem, tree).extreme(0.0, problem.motion.until, sense)[which]
+    return value
+
+
+def _linear(problem, tree):
+    """The signal as a linear output of a small motion."""
+    signal = _signal(problem, tree)
+    if not isinstance(signal, LinearSignal):
+        raise PhysicsError(f"'{tree[4]}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
+    return signal
+
+
+def _amplitude(problem, tree):
+    """Of the steady state that loads keep up, else of the free vibration."""
+    signal = _linear(problem, tree)
+    if not signal_features.kept_up(signal):
+        return signal_features.amplitude(signal)
+    if problem.signed and signal.motion.steady.period is None:
+        return sum(_signed(X) for _, X in steady_features.harmonics(signal))
+    return steady_features.amplitude(signal)
+
+
+def _signed(X):
+    """Re X e^{−iψ}: of a phasor that passes through zero along a line it changes its sign there."""
+    from math import cos, sin
+
+    return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
+
+
+def _phase(problem, tree):
+    import cmath
+
+    signal = _linear(problem, tree)
+    if not signal_features.kept_up(signal):
+        return wrapped(signal_features.from_the_start(signal).phase)
+    found = steady_features.harmonics(signal)
+    if len(found) != 1:
+        raise PhysicsError(f"this steady state has no one phase: it holds {len(found) or 'no'} harmonics",
+                           "ask for max(steady(x)), or its value at a time")
+    return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
+
+
+def _harmonic(problem, tree):
+    signal = _linear(problem, tree)
+    if not signal_features.kept_up(signal):
+        raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
+    return abs(steady_features.harmonic(signal, int(tree[5][0])))
+
+
+def _over_a_period(which):
+    """Of the steady state that loads keep up, else of the free vibrations that last."""
+    def value(problem, tree):
+        signal = _linear(problem, tree)
+        if not signal_features.kept_up(signal):
+            return getattr(signal_features, which)(signal)
+        return getattr(signal.motion.steady, which)(signal.output)
+    return value
+
+
+def _final(problem, tree):
+    return _signal(problem, tree).final()
+
+
+def _overshoot(problem, tree):
+    import numpy as np
+
+    signal = _signal(problem, tree)
+    start, final = signal.values(np.array([0.0]))[0], signal.final()
+    if final == start:
+        raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
+    sense = 1 if final > start else -1
+    top = signal.extreme(0.0, problem.motion.until, sense)[1]
+    return max(0.0, float((top - final) / (final - start)))
+
+
+def _zero(problem, tree):
+    number, signal = int(tree[5][0]), _signal(problem, tree)
+    found = signal.zeros(0.0, problem.motion.until)
+    if len(found) < number:
+        until = problem.motion.until
+        raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
+                           f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
+                           f"{2 * until:.3g} s}}}}]")
+    return found[number - 1]
+
+
+def _free(find, fraction=False):
+    def value(problem, tree):
+        signal = _linear(problem, tree)
+        return find(signal, float(tree[5][0])) if fraction else find(signal)
+    return value
+
+
+def _period(problem, tree):
+    """Of the steady state that loads keep up, else of the free vibration."""
+    if problem.motion.KIND != "small":
+        return problem.motion.period(tree[7][0])
+    signal = _linear(problem, tree)
+    if signal_features.kept_up(signal):
+        return TURN / steady_features.fundamental(signal)
+    return signal_features.free_period(signal)
+
+
+def size_of(problem, tree):
+    """The largest value that a quantity of this kind has: what its rounding is measured by."""
+    head = tree[4]
+    if head in ("phase", "arg", "overshoot", "decrement", "cycles_to"):
+        return 1.0
+    if head in OF_FREQUENCY:
+        inner = tree if head in ("frf", "transmissibility") else tree[7][0]
+        return abs(frf(problem, inner)[0]) if inner[7] else 0.0
+    if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
+        return problem.motion.until
+    signal, end = _signal(problem, tree), _end(problem, tree)
+    return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
+
+
+def _end(problem, tree):
+    """Until when the motion is looked at; of a value whose motion has no known end, until its instant and for a
+    second."""
+    try:
+        return problem.motion.until
+    except PhysicsError:
+        if tree[4] != "value":
+            raise
+        return max(number_of(problem, tree[7][1]), 1.0)
+
+
+_IN_TIME = {
+    "value": _value, "M": _inertia,
+    "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
+    "argmax": _extreme(1, 0), "argmin": _extreme(-1, 0), "mean": _over_a_period("mean"), "rms": _over_a_period("rms"),
+    "final": _final, "overshoot": _overshoot, "harmonic": _harmonic, "zero": _zero, "period": _period,
+    "decrement": _free(signal_features.decrement), "beat_period": _free(signal_features.beat_period),
+    "time_to": _free(signal_features.time_to, True), "cycles_to": _free(signal_features.cycles_to, True),
+}

@@ -1,0 +1,1 @@
+"""A document becomes a Spec: names, dimensions, what is asked."""

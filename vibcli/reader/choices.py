@@ -1,0 +1,109 @@
+"""Chosen parameters of a file: symbols with a condition each, which must name what can be asked, in its dimension."""
+
+from vibcli.base import units
+from vibcli.language.dimension_check import check
+from vibcli.language.reader import Record
+from vibcli.quantities.quantity import ASKED, STATE_FUNCTIONS
+from vibcli.reader.quantity_check import (
+    as_quantity,
+    asked_dimension,
+    can_be_asked,
+    check_cycles,
+    dimension_of,
+    unit_asked,
+)
+from vibcli.symbolic.semantics import ALL_NUMBERS, names_in, quantities_in
+
+MOST_CHOSEN = 4
+COUNTED = ("stable", "equilibria")
+
+
+def enter(spec, reader, names):
+    """Every chosen name becomes a symbol; `names` are those under `choose`, whether or not they could be read."""
+    choices = spec.get("choose") or {}
+    moved = {motion.tree[3] for motion in reader.motions if motion.tree[0] == "name"}
+    moved |= set(spec.get("coordinates") or ())
+    if len(choices) > MOST_CHOSEN:
+        reader.report(list(choices.values())[MOST_CHOSEN].where,
+                      f"{len(choices)} parameters are chosen; the limit is {MOST_CHOSEN}", "give values to the others")
+    for name, record in choices.items():
+        if name in moved and name not in spec.parameters:
+            reader.report(record.where, f"'{name}' is a coordinate: only parameters can be chosen",
+                          f"ask for its place in equilibrium under answers: equilibrium[{name}]")
+        elif "value" in spec.parameters.get(name, ()):
+            reader.report(record.where, f"'{name}' is chosen, but has a value already",
+                          "leave its value out under `parameters`, or do not choose it")
+    spec.choices = choices
+    spec.parameters = dict(spec.parameters)
+    for name in names:
+        if name not in moved and name.isidentifier() and name not in spec.parameters:
+            where = choices[name].where if name in choices else None
+            spec.parameters[name] = Record(None, name, where, {}, {})
+    spec.sections["parameters"] = spec.parameters
+    spec.named["parameters"] = [*spec.named.get("parameters", ()), *names]
+
+
+def check_choices(spec, reader):
+    """Report whatever is wrong with the conditions of a file."""
+    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
+    for name, record in spec.choices.items():
+        for bound in (record[key] for key in ("from", "to") if key in record):
+            for other, _, start, end in names_in(bound.tree):
+                if other in spec.choices:
+                    reader.report(bound.scalar.place(start, end - start), f"'{other}' is chosen itself",
+                                  "bounds are made of numbers and given parameters")
+        if not record["so"].word:
+            _equation(spec, reader, name, record["so"])
+
+
+def _equation(spec, reader, name, condition):
+    left, right = condition.sides
+    for side in condition.sides:
+        side.tree = as_quantity(spec, side.tree)
+    quantities = [(side, tree) for side in condition.sides for tree in quantities_in(side.tree)]
+    for side, tree in quantities:
+        if tree[4] in spec.choices and tree[4] not in ASKED:
+            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition", f"write {tree[4]} alone")
+            return
+        if not can_be_asked(spec, reader, side, tree):
+            return
+        if tree[4] in COUNTED:
+            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it changes by leaps",
+                          "for the value at which it changes write stability limit")
+            return
+        if tree[4] in STATE_FUNCTIONS:
+            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it is not a number",
+                          "conditions are made of numbers, parameters and quantities such as omega[1]")
+            return
+    asked, expected = (right, left) if _head(right) and not _head(left) else (left, right)
+    if not check(spec, reader, asked, spec.parameters, None):
+        return
+    if _head(asked):
+        expected.unit = unit_asked(asked.tree)
+        fits = check(spec, reader, expected, spec.parameters, asked_dimension(spec, asked.tree))
+    else:
+        fits = check(spec, reader, expected, spec.parameters, None) and _same(spec, reader, asked, expected)
+    if fits:
+        check_cycles(spec, reader, asked, expected)
+    if not quantities and not any(part[0] in spec.choices for side in condition.sides for part in names_in(side.tree)):
+        reader.report(condition.where, f"this does not determine '{name}': it holds no quantity and nothing chosen",
+                      "write an equation such as omega[1] = 20 rad/s")
+
+
+def _same(spec, reader, left, right):
+    """Do both sides of an equation measure the same?"""
+    one, other = (dimension_of(spec, side) for side in (left, right))
+    if spec.free_numbers != ALL_NUMBERS and None not in (one, other) and not spec.dimensions.equate(one, other):
+        found = [units.name(spec.dimensions.resolve(part)) for part in (one, other)]
+        reader.report(right.where, f"the two sides measure different things: {found[0]} and {found[1]}",
+                      "both sides of an equation have one dimension")
+        return False
+    return True
+
+
+def _head(side):
+    return side.tree[4] if side.tree[0] == "quantity" else None
+
+
+def _place(side, tree):
+    return side.scalar.place(tree[1], tree[2] - tree[1])

@@ -1,0 +1,257 @@
+"""A document to a Spec: every section read by its declaration, every name known, every dimension checked.
+
+All diagnostics of a file are collected and raised together as one SpecError.
+"""
+
+import re
+
+from vibcli.base.diagnostics import quoted
+from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.elements import gravity
+from vibcli.language.document.document import Mapping, Scalar
+from vibcli.language.fields import Choice, Kind, Lazy, Named, Text
+from vibcli.language.reader import MOST_PROBLEMS, Reader, TooMany, nearest
+from vibcli.language.record_calls import RESERVED, own
+from vibcli.language.sections import coordinates, equilibrium, initial
+from vibcli.reader.sections import answer, find
+from vibcli.reader.unit_consistency import resolve
+from vibcli.symbolic.parser import plain_name
+
+MOST_CASES = 100
+
+QUOTE = re.compile(r"\{\s*([^{}]*?)\s*\}")        # a parameter quoted in a question
+
+
+class _Cases(Kind):
+    """Each case is a part of a scene: kept as a node, merged over the scene and read like a file of its own."""
+
+    wants = "a mapping from names to parts of the scene"
+
+    def read(self, node, reader):
+        if not isinstance(node, Mapping):
+            return reader.expected(node, self.wants)
+        if len(node.entries) > MOST_CASES:
+            return reader.report(node.where, f"{len(node.entries)} cases; the limit is {MOST_CASES}", "divide the file")
+        for key, (key_node, value) in node.entries.items():
+            if not isinstance(value, Mapping):
+                reader.expected(value, "the part of the scene that this case changes")
+            elif "cases" in value.entries:
+                reader.report(key_node.where, f"the case '{key}' cannot hold cases itself")
+        return {key: value for key, (_, value) in node.entries.items() if isinstance(value, Mapping)}
+
+    def schema(self):
+        return {"type": "object", "additionalProperties": {"type": "object"}}
+
+
+SECTIONS = {
+    "title": (Text(), "what the scene shows, in a line"),
+    "source": (Text(), "where the problem is from"),
+    "question": (Text(), "the question as a textbook would pose it; may quote parameters: {m}"),
+    "parameters": (Named(Lazy("parameter", "language.sections"), "a mapping from names to values", ("pi",)),
+                   "what is given"),
+    "records": (Named(Lazy("record", "language.sections"), "a mapping from names to records", RESERVED),
+                "measured functions of the time"),
+    "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
+    "gravity": (gravity.KIND, gravity.ABOUT),
+    "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
+    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll, slide or lie on"),
+    "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
+    "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
+    "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),
+    "forces": (Named(Lazy("force"), "a mapping from names to forces"), "loads: forces, moments, generalised forces"),
+    "constraints": (Named(Lazy("constraint"), "a mapping from names to constraints"), "what ties motions together"),
+    "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
+    "matrices": (Lazy("matrices"), "M, C and K given outright"),
+    "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
+    "initial": (initial.KIND, initial.ABOUT),
+    "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default, "
+               "or those of the `full` equations, integrated. Scenes with nonlinear laws must say which"),
+    "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
+    "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
+               "parameters that conditions determine"),
+    "answers": (answer.KIND, "expected answers, which `check` compares"),
+    "cases": (_Cases(), "parts of the scene by name, each merged over it, with its own find and answers"),
+}
+
+
+INSTEAD = {
+    "variants": "give other values under cases, or with --set",
+    "damping": "write the dampers one by one under dampers",
+} | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
+
+
+class Spec:
+    """A scene file as read: records by section, coordinates in order, dimensions of all names."""
+
+    __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "counts", "dimensions", "file",
+                 "free_numbers", "named", "parameters", "sample", "sections", "used", "velocities")
+
+    def __init__(self, file, sections, named):
+        """`named`: the names that stand in each section, of what could not be read as well."""
+        self.file, self.sections, self.named = file, sections, named
+        self.parameters = sections.get("parameters", {})
+        self.answers, self.choices = sections.get("answers", []), {}
+        self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
+        self.counts = None      # of cycles, by name: see counting.py
+        self.sample = {}        # values of letters at which the scene is drawn, where not any will do
+
+    def get(self, section, default=None):
+        return self.sections.get(section, default)
+
+    def example(self, literal):
+        """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
+        return literal.partition(" ")[0] if self.free_numbers else literal
+
+
+def read_spec(root, file, diagnostics=(), settings=None):
+    """The Spec of a document and of its cases; SpecError with every diagnostic where it is not one."""
+    found = list(diagnostics)
+    if root is None:
+        raise SpecError(found)
+    files = {}      # beside the scene, each read once
+    base = _read_one(root, file, found, settings or {}, files)
+    cases = root.entries.get("cases")
+    specs = {}
+    if cases is not None and isinstance(cases[1], Mapping):
+        for name, (_, part) in list(cases[1].entries.items())[:MOST_CASES]:
+            if isinstance(part, Mapping) and "cases" not in part.entries:
+                remark = f" (in the case {quoted(name)})"
+                specs[name] = _read_one(_merged(root, part), file, found, settings or {}, files, remark)
+    everything = [spec for spec in (base, *specs.values()) if spec is not None]
+    used = set().union(*(spec.used for spec in everything))
+    for spec in everything:
+        _report_unused(spec, used, found)
+    if found:
+        raise SpecError(_once(found))
+    base.cases = specs
+    return base
+
+
+def _once(diagnostics):
+    """Each diagnostic once, in the order of the file."""
+    unique = {(d.where, d.message): d for d in diagnostics}
+    return sorted(unique.values(), key=lambda d: d.where[1:3] if d.where else (0, 0))
+
+
+def _merged(root, part):
+    """The scene with a case merged over it; answers and find are the case's own."""
+    entries = {key: pair for key, pair in root.entries.items() if key not in ("cases", "answers", "find")}
+    merged = _over(entries, part.entries)
+    if "choose" in entries and isinstance(merged["choose"][1], Mapping):
+        merged["choose"] = _still_chosen(*merged["choose"], part)
+        if not merged["choose"][1].entries:
+            del merged["choose"]
+    return _mapping(merged, part.where)
+
+
+def _still_chosen(key_node, choices, part):
+    """The conditions of a scene without those of parameters to which the case gives a value."""
+    given = part.entries["parameters"][1] if "parameters" in part.entries else None
+    own = part.entries["choose"][1] if "choose" in part.entries else None
+    names = {plain_name(key) for key, (_, value) in given.entries.items()
+             if not (isinstance(value, Scalar) and not value.text)} if isinstance(given, Mapping) else set()
+    names -= {plain_name(key) for key in own.entries} if isinstance(own, Mapping) else set()
+    left = {key: pair for key, pair in choices.entries.items() if plain_name(key) not in names}
+    return key_node, _mapping(left, choices.where)
+
+
+def _mapping(entries, where):
+    mapping = Mapping(where)
+    mapping.entries = entries
+    return mapping
+
+
+def _over(below, above):
+    merged = dict(below)
+    for key, (key_node, value) in above.items():
+        old = merged.get(key)
+        if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping):
+            value = _mapping(_over(old[1].entries, value.entries), value.where)
+        merged[key] = (key_node, value)
+    return merged
+
+
+def _read_one(root, file, found, settings, files, remark=""):
+    reader = Reader(files)
+    try:
+        spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
+        if "choose" in spec.named:
+            from vibcli.reader.choices import enter
+
+            enter(spec, reader, spec.named["choose"])
+        _settings(spec, settings)
+        resolve(spec, reader)
+        _question(spec, root, reader)
+    except TooMany:
+        pass
+    known = {(d.where, d.message) for d in found}
+    for diagnostic in reader.diagnostics:
+        if (diagnostic.where, diagnostic.message) not in known:
+            diagnostic.message += remark
+            found.append(diagnostic)
+    return None if reader.diagnostics else spec
+
+
+def _sections(root, reader):
+    """The records of each section; reader.sound tells whether the scene was read whole."""
+    sections = {}
+    for key, (key_node, value) in root.entries.items():
+        before = len(reader.diagnostics)
+        if key not in SECTIONS:
+            reader.report(key_node.where, f"unknown key {quoted(key)}", INSTEAD.get(key) or nearest(key, SECTIONS))
+        elif _is_empty(value) and not isinstance(SECTIONS[key][0], Text):
+            reader.report(key_node.where, f"the section '{key}' is empty", "fill it in or leave it out")
+        else:
+            record = SECTIONS[key][0].read(value, reader)
+            if record is not None:
+                sections[key] = record
+        if key not in ("answers", "find", "cases", "choose", "initial"):
+            reader.sound &= len(reader.diagnostics) == before
+    return sections
+
+
+def _is_empty(node):
+    if isinstance(node, Scalar):
+        return not node.text.strip()
+    return not (node.entries if isinstance(node, Mapping) else node.items)
+
+
+def _names(node):
+    """The names in a section, whether or not what they stand for could be read."""
+    if isinstance(node, Mapping):
+        return [plain_name(key) for key in node.entries]
+    items = [] if isinstance(node, Scalar) else node.items
+    return [plain_name(item.text) for item in items if isinstance(item, Scalar)]
+
+
+def _settings(spec, settings):
+    """Values given from outside replace those of the file, and conditions; a bare number takes the unit there."""
+    from vibcli.language.parameters import override
+
+    for name, tree_and_scalar in settings.items():
+        if name in spec.parameters:
+            override(spec.parameters[name], *tree_and_scalar)
+            spec.choices = {key: record for key, record in spec.choices.items() if key != name}
+
+
+def _question(spec, root, reader):
+    for quote in QUOTE.finditer(spec.get("question", "")):
+        name = quote.group(1)
+        if plain_name(name) not in spec.named.get("parameters", ()):
+            place = root.entries["question"][1].place(quote.start(), len(quote.group()))
+            reader.report(place, f"the question quotes {quoted(quote.group())}, which is no parameter",
+                          nearest(name, spec.parameters))
+
+
+def _report_unused(spec, used, diagnostics):
+    """An unused record is an error, and an unused parameter, unless it says `unused: allowed`."""
+    for name, record in spec.parameters.items():
+        if len(diagnostics) <= MOST_PROBLEMS and name not in used and record.get("unused") != "allowed":
+            hint = f"take it out, or write {name}: {{value: …, unused: allowed}}"
+            if name in spec.choices:
+                hint = "it can be chosen only where something in the scene depends on it"
+            diagnostics.append(Diagnostic(record.where, f"the parameter '{name}' is not used", hint))
+    for name, record in (spec.get("records") or {}).items():
+        if len(diagnostics) <= MOST_PROBLEMS and own(name) not in used:
+            hint = f"write {name}(t) in a load or motion, or take it out"
+            diagnostics.append(Diagnostic(record.where, f"the record '{name}' is not used", hint))

@@ -1,0 +1,63 @@
+"""Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
+
+from vibcli.base.diagnostics import quoted
+from vibcli.language.document.document import Mapping
+from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, nearest
+from vibcli.quantities.quantity import ALL, ASKED
+from vibcli.symbolic.parser import ExpressionError, parse
+
+ELEMENT = Element(
+    "answer",
+    "What the scene is known to answer: `omega[1]: 21.9 rad/s`, `equation[phi]: m*phi'' + k*phi = 0`, or of "
+    "parameters `k_t: 5.00 N/m`. A written number allows half a unit of its last digit, never more than 0.5 %; one of "
+    "fewer than three digits is exact, and so is an expression, unless `rtol` is given.",
+    {
+        "value": Field(Quantity(), "the expected value", required=True),
+        "rtol": Field(Quantity("1"), "relative tolerance"),
+    },
+    short="value",
+    example="mass_spring_damper",
+)
+_EQUATION = Element("equation", "An expected equation of motion, up to a non-zero factor.",
+                    {"value": Field(Quantity(equation="m*x'' + k*x = 0"), "the equation, as `left = right`",
+                                    required=True)},
+                    short="value")
+
+
+class Answer:
+    """One expected answer: the tree asked for, the expected expression, and a tolerance expression or None."""
+
+    __slots__ = ("asked", "expected", "rtol")
+
+    def __init__(self, asked, expected, rtol):
+        self.asked, self.expected, self.rtol = asked, expected, rtol
+
+
+class Answers(Kind):
+    wants = "a mapping from quantities to expected values"
+
+    def read(self, node, reader):
+        if not isinstance(node, Mapping):
+            return reader.expected(node, self.wants)
+        answers = []
+        for key, value in node.entries.values():
+            try:
+                tree = parse(key.text)
+            except ExpressionError as error:
+                asked = key.text.partition("(")[0].strip()
+                if error.message.startswith("unknown function") and error.offset == 0:
+                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, ASKED) or ALL)
+                else:
+                    reader.report(key.place(error.offset, error.width), error.message, error.hint)
+                continue
+            equation = tree[0] == "quantity" and tree[4] in ("equation", "motion")
+            record = (_EQUATION if equation else ELEMENT).read(value, reader, key.text, key.where)
+            if record is not None:
+                answers.append(Answer(Expression(key, tree, None, None), record["value"], record.get("rtol")))
+        return answers
+
+    def schema(self):
+        return {"type": "object", "additionalProperties": ELEMENT.schema()}
+
+
+KIND = Answers()

@@ -1,0 +1,81 @@
+"""Inverse questions: parameters that conditions determine."""
+
+from vibcli.base.diagnostics import quoted
+from vibcli.language.document.document import Scalar, Sequence
+from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, near, nearest
+from vibcli.quantities.quantity import ALL, ASKED
+from vibcli.symbolic.parser import ExpressionError, parse
+
+BALANCE, LIMIT = "equilibrium", "stability limit"
+
+
+class Condition:
+    """What determines a parameter: `word` BALANCE or LIMIT, or the two sides of an equation (then `word` is None)."""
+
+    __slots__ = ("left", "right", "text", "where", "word")
+
+    def __init__(self, text, where, word=None, left=None, right=None):
+        self.text, self.where, self.word, self.left, self.right = text, where, word, left, right
+
+    @property
+    def sides(self):
+        return () if self.word else (self.left, self.right)
+
+
+class _Condition(Kind):
+    wants = "an equation, or one of equilibrium, stability limit"
+    hint = "write for example zeta[1] = 1"
+
+    def read(self, node, reader):
+        if isinstance(node, Sequence):
+            return reader.expected(node, self.wants, "one condition to a parameter: choose as many as there are")
+        if not isinstance(node, Scalar) or not node.text.strip():
+            return reader.expected(node, self.wants, self.hint)
+        words = " ".join(node.text.split())
+        if words in (BALANCE, LIMIT):
+            return Condition(words, node.where, words)
+        meant = near(words, (BALANCE, LIMIT))
+        if "=" not in words:
+            return reader.expected(node, self.wants, f"did you mean '{meant}'?" if meant else self.hint)
+        try:
+            _, _, _, left, right = parse(node.text, "omega[1] = 20 rad/s")
+        except ExpressionError as error:
+            asked = node.text[error.offset:error.offset + error.width]
+            if error.message.startswith("unknown function"):
+                return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
+                                     nearest(asked, ASKED) or ALL)
+            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
+        sides = [_side(node, tree) for tree in (left, right)]
+        reader.expressions += sides
+        return Condition(words, node.where, None, *sides)
+
+    def schema(self):
+        return {"type": "string"}
+
+
+def _side(node, tree):
+    """One side of an equation as an expression of its own, so that messages quote and mark it alone."""
+    start, end = tree[1:3]
+    text = node.text[start:end].rstrip()
+    inset = None if node.inset is None else 0
+    scalar = Scalar(text, node.place(start, len(text)), node.quoted, inset)
+    return Expression(scalar, parse(text), None, None)
+
+
+ELEMENT = Element(
+    "choice",
+    "A parameter that a condition determines: `c: zeta[1] = 1`, an equation between quantities and parameters; "
+    "`P: equilibrium`, which makes the drawn position one of equilibrium; `k: stability limit`, at which a natural "
+    "frequency passes through zero, or a limit point (fold), at which the equilibrium that is followed as the "
+    "parameter goes vanishes together with an unstable one. Several entries are solved together. Chosen parameters "
+    "need no line under `parameters`; they are positive unless that says `sign: any`. All solutions are given, those "
+    "in letters with the conditions under which they count; the scene is solved with the first, the smallest. "
+    "`answers` may ask for them: `c: 2*sqrt(k*m)`, `c[2]: …`.",
+    {
+        "so": Field(_Condition(), "the condition that must hold", required=True),
+        "from": Field(Quantity(), "the least value that is admissible; else all of the sign of the parameter are"),
+        "to": Field(Quantity(), "the largest value that is admissible; angles are looked for within a turn"),
+    },
+    short="so",
+    example="two_springs_for_two_frequencies",
+)

@@ -1,0 +1,74 @@
+"""The mathematics of blocks in a notation: as text, LaTeX or MathML, piece by piece where a line may end."""
+
+import re
+from itertools import groupby
+
+from vibcli.notation.numbers import width
+from vibcli.notation.plain import plain
+from vibcli.report.blocks import Either, Factor, Maths, Name, Terms, Words
+
+BREAK = re.compile(r"(?= [+−=<>] )")
+
+
+def formula(parts, write):
+    """Mathematics as one text."""
+    return write.beside(*pieces(parts, write))
+
+
+def pieces(parts, write):
+    """[text] of mathematics; a line may end before each but the first. All notations give the same number of them."""
+    found = []
+    for part in parts:
+        first, *others = _pieces(part, write)
+        found[-1:] = [write.beside(*found[-1:], first)]
+        found += others
+    return found
+
+
+def without_words(parts):
+    """Running text in which the words within formulas stand outside of them, and the space that ends one too."""
+    for part in parts:
+        if not isinstance(part, Maths):
+            yield part
+            continue
+        for are_words, group in groupby(part.parts, lambda one: isinstance(one, Words)):
+            found = tuple(group)
+            yield "".join(one.text for one in found) if are_words else Maths(found)
+            if isinstance(found[-1], str) and found[-1].endswith(" "):
+                yield " "
+
+
+def rows(parts, write, columns):
+    """A formula broken into rows of about so many columns of plain text, before a relation or a term."""
+    found, size = [[]], 0
+    for said, text in zip(pieces(parts, plain), pieces(parts, write), strict=True):
+        if found[-1] and size + width(said) > columns:
+            found.append([])
+            size = 0
+        found[-1].append(text)
+        size += width(said)
+    return [write.beside(*row).strip() for row in found]
+
+
+def _pieces(part, write):
+    if isinstance(part, str):
+        return [write.notation(text) for text in _split(part)]
+    if isinstance(part, Words):
+        return [write.words(part.text)]
+    if isinstance(part, Name):
+        return [write.symbol(part.text)]
+    if isinstance(part, Factor):
+        return [write.write(part.node, 1)]
+    if isinstance(part, Either):
+        plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
+        return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
+    nodes = part.nodes if isinstance(part, Terms) else (part,)
+    terms = [term for node in nodes for term in write.terms(node)]
+    return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
+
+
+def _split(text):
+    """A text in notation before each relation or sign that stands in no bracket."""
+    places = [found.start() for found in BREAK.finditer(text)
+              if text.count("(", 0, found.start()) == text.count(")", 0, found.start())]
+    return [text[start:end] for start, end in zip([0, *places], [*places, len(text)], strict=True)]

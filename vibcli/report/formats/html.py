@@ -1,0 +1,125 @@
+"""A report as one HTML page that opens offline: formulas as MathML with their plain text beside, pictures inline."""
+
+import re
+from base64 import b64encode
+
+from vibcli.notation.mathml import mathml, row
+from vibcli.notation.plain import plain
+from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
+from vibcli.report.formats.formula import formula, rows, without_words
+from vibcli.report.formats.html_page import page, words
+from vibcli.report.formats.latex import is_signed
+
+COLUMNS = 105       # of plain text, in a row of a formula
+DISPLAYED = ' displaystyle="true"'
+_PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>", re.DOTALL)
+_DEFINED = re.compile(r'\bid="|href="#|url\(#')
+
+
+def render(documents):
+    """The page with all documents, the first at its top, the others below it as cases."""
+    contents = _contents(documents) if len(documents) > 1 else ""
+    articles = [_article(number, document) for number, document in enumerate(documents)]
+    return page(documents[0].title, contents + "\n".join(articles))
+
+
+def _contents(documents):
+    items = "".join(f'<li><a href="#scene{i}">{words(one.title)}</a></li>' for i, one in enumerate(documents))
+    return f'<nav aria-label="Contents"><ul>{items}</ul></nav>\n'
+
+
+def _article(number, document):
+    level = 2 if number else 1
+    parts = [f'<article id="scene{number}">\n<h{level}>{words(document.title)}</h{level}>']
+    parts += [f'<p class="source">Source: {words(document.source)}</p>'] if document.source else []
+    parts += [f'<p class="question">{_running(document.question)}</p>'] if document.question else []
+    for section in document.sections:
+        parts.append(f"<section>\n<h{level + 1}>{words(section.title)}</h{level + 1}>")
+        parts += [_RENDER[type(block)](block, level + 2) for block in section.blocks]
+        parts.append("</section>")
+    parts += [_refusal(document.refusal, level)] if document.refusal else []
+    return "\n".join([*parts, "</article>"])
+
+
+def _math(inner, said, displayed=""):
+    return f'<math alttext="{words(said)}"{displayed}>{inner}</math>'
+
+
+def _said(parts):
+    return formula(parts, plain).replace("\u00a0", " ").strip()
+
+
+def _running(parts):
+    return "".join(_math(row(formula(part.parts, mathml)), _said(part.parts)) if isinstance(part, Maths)
+                   else words(part) for part in without_words(parts))
+
+
+def _equations(block, _):
+    return "\n".join(map(_equation, block.lines))
+
+
+def _equation(line):
+    """A formula on its own line; where it is long, as the rows of a table, the later ones set in."""
+    label = ""
+    if line.label:
+        label = f'<span class="label">{_math(row(formula(line.label, mathml)), _said(line.label))}:</span>'
+    first, *others = rows(line.parts, mathml, COLUMNS)
+    inner = row(first)
+    if others:
+        cells = [first, *(f'<mspace width="2em"/>{other}' for other in others)]
+        inner = ('<mtable columnalign="left">'
+                 + "".join(f'<mtr><mtd displaystyle="true">{row(cell)}</mtd></mtr>' for cell in cells) + "</mtable>")
+    return f'<div class="equation">{label}{_math(inner, _said(line.parts), DISPLAYED)}</div>'
+
+
+def _paragraph(block, _):
+    return f"<p>{_running(block.parts).strip()}</p>"
+
+
+def _heading(block, level):
+    return f"<h{level}>{words(block.text.rstrip(':'))}</h{level}>"
+
+
+def _table(block, _):
+    head = "".join(f'<th scope="col">{_cell(cell)}</th>' if cell else "<td></td>" for cell in block.head)
+    body = "\n".join(map(_row, block.rows))
+    return f'<div class="wide"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
+
+
+def _row(cells):
+    first, *others = map(_cell, cells)
+    return f'<tr><th scope="row">{first}</th>{"".join(f"<td>{cell}</td>" for cell in others)}</tr>'
+
+
+def _cell(cell):
+    if is_signed(cell):
+        return words(cell.replace("-", "−")) if "e" not in cell else _math(row(mathml.numeral(cell)), cell)
+    return _running((cell,))
+
+
+def _definitions(block, _):
+    items = "\n".join(f"<li>{_running(item.term)}"
+                      + (f' <span class="about">{words(item.about)}</span>' if item.about else "") + "</li>"
+                      for item in block.items)
+    return f'<ul class="items{" flowing" * block.flowing}">\n{items}\n</ul>'
+
+
+def _refusal(refusal, _):
+    hint = f" ({words(refusal.hint)})" if refusal.hint else ""
+    return f'<p class="refusal" role="note"><strong>Not found:</strong> {words(refusal.message)}{hint}</p>'
+
+
+def _picture(block, _):
+    """The SVG with names of its own for what it defines, so that pictures of one page do not mix; a GIF if it moves."""
+    if block.animated is not None:
+        data = b64encode(block.animated()).decode()
+        return (f'<figure><img alt="{words(block.caption)}" src="data:image/gif;base64,{data}"/>'
+                f"<figcaption>{words(block.caption)}</figcaption></figure>")
+    svg = _PROLOGUE.sub("", block.draw("svg").decode()).strip()
+    svg = _DEFINED.sub(rf"\g<0>{re.sub('[^A-Za-z0-9]', '-', block.name)}-", svg)
+    return (f'<figure role="group" aria-label="{words(block.caption)}">{svg}'
+            f"<figcaption>{words(block.caption)}</figcaption></figure>")
+
+
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, Table: _table, Definitions: _definitions,
+           Refusal: _refusal, Picture: _picture}

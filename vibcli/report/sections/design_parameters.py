@@ -1,0 +1,102 @@
+"""The parameters that a scene chose: as a section of a report, and as data."""
+
+from vibcli.notation.numbers import figure, quantity
+from vibcli.notation.scene_language import language
+from vibcli.reader.sections.choose import BALANCE, LIMIT
+from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.semantics import literals_in
+
+WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
+
+
+def chosen(problem, _):
+    """Conditions, solutions with closed form and number, and how well they hold."""
+    found = problem.chosen
+    texts = dict.fromkeys(WORDS.get(text, text) for text in found.conditions.values())
+    told = paragraph(*separated(maths(Name(name)) for name in found.conditions), f" so that {', '.join(texts)}")
+    several = len(found.solutions) > 1
+    residual = figure(max(solution.residual for solution in found.solutions), digits=2)
+    where = " at several values of the letters" if problem.letters else ""
+    checked = f"checked by substitution{where}: relative residual {residual}" + " at most" * several
+    if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(found):
+        checked += "; closed forms in SI units"
+    yield from section("Chosen", told, equations(_lines(problem, several)), paragraph(checked, hang=None),
+                       paragraph("what follows is with the first solution", hang=None) if several else None)
+
+
+def _lines(problem, several):
+    for number, solution in enumerate(problem.chosen.solutions, 1):
+        for i, name in enumerate(problem.chosen.conditions):
+            mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
+            fold = (Words(FOLD),) * solution.fold
+            yield line(*mark, *_equation(problem, name, solution), *fold, hang=6 if several else 2, inset=inset)
+        if solution.counts:
+            counts = [part for condition in solution.counts for part in (", ", *_condition(condition))][1:]
+            yield line(Words("for "), *counts, hang=6, inset=4 if several else 2)
+
+
+def _condition(condition):
+    """Parts of a Condition under which a solution in letters counts."""
+    if condition.words is not None:
+        return [Words(f"values at which it gives {condition.words}")]
+    if not condition.relation:
+        return [Words("real "), Name(condition.name)]
+    side = Name(condition.name) if condition.node is None else condition.node
+    return [side, f" {condition.relation} ", condition.bound]
+
+
+def _told(condition):
+    """The same as a text of the language."""
+    if condition.words is not None or not condition.relation:
+        return condition.words or f"real {condition.name}"
+    side = condition.name if condition.node is None else language(condition.node)
+    return f"{side} {condition.relation.replace('≥', '>=').replace('≤', '<=')} {language(condition.bound)}"
+
+
+FOLD = "   a limit point (fold): there the equilibrium meets an unstable one, and beyond it both are gone"
+
+
+def _equation(problem, name, solution):
+    """Parts of c = closed form = number."""
+    form, value = solution.forms[name], solution.values[name]
+    parts = [Name(name)]
+    if form is not None and (value is None or _has_letters(form)):
+        parts += [" = ", form]
+    if value is not None:
+        number, unit = quantity(float(value), problem.spec.dimensions.of(name))
+        parts += [" = ", number, Words(unit)]
+    about = problem.spec.parameters[name].get("about")
+    return parts + [Words(f"   {about}")] * bool(about)
+
+
+def _has_letters(node):
+    return any(part.op == "symbol" for part in reachable([node]))
+
+
+def _any_form(chosen):
+    return any(form is not None and _has_letters(form) for solution in chosen.solutions
+               for form in solution.forms.values())
+
+
+def _with_units(condition):
+    return any(literal[4] for side in condition.sides for literal in literals_in(side.tree))
+
+
+def chosen_data(problem):
+    """[{parameter, condition, values, closed_forms, residuals, limit_points, counts_for}], of lists an entry to each
+    solution."""
+    chosen = problem.chosen
+    found = []
+    for name, condition in chosen.conditions.items():
+        forms = [solution.forms[name] for solution in chosen.solutions]
+        texts = [None if form is None else language(form) for form in forms]
+        values = [solution.values[name] for solution in chosen.solutions]
+        found.append({"parameter": name, "condition": condition,
+                      "values": [text if value is None else float(value)
+                                 for value, text in zip(values, texts, strict=True)],
+                      "closed_forms": texts, "residuals": [solution.residual for solution in chosen.solutions],
+                      "limit_points": [solution.fold for solution in chosen.solutions],
+                      "counts_for": [[_told(condition) for condition in solution.counts]
+                                     for solution in chosen.solutions]})
+    return found

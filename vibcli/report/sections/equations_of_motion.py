@@ -1,0 +1,109 @@
+"""Energies and equations of motion, full and for small oscillations."""
+
+from vibcli.base.errors import Kinked
+from vibcli.notation.abbreviations import abbreviated
+from vibcli.notation.equation_sides import sides
+from vibcli.report import blocks
+from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section, separated
+from vibcli.report.sections.data import numeric_drive, numeric_row
+from vibcli.report.sections.equilibrium import held
+from vibcli.report.sections.too_long import brief
+
+ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
+WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in numbers
+
+
+def energies(problem, report):
+    for key, symbol, title in ENERGIES:
+        (shown,), lengths = abbreviated([problem.energies[key]], report.roots)
+        if not shown.is_zero:
+            yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), hang=2)]),
+                               *with_lengths(lengths))
+
+
+def with_lengths(lengths):
+    """Paragraphs that tell what new symbols of lengths stand for."""
+    return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
+
+
+def equations(problem, report):
+    """The equations of motion; then those of small oscillations, in letters and in numbers."""
+    if not problem.loose.q:
+        return
+    yield from _full(problem, report)
+    found, coordinates = problem.equations, problem.scene.coordinates
+    if found.refusal and not (problem.sticking or isinstance(found.refusal, Kinked)):
+        raise found.refusal
+    if found.refusal:
+        yield from _unbent(problem, report)
+        return
+    linear = None
+    if found.linear:
+        linear = blocks.equations(
+            line(node, " = ", found.drive.get(i, problem.scene.table.zero), label=Name(name))
+            for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
+    numbers = not problem.symbolic and len(coordinates) <= WRITTEN_OUT
+    drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+    yield from section(
+        "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
+        Heading("in numbers (SI units):") if linear and numbers else None,
+        blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
+
+
+def left_out(problem):
+    """What of loads in time and of driven displacements the equations of small oscillations do not hold."""
+    if not problem.left_out:
+        return None
+    told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in problem.left_out.items())
+    return paragraph("left out of the left side, as products of the coordinates and what drives them: ", *told,
+                     "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
+
+
+def _unbent(problem, report):
+    """What is said instead of small oscillations where there is a kink."""
+    if problem.sticking is not None and not report.told_held:
+        yield from section("Equilibrium", *held(problem))
+    why = problem.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
+    if problem.sticking is not None:
+        why = "dry friction has a kink there"
+    yield from section("Small oscillations", paragraph(f"none: {why}; `motion: full` follows the motion", hang=0))
+
+
+def _full(problem, report):
+    found, loose, title = problem.equations, problem.loose, "Equations of motion"
+    if not found.full:
+        yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
+        return
+    shown, lengths = abbreviated(found.full + found.conditions, report.roots)
+    labels = [*map(Name, found.names), *[None] * len(found.conditions)]
+    lines = []
+    for label, node in zip(labels, shown, strict=True):
+        left, right = sides(loose, node)
+        lines.append(line(brief(left), " = ", brief(right), label=label))
+    told = []
+    for symbol, name in found.multipliers.items():
+        told += [", "] * bool(told) + [maths(symbol), f": the multiplier of '{name}'"]
+    yield from section(title, blocks.equations(lines), *with_lengths(lengths),
+                       paragraph(*told, hang=4, aside=True) if told else None)
+
+
+def _in_numbers(problem, found):
+    from vibcli.mechanics.lagrange import Equations
+
+    matrices = Equations()
+    matrices.M, matrices.C, matrices.G, matrices.K = problem.elements.matrices()
+    for i, name in enumerate(problem.scene.coordinates):
+        row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
+        yield line(*_sum(row), " = ", *_sum(drive), label=Name(name))
+
+
+def _sum(row):
+    """Parts of Σ coefficient·node."""
+    parts = []
+    for value, node in row:
+        sign = ("−" if value < 0 else "") if not parts else (" − " if value < 0 else " + ")
+        if node.op == "number":
+            parts.append(f"{sign}{abs(value):.6g}")
+        else:
+            parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
+    return parts or ["0"]

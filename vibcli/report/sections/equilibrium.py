@@ -1,0 +1,127 @@
+"""The equilibrium that is reached from the drawn position."""
+
+from math import isfinite
+
+from vibcli.base.errors import Kinked, PhysicsError
+from vibcli.notation.numbers import figure, quantity
+from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.symbolic.rationals import ONE
+
+
+def equilibrium(problem, report):
+    try:
+        blocks = _in_letters(problem) if problem.symbolic else _in_numbers(problem)
+    except PhysicsError:
+        if problem.sticking is None:
+            raise
+        blocks = []
+    if problem.sticking is not None:
+        blocks += held(problem)
+        report.told_held = True
+    preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
+                         for name, node in problem.preloads.items())
+    slack = [] if problem.symbolic else _slack(problem)
+    yield from section("Equilibrium", *blocks, preloads, *slack)
+
+
+def _in_numbers(problem):
+    from vibcli.analyses.modal.stability import WORDS, stability
+    from vibcli.report.sections.equilibria import equilibrium_warning
+
+    found = problem.equilibrium
+    try:
+        stable = WORDS[stability(problem).kind]
+    except Kinked:
+        stable = "a kink: no small oscillations about it"
+    values = [*found.values.items(),
+              *((name, value) for name, value in problem.dependent_values.items() if name not in found.values)]
+    told = separated(maths(Name(name), " = ", *measured(value, problem.dimension(name))) for name, value in values)
+    where = "the drawn position" if found.drawn else "shifted from the drawn position"
+    warning = None if stable.startswith("a kink") else equilibrium_warning(problem)
+    where += "; without friction" if problem.sticking is not None else ""
+    return [paragraph(*told, f"   ({where})"), _from_start(problem),
+            paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
+            paragraph(warning) if warning else None]
+
+
+def held(problem):
+    """Where dry friction holds the scene."""
+    from vibcli.mechanics.equilibrium.dry_friction import span
+
+    found, table = problem.sticking, problem.scene.table
+    lines = []
+    for row in found.rows:
+        if row.within is not None:
+            lines.append(line(table.call("abs", row.b), " ≤ ", row.within, label=Name(row.name)))
+        else:
+            node = table.sum((row.b, ONE), *((a * sigma, ONE) for sigma, a in row.held.items()))
+            lines.append(line(node, " = 0", label=Name(row.name)))
+    free = {sigma for row in found.rows if row.within is None for sigma in row.held}
+    told = [maths("|", sigma, "| ≤ ", bound) for sigma, bound in found.bounds.items() if sigma in free]
+    yield paragraph("at rest wherever friction holds it:")
+    yield equations(lines)
+    if told:
+        yield paragraph("with ", *separated(told), hang=4)
+    ends = None if problem.symbolic else span(problem, found)
+    if ends is not None and (told := _span(problem, ends)):
+        yield paragraph(*told)
+
+
+def _span(problem, ends):
+    """Words on a Span of places of rest."""
+    name, (low, high, whole) = problem.scene.coordinates[0], ends
+    if not isfinite(low) and not isfinite(high):
+        return ["there is no such place" if low > high else "which is anywhere"] if whole else []
+    told = [part for word, end in ((" from ", low), (" to ", high)) if isfinite(end)
+            for part in (word, *measured(end, problem.dimension(name)))]
+    return ["which is " if whole else "one such stretch is ", maths(Name(name), *told)]
+
+
+def _from_start(problem):
+    """How far an equilibrium lies from the start that `equilibrium:` names, None where it names none."""
+    found = problem.equilibrium
+    if found.start is None:
+        return None
+    def told(values, sign=""):
+        return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.dimension(name)))
+                         for name in problem.scene.coordinates)
+
+    return paragraph("the nearest found to the start ", *told(found.start), ", from there ",
+                     *told(found.from_start, "Δ"), hang=None)
+
+
+def _in_letters(problem):
+    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+    from vibcli.report.sections.symbolic_modes import equilibrium_parts
+
+    parts = equilibrium_parts(equilibrium_in_letters(problem))
+    settled = problem.equilibrium_letters
+    drawn = problem.balanced_as_drawn and problem.start_in_letters is None
+    searched = settled is not None and problem.start_in_letters is not None and not settled.named
+    return [paragraph(*parts, "   (the drawn position)" if drawn else ""),
+            paragraph("the nearest to the start at sample values of the letters", hang=None) if searched else None]
+
+
+def measured(value, dimension):
+    """Parts of a number with its unit."""
+    number, unit = quantity(value, dimension)
+    return number, Words(unit)
+
+
+def _preload(problem, node, name):
+    if problem.symbolic:
+        return (node,)
+    from vibcli.symbolic.evaluation import Floats, evaluate
+
+    unit = "N·m" if "torsion" in problem.spec.get("springs")[name] else "N"
+    return node, " = ", figure(evaluate([node], Floats, problem.floats)[0]), Words(f" {unit}")
+
+
+def _slack(problem):
+    """What pushes where only a rope could pull."""
+    if not any("rope" in record for record in (problem.spec.get("constraints") or {}).values()):
+        return []
+    from vibcli.mechanics.inputs_outputs.reactions import slack
+
+    return [paragraph(f"{signal} = {figure(value)} N would be a push: the rope goes slack", hang=None)
+            for signal, value in slack(problem)]

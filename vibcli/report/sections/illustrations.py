@@ -1,0 +1,46 @@
+"""Pictures of the scene and of its mode shapes, where they are asked for."""
+
+from functools import partial
+
+from vibcli.report.blocks import Picture, section
+
+SHOWN = 6       # mode shapes
+
+
+def schematic(problem, _):
+    from vibcli.drawing.drawing import draw
+
+    yield from section("The scene", _picture("scene", "The scene as drawn", draw(problem)))
+
+
+def mode_pictures(problem, report):
+    """The shapes of the lowest modes on the scene at rest."""
+    if problem.symbolic:
+        return
+    from vibcli.drawing.symbols.mode_shape import draw
+    from vibcli.drawing.vibration import caption
+
+    moving = [mode for mode in problem.modes if not mode.rigid][:SHOWN]
+    yield from section("Mode shapes on the scene at rest", *(
+        _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index, normalise=report.normalise))._replace(
+            animated=partial(_moving, problem, mode.index, report.normalise)) for mode in moving))
+
+
+def _moving(problem, index, normalise):
+    """The bytes of a GIF of a mode."""
+    from vibcli.drawing.animation import data, of_mode
+
+    return data(*of_mode(problem, index, normalise), title="", kind="gif")
+
+
+def plot(name, caption, figure):
+    """A Picture of a Figure."""
+    from vibcli.plots.picture import picture
+
+    return Picture(name, caption, partial(picture, figure))
+
+
+def _picture(name, caption, primitives):
+    from vibcli.drawing.canvas.matplotlib_canvas import picture
+
+    return Picture(name, caption, partial(picture, primitives))

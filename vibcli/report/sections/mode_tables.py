@@ -1,0 +1,89 @@
+"""Rows of the tables of modes: frequencies, damping, shapes."""
+
+from cmath import polar as to_polar
+from itertools import pairwise
+from math import degrees, hypot
+
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Name, Table, maths, paragraph
+from vibcli.report.sections.data import TURN
+
+ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
+              "linear terms"}
+GROWING = {"divergence": "unstable: grows", "flutter": "flutter: grows"}
+MANY, LONGEST = 8, 12       # modes in columns; else amplitudes of a shape, and shapes
+
+
+def repeated(modes):
+    """The indices of modes whose frequencies coincide within their bounds: any mix of their shapes is a mode."""
+    found = set()
+    for a, b in pairwise(modes):
+        both = a.kind == b.kind == "oscillation"
+        if both and abs(float(b.omega - a.omega)) <= (a.error + b.error) * float(b.omega):
+            found |= {a.index, b.index}
+    return found
+
+
+def mode_row(mode, kind=None, same=False):
+    """A row of the table of natural frequencies: number, ω, f, T, error bound, remark."""
+    number, error = str(mode.index), f"{mode.error:.0e}" if mode.error else "exact"
+    if mode.rigid:
+        return number, "0", "0", "∞", "exact", ZERO_MODES[kind]
+    remark = "repeated" * same
+    if mode.growth_rate is not None:
+        rate = figure(float(mode.growth_rate), mode.error).replace("-", "−", mode.growth_rate < 0)
+        remark = f"{GROWING.get(mode.kind, 'decays')} as exp({rate}·t)"
+    if not mode.omega:
+        return number, "–", "–", "–", error, remark
+    omega = float(mode.omega)
+    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, remark
+
+
+def damped_row(mode):
+    error = f"{mode.error:.0e}" if mode.error else "exact"
+    note = {"ζ = 1": "critically damped", None: ""}.get(mode.note, mode.note)
+    if not note and mode.omega_d is None and mode.omega:
+        note = "real eigenvalue"
+        if mode.zeta is not None:
+            note = f"over-damped, λ = {figure(_float(mode.eigenvalue.real), mode.error)} 1/s"
+    if mode.growth_rate:
+        note = "flutter" if mode.kind == "flutter" else "unstable"
+    of_decay, of_omega_d = bounds(mode)
+    return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), of_decay),
+            figure(_float(mode.omega_d), of_omega_d),
+            figure(TURN / float(mode.omega_d), of_omega_d) if mode.omega_d else "–",
+            figure(_float(mode.decay), of_decay), error, note)
+
+
+def bounds(mode):
+    """Bounds of the relative errors of decay and ζ, and of ω_d: that of |λ| falls on the parts of λ, the small too."""
+    if not mode.omega_d:
+        return mode.error, mode.error
+    real, imaginary = abs(float(mode.decay)), abs(float(mode.omega_d))
+    size = hypot(real, imaginary)
+    return mode.error * size / real if real else mode.error, mode.error * size / imaginary
+
+
+def _float(value):
+    return None if value is None else float(value)
+
+
+def _real(value):
+    value = complex(value).real
+    return figure(0.0 if abs(value) < 1e-12 else value)
+
+
+def polar(value):
+    size, angle = to_polar(complex(value))
+    return f"{size:.4g} ∠ {degrees(angle):.4g}°" if abs(degrees(angle)) > 1e-9 else f"{size:.4g}"
+
+
+def shapes(names, found, write=_real):
+    """Blocks of shapes: a column a mode, or a line a mode where there are many coordinates."""
+    if len(found) > MANY:
+        return [*(paragraph(f"mode {i}: " + " ".join(write(value) for value in shape[:LONGEST])
+                            + (" …" if len(shape) > LONGEST else ""), hang=None)
+                  for i, shape in enumerate(found[:LONGEST], 1)),
+                paragraph("…", hang=None) if len(found) > LONGEST else None]
+    rows = [(maths(Name(name)), *(write(shape[i]) for shape in found)) for i, name in enumerate(names)]
+    return [Table(("", *(f"mode {i + 1}" for i in range(len(found)))), tuple(rows))]

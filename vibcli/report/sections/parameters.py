@@ -1,0 +1,61 @@
+"""What is given, and the coordinates."""
+
+from vibcli.base import units
+from vibcli.language.record_calls import own
+from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, maths, section, separated
+from vibcli.report.sections.statics import tied
+
+MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
+
+
+def given(problem, _):
+    items, letters = [], []
+    for name, record in problem.spec.parameters.items():
+        if name in problem.spec.choices:
+            continue
+        value = (f" = {record['value'].text}",) if "value" in record else ()
+        if value or "about" in record:
+            items.append(Definition((maths(Name(name)), *value), record.get("about", "")))
+        else:
+            letters.append(maths(Name(name)))
+    known = Definitions(tuple(items), "   ", not any(item.about for item in items)) if items else None
+    free = Paragraph((*separated(letters), "  (in letters)"), None) if letters else None
+    records = problem.scene.table.records
+    measured = [Definition((f"{name}(t)",), _record(problem, name, records[name])) for name in records]
+    yield from section("Given", known, free, Definitions(tuple(measured)) if measured else None)
+
+
+def _record(problem, name, samples):
+    """A record in words: its samples, their span and the largest of them."""
+    peak = max(samples.values, key=abs)
+    found = f"{len(samples.times)} samples of {problem.spec.get('records')[name]['file'].text}, from " \
+        f"{samples.times[0]:.6g} s to {samples.times[-1]:.6g} s, the largest {peak:.6g}"
+    return f"{found} {units.text(problem.spec.dimensions.of(own(name)))}".rstrip()
+
+
+def coordinates(problem, _):
+    items, moves = [], _moves(problem)
+    for name in problem.scene.coordinates:
+        about = problem.spec.coordinates[name].get("about") or moves.get(name, "")
+        items.append(Definition((maths(Name(name)), f" [{unit(problem.dimension(name))}]"), about))
+    n = len(items)
+    yield from section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
+                       Definitions(tuple(items)) if items else None, *tied(problem.scene))
+
+
+def unit(dimension):
+    """The SI unit of a dimension."""
+    return "rad" if dimension == {} else units.text(dimension)
+
+
+def _moves(problem):
+    """{coordinate: what it moves}, where the file does not say: the first body whose motion is that coordinate."""
+    found = {}
+    for body, record in (problem.spec.get("bodies") or {}).items():
+        for key, words in MOVES.items():
+            motion = record.get(key)
+            for value in motion.values.values() if hasattr(motion, "values") else (motion,):
+                text = getattr(value, "text", None)
+                if text is not None:
+                    found.setdefault(text, f"{words} of {body}")
+    return found

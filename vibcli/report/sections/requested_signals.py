@@ -1,0 +1,119 @@
+"""Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
+
+from typing import NamedTuple
+
+from vibcli.base import units
+from vibcli.base.errors import NotFixed, PhysicsError, SpecError
+from vibcli.language.reader import Reader
+from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
+from vibcli.reader.signal_check import check_questions, input_dimension, inputs, output_dimension, signal_tree_dimension
+
+POINTS = 1001
+
+
+class Asked(NamedTuple):
+    """A signal that is asked for: its text, its tree, its dimension, and the Signal."""
+
+    text: str
+    tree: tuple
+    dimension: dict
+    signal: object
+
+    @property
+    def label(self):
+        """The signal as it is printed: a coordinate by its symbol."""
+        return symbol(self.text)
+
+    @property
+    def unit(self):
+        return "rad" if self.dimension == {} else units.text(self.dimension)
+
+
+def symbol(text):
+    """A coordinate or its rate by its symbol; other signals as they are written."""
+    from vibcli.notation.plain import plain
+
+    return plain.symbol(text) if text.rstrip("'").isidentifier() else text
+
+
+def require_known(spec, signals, inputs=()):
+    """SpecError where signals or inputs (Expressions) are not of this scene."""
+    reader = Reader()
+    check_questions(spec, reader, signals, inputs)
+    if reader.diagnostics:
+        raise SpecError(reader.diagnostics)
+
+
+def trees_asked(problem, word, given=()):
+    """[(text, tree)] of the signals asked: those given, else those of `find`, else the coordinates."""
+    if given:
+        require_known(problem.spec, given)
+        return [(signal.text, signal.tree) for signal in given]
+    find = problem.spec.get("find")
+    record = find.about(word) if find is not None else None
+    if record is not None and "of" in record:
+        return [(signal.text, signal.tree) for signal in record["of"]]
+    return [(name, ("name", 0, len(name), name, 0)) for name in problem.spec.coordinates]
+
+
+def signals_asked(problem, given=()):
+    """The Asked signals of a motion in time."""
+    return [Asked(text, tree, _dimension(problem, tree), problem.motion.signal(tree))
+            for text, tree in trees_asked(problem, RESPONSE, given)]
+
+
+def _dimension(problem, tree):
+    return problem.spec.dimensions.resolve(signal_tree_dimension(problem.spec, tree) or {})
+
+
+def extremes(asked, until):
+    """[(signal, (t, value) of the largest, of the smallest)], None for each of a force that statics does not fix."""
+    return [(one, *if_fixed(lambda one=one: [one.signal.extreme(0.0, until, sense) for sense in (1, -1)],
+                            [(None, None)] * 2)) for one in asked]
+
+
+def if_fixed(found, otherwise=None):
+    """What a function finds, else where statics alone does not fix it."""
+    try:
+        return found()
+    except NotFixed:
+        return otherwise
+
+
+def names_asked(problem, word, given=()):
+    """The names of the signals asked for, of which none may be a sum or product."""
+    for text, tree in trees_asked(problem, word, given):
+        if tree[0] != "name":
+            raise PhysicsError(f"'{text}' is a sum or product: formulas are those of one signal", "ask for its parts")
+        yield text
+
+
+def curves_asked(problem, wanted):
+    """[(signal, input, unit of the response)] of the frequency responses that are asked for."""
+    driver = _input_asked(problem, wanted.driver)
+    for text in names_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
+        yield text, driver, _ratio(*(_unit(problem, find(problem.spec, name)) for find, name in (
+            (output_dimension, text), (input_dimension, driver))))
+
+
+def _unit(problem, dimension):
+    found = problem.spec.dimensions.resolve(dimension)
+    return "rad" if found == {} else units.text(found)
+
+
+def _ratio(above, below):
+    """The unit of a quotient, as the field writes it: m/N, (m/s)/N."""
+    if above == below:
+        return "1"
+    above, below = (f"({text})" if set("/·") & set(text) else text for text in (above, below))
+    return f"{above}/{below}"
+
+
+def _input_asked(problem, given):
+    """The name of the input: that given, that of `find`, else the first load, driven point or coordinate."""
+    if given is not None:
+        require_known(problem.spec, (), [given])
+        return given.text
+    find = problem.spec.get("find")
+    record = find.about(FREQUENCY_RESPONSE) if find is not None else None
+    return record["to"].text if record is not None and "to" in record else inputs(problem.spec)[0]

@@ -1,0 +1,206 @@
+"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
+
+from math import degrees, inf
+
+from vibcli.base.errors import NotInLetters
+from vibcli.base.units import TIME, times
+from vibcli.language.sections.initial import let_go
+from vibcli.notation.numbers import figure, supported, with_unit
+from vibcli.reader.sections.find import RESPONSE
+from vibcli.report import blocks
+from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
+from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
+
+TURN = 6.283185307179586
+MOST_EVENTS, MOST_LINES = 40, 16
+FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
+LEAST = 2.0**-52
+NOT_FIXED = "not fixed by statics"
+PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
+          "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
+
+
+def response(problem, report):
+    """The sections of a motion in time."""
+    if problem.symbolic:
+        from vibcli.report.sections.symbolic_response import response_in_letters
+
+        if report.wanted.at:
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
+        yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
+        return
+    motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
+    if motion.KIND == "prescribed":
+        yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
+    else:
+        yield from _start(problem, motion, _drive(problem, motion) if motion.KIND == "small" else ())
+    if motion.KIND == "full":
+        yield from _integration(motion.trajectory())
+    elif motion.KIND == "small":
+        from vibcli.report.sections.formulas import formulas, free_vibration, steady_state
+
+        yield from free_vibration(problem, asked)
+        yield from formulas(asked)
+        if motion.drive:
+            yield from steady_state(asked, report.wanted.phase)
+    if report.pictures:
+        from vibcli.report.sections.illustrations import plot
+        from vibcli.report.sections.sampled_series import response_figure, sampled
+
+        yield from section("As a plot", plot("response", "The motion in time", response_figure(
+            problem, sampled(problem, report.wanted))))
+    if motion.KIND == "prescribed" and report.wanted.at and not motion.ends:
+        yield from _at_instants(problem, asked, report.wanted, inf)
+        return
+    known = known_until(motion, report.wanted) if motion.KIND == "full" else motion.until
+    yield from _at_instants(problem, asked, report.wanted, known)
+    yield from _extremes(asked, min(known, motion.until))
+    latest = latest_asked(motion, report.wanted)
+    if known < latest:
+        raise motion.trajectory().unknown(latest)
+
+
+def latest_asked(motion, wanted):
+    """The last instant that is asked for [s]."""
+    return max([motion.until, *(float(t) for _, t in wanted.at)])
+
+
+def known_until(motion, wanted):
+    """Up to when a full motion is known, of what is asked for [s]."""
+    latest = latest_asked(motion, wanted)
+    return min(latest, motion.trajectory(latest).end)
+
+
+def _at_instants(problem, asked, wanted, known):
+    """The values at the instants asked for, those up to `known`."""
+    if wanted.at:
+        rows = tuple((f"{one.label} [{one.unit}]", *(
+            if_fixed(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), NOT_FIXED)
+            if float(t) <= known else "–" for _, t in wanted.at))
+            for one in asked)
+        yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
+
+
+def value_at(problem, one, t, digits=None):
+    """A signal at an instant, as text."""
+    if digits is None:
+        import numpy as np
+
+        return supported(float(one.signal.values(np.array([float(t)]))[0]), one.signal.error(float(t)), 12)
+    import mpmath
+
+    from vibcli.base.errors import PhysicsError
+    from vibcli.results.high_precision_response import precise_value
+
+    if problem.motion.KIND != "small":
+        raise PhysicsError(f"--digits is for small motions: more digits of one that is {problem.motion.WORDS} are not "
+                           "found", "leave --digits out")
+    if one.tree[0] != "name" or one.tree[3] not in problem.scene.coordinates:
+        raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
+                           "ask for --of " + problem.scene.coordinates[0])
+    return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
+
+
+def _start(problem, motion, drive):
+    places, speeds = motion.start
+    parts = []
+    for name, value in places.items():
+        dimension = problem.dimension(name)
+        parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
+        if speeds[name]:
+            parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]
+    force = let_go(problem.spec)
+    parts += [f", where {force} lets go"] if force else []
+    yield from section(f"Motion in time ({motion.WORDS})", paragraph("from ", *parts), *drive)
+
+
+def _drive(problem, motion):
+    """What stands on the right of M q̈ + C q̇ + K q = Q(t), and what of it the left side lacks."""
+    from vibcli.report.sections.equations_of_motion import left_out
+
+    if len(motion.drive) > MOST_LINES:
+        return paragraph(f"driven at {len(motion.drive)} coordinates"), None
+    return blocks.equations(line("Q = ", node, label=Name(problem.scene.coordinates[i]))
+                            for i, node in motion.drive.items()), left_out(problem)
+
+
+def _integration(trajectory):
+    """What happened on the way, and how well the energies balance."""
+    balance = trajectory.balance
+    rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]
+    for words, values in (("work of the loads", balance.work), ("dissipated", balance.dissipated),
+                          ("work of what drives the motion", balance.driving)):
+        if values[-1]:
+            rows.append((words, figure(float(values[-1]))))
+    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
+    events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
+    more = len(trajectory.events) - len(events)
+    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
+                       paragraph(f"and {more} more") if more else None)
+
+
+def _accuracy(trajectory):
+    """How well a motion is known: what it says of itself."""
+    if trajectory.rests and trajectory.rests == trajectory.end:
+        return "it starts at rest where its forces balance, and nothing acts on it in time: there it stays"
+    told = f"it rests up to t = {figure(trajectory.rests)} s; " if trajectory.rests else ""
+    error = figure(float(trajectory.balance.error), digits=2)
+    told += f"the balance of these energies holds to {error} of the largest of them"
+    shared = max(trajectory.shared.of_state(trajectory.end), LEAST)
+    told += ("; nothing moves by more than rounding may" if trajectory.shared.still else
+             f"; a second solution of another order agrees to {figure(shared, digits=2)} of the motion")
+    if trajectory.end < trajectory.until:
+        told += f" up to t = {figure(trajectory.end, digits=4)} s, from where on it is not known"
+    if trajectory.fast is not None:
+        told += (f"; from t = {figure(trajectory.fast.since, digits=3)} s on an oscillation of "
+                 f"{figure(trajectory.fast.speed)} rad/s, {figure(trajectory.fast.part, digits=2)} of the motion, is "
+                 "stepped over: velocities and forces that it moves are known the less")
+    if trajectory.drift is not None:
+        told += f"; the loops stay closed to {figure(float(max(trajectory.drift)), digits=2)} of their motion"
+    return told
+
+
+def _extremes(asked, until):
+    rows = []
+    for one, *both in extremes(asked, until):
+        cells = [cell for t, value in both for cell in (
+            (NOT_FIXED, "") if value is None else
+            (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t))))]
+        rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
+    yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
+                       Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+
+
+def phase_in(convention, X):
+    """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
+    import cmath
+
+    from vibcli.quantities.frequency_response import wrapped
+
+    _, sign, turn = PHASES[convention]
+    return wrapped(sign * (-cmath.phase(X) + turn * TURN))
+
+
+def harmonics_of(signal):
+    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+    from vibcli.results.steady_features import fundamental, harmonic
+
+    if not hasattr(signal, "output"):
+        return []
+    if signal.motion.steady.period is None:
+        return signal.phasors
+    Omega = fundamental(signal)
+    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X in found)
+    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+
+
+def steady_rows(asked, convention):
+    """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
+    for one in asked:
+        for Omega, X in harmonics_of(one.signal):
+            if Omega:
+                theta = phase_in(convention, X)
+                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                       figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))

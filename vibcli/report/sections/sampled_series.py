@@ -1,0 +1,156 @@
+"""Responses sampled for pictures and files."""
+
+from typing import NamedTuple
+
+from vibcli.base.errors import PhysicsError
+from vibcli.report.sections.requested_signals import curves_asked, signals_asked, symbol
+
+
+class Series(NamedTuple):
+    """A signal at all instants: `parts` {steady, transient: values} where they were asked for; `bounds`: (upper, lower)
+    of a free vibration that dies out, or None."""
+
+    name: str
+    unit: str
+    times: object
+    values: object
+    parts: dict
+    bounds: tuple | None = None
+
+
+class SampledCurve(NamedTuple):
+    """A frequency response over Ω: complex values, and the Ω of its peaks and antiresonances."""
+
+    name: str
+    driver: str
+    unit: str
+    Omega: object
+    values: object
+    peaks: list
+    antiresonances: list
+
+
+def sampled(problem, wanted):
+    """The Series of the signals asked for."""
+    import numpy as np
+
+    times = np.linspace(0.0, problem.motion.known, wanted.points)
+    found = []
+    for one in signals_asked(problem, wanted.signals):
+        parts = {}
+        for part in wanted.parts:
+            parts[part] = getattr(one.signal, part).values(times)
+        found.append(Series(one.text, one.unit, times, one.signal.values(times), parts,
+                            _bounds(problem, one.signal, times)))
+    return found
+
+
+def _bounds(problem, signal, times):
+    """(upper, lower) envelope of a free vibration that dies out; None of others."""
+    if problem.motion.drive or not hasattr(signal, "output"):
+        return None
+    from vibcli.results.signal_features import vibration
+
+    try:
+        if not vibration(signal).rate < 0:
+            return None
+    except PhysicsError:
+        return None
+    size, middle = signal.envelope.values(times), signal.output.constant
+    return middle + size, middle - size
+
+
+def response_figure(problem, series):
+    """The motion in time as a Figure."""
+    from vibcli.plots.response import of_response
+
+    lines, steady, bounds = [], [], []
+    for one in series:
+        lines.append((symbol(one.name), one.unit, one.values))
+        steady.append(one.parts.get("steady"))
+        bounds.append(one.bounds)
+        if "transient" in one.parts:
+            lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
+            steady.append(None)
+            bounds.append(None)
+    return of_response(series[0].times, lines, steady, bounds, title=problem.motion.title)
+
+
+def columns(series):
+    """[(name, unit, array)] of a motion in time."""
+    found = [("t", "s", series[0].times)]
+    for one in series:
+        found.append((one.name, one.unit, one.values))
+        found += [(f"{part} {one.name}", one.unit, values) for part, values in one.parts.items()]
+    return found
+
+
+def sampled_curves(problem, wanted):
+    """The SampledCurves asked for, over one range."""
+    asked = [(name, driver, unit, problem.frequency_response(name, driver))
+             for name, driver, unit in curves_asked(problem, wanted)]
+    low = wanted.low or _asked_end(problem, "from") or min(curve.span[0] for *_, curve in asked)
+    high = wanted.high or _asked_end(problem, "up_to") or max(curve.span[1] for *_, curve in asked)
+    if not low < high:
+        raise PhysicsError(f"the range from {low:.6g} to {high:.6g} rad/s is empty", "give other ends")
+    import numpy as np
+
+    Omega = np.unique(np.concatenate([curve.places(low, high) for *_, curve in asked]))
+    return [SampledCurve(name, driver, unit, Omega, curve.values(Omega),
+                         [Omega for Omega, _ in curve.peaks if low < Omega < high],
+                         [Omega for Omega in curve.antiresonances if low < Omega < high])
+            for name, driver, unit, curve in asked]
+
+
+def _asked_end(problem, key):
+    from vibcli.quantities.frequency_response import number_of
+    from vibcli.reader.sections.find import FREQUENCY_RESPONSE
+
+    find = problem.spec.get("find")
+    record = find.about(FREQUENCY_RESPONSE) if find is not None else None
+    return number_of(problem, record[key].tree) if record is not None and key in record else None
+
+
+def frequency_figure(problem, curves, nyquist=False):
+    """The frequency responses as a Figure: magnitude and phase, or in the complex plane."""
+    from vibcli.plots import frequency
+
+    Omega, values = curves[0].Omega, {symbol(curve.name): curve.values for curve in curves}
+    if len(curves) == 1:
+        peaks, dips = curves[0].peaks, curves[0].antiresonances
+    else:
+        natural = [float(mode.omega) for mode in problem.modes if mode.omega]
+        peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
+    title = problem.spec.get("title") or ""
+    if nyquist:
+        return frequency.nyquist(Omega, values, _unit(curves), at=peaks, title=title)
+    kind = f"H to {curves[0].driver}"
+    return frequency.of_frequency_response(Omega, values, kind, _unit(curves), peaks, dips, title=title)
+
+
+def _unit(curves):
+    units = {curve.unit for curve in curves}
+    return units.pop() if len(units) == 1 else ""
+
+
+def frequency_columns(curves):
+    """[(name, unit, array)] of frequency responses."""
+    return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]
+
+
+def eigenvalue_figure(problem):
+    """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
+    from vibcli.plots.eigenvalues import argand
+
+    if problem.symbolic:
+        raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
+    found = []
+    for mode in problem.damped or problem.modes:
+        if hasattr(mode, "eigenvalue"):
+            value = complex(mode.eigenvalue)
+        else:
+            value = complex(float(mode.growth_rate or 0.0), float(mode.omega or 0.0))
+        found.append((value, str(mode.index)))
+        if value.imag:
+            found.append((value.conjugate(), ""))
+    return argand([value for value, _ in found], [label for _, label in found], title=problem.spec.get("title") or "")

@@ -1,0 +1,90 @@
+"""How constraints tie coordinates, the virtual work of what acts, and the reactions."""
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.notation.abbreviations import abbreviated
+from vibcli.notation.numbers import figure
+from vibcli.notation.plain import plain
+from vibcli.report import blocks
+from vibcli.report.blocks import Name, Table, Words, line, maths, paragraph, section, separated
+from vibcli.report.sections.equations_of_motion import with_lengths
+from vibcli.report.sections.too_long import brief
+
+WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
+
+
+def tied(scene):
+    """Paragraphs on how constraints leave the independent coordinates."""
+    freedom = scene.freedom
+    if not freedom.conditions:
+        return []
+    closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops else []
+    explicit = [maths(Name(name), " = ", brief(node)) for name, node in scene.dependent.items()
+                if maths(Name(name)) not in closed]
+    told = [paragraph(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
+                      f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else ""),
+                      *separated(explicit, "   "))]
+    if closed:
+        told.append(paragraph(*separated(closed), (" follow" if len(closed) > 1 else " follows")
+                              + " by closing the loops", hang=None))
+    return told + [paragraph(f"'{name}' is redundant: it follows from the other constraints", hang=None)
+                   for name in freedom.redundant]
+
+
+def virtual_work(problem, report):
+    """δA = Σ Q δq, where there are loads or it is asked for."""
+    scene = problem.loose
+    if not (scene.forces or "virtual_work" in problem.spec.get("find", ())) or not 0 < len(scene.q) <= WRITTEN_OUT:
+        return
+    from vibcli.mechanics.virtual_work import generalised_forces
+
+    names = [plain.symbol(name) for name in scene.coordinates]
+    shown, lengths = abbreviated(generalised_forces(scene), report.roots)
+    lines = [line("δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names), hang=2)]
+    balanced = _balanced(problem)
+    for name, node in zip(names, shown, strict=True):
+        vanishes = balanced and not (scene.constraints or node.is_zero or problem.sticking is not None)
+        lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
+    driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
+    where = "at rest in equilibrium" if balanced else "at rest"
+    yield from section(f"Virtual work of weights, springs and steady loads{driven}, {where}",
+                       blocks.equations(lines), *with_lengths(lengths))
+
+
+def _balanced(problem):
+    """Is there an equilibrium, as far as is known?"""
+    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+
+    try:
+        if problem.symbolic:
+            equilibrium_in_letters(problem)
+        else:
+            problem.equilibrium  # noqa: B018
+    except NotInLetters:
+        return True
+    except PhysicsError:
+        return False
+    return True
+
+
+def _unit(problem, signal):
+    """N, or N·m of a moment."""
+    from vibcli.base.units import FORCE
+    from vibcli.language.signals import signal_dimension
+
+    return "N" if signal_dimension(problem.spec, signal) in (None, FORCE) else "N·m"
+
+
+def reactions(problem, _):
+    """The reactions in equilibrium, of a scene in numbers, and those along a motion."""
+    from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
+
+    if not problem.symbolic:
+        rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
+                 f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
+                for reaction in problem.reactions if reaction.value != 0.0]
+        yield from section("Reactions in equilibrium (tension positive; what supports and drives exert on the body, "
+                           "fixed axes)" if any(".drive" in signal for signal, _ in rows) else
+                           "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
+                           Table(("force", "value"), tuple(rows)))
+    yield from section("Reactions along a motion", blocks.equations(
+        line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem).items()))

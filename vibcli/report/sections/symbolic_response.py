@@ -1,0 +1,170 @@
+"""The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.report.blocks import Name, Terms, Words, equations, line, maths, paragraph, section
+from vibcli.report.sections.requested_signals import symbol
+from vibcli.report.sections.symbolic_modes import equilibrium_parts
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.transfer_between_tables import copied
+
+LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),
+           "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
+AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahead
+CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
+
+
+def response_in_letters(problem, names):
+    """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
+    if problem.spec.get("motion") == "full":
+        raise NotInLetters("motions of the full equations are found in numbers",
+                           "give the parameters values with --set")
+    driven, names = bool(problem.scene.timed and problem.excitation), list(names)
+    steady = _steady(problem, names) if driven else {}
+    yield from _equilibrium(problem)
+    for number, (name, found) in enumerate(steady.items(), 1):
+        yield from _steady_section(problem, name, found, str(number) * (len(steady) > 1))
+    if len(problem.scene.q) == 1:
+        name, = problem.scene.coordinates
+        if not driven and name not in names:
+            raise NotInLetters(f"a free motion in letters is found of '{name}' alone", "ask for it, or give numbers "
+                               "with --set")
+        yield from _from_the_start(problem, steady)
+    elif not driven:
+        raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")
+
+
+def _steady(problem, names):
+    from vibcli.analyses.closed_form.steady_state import steady_state
+
+    return {name: steady_state(problem, name) for name in names}
+
+
+def _equilibrium(problem):
+    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+
+    values = {name: node for name, node in equilibrium_in_letters(problem).items() if not node.is_zero}
+    if values:
+        yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
+
+
+def letter(problem, name):
+    """A letter that the scene leaves free."""
+    taken = {*problem.scene.parameters.nodes, *problem.spec.coordinates}
+    return next((one for one in LETTERS[name] if one not in taken), LETTERS[name][-1])
+
+
+def _steady_section(problem, name, steady, number):
+    """x = X·sin(Ω·t − θ), X and tan θ, where it resonates and where it rests."""
+    formula, X, theta = steady.formula, letter(problem, "X") + number, letter(problem, "theta") + number
+    lag = () if formula.undamped or formula.ahead else (" − ", Name(theta))
+    sign, wave = AHEAD[steady.wave] if formula.ahead else ("", steady.wave)
+    mean = () if steady.mean is None or steady.mean.is_zero else (steady.mean, " + " if not sign else " ")
+    lines = [line(Name(name), " = ", *mean, sign, Name(X), f"·{wave}(", steady.argument, *lag, ")"),
+             line(Name(X), " = ", formula.amplitude)]
+    if lag:
+        lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
+    told = () if problem.chosen is not None else conditions(formula)     # what is chosen holds at this Ω alone
+    yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
+
+
+def conditions(formula):
+    """Where an undamped response has no bound and where it vanishes; where a damped one has its peak."""
+    for words, place in (("resonance", formula.poles), ("antiresonance", formula.zeros)):
+        if place is not None:
+            yield paragraph(f"{words} at ", maths(formula.Omega, " = ", place))
+    if formula.peak is not None:
+        place, less, more = formula.peak
+        yield paragraph("peak at ", maths(formula.Omega, " = ", place), " for ", maths(less, " < ", more))
+    if formula.undamped and not formula.short and not formula.vanishes and not formula.denominator[0].is_zero:
+        yield paragraph("resonances where ", maths(formula.denominator[0], " = 0"), hang=4)
+
+
+def _from_the_start(problem, steady):
+    from vibcli.analyses.closed_form.free_response import free_motions
+    from vibcli.mechanics.initial_state import start_in_letters
+
+    name, = problem.scene.coordinates
+    if steady and name not in steady:
+        return
+    table = Table()
+    table.sample = problem.scene.sample
+    copied(list(problem.scene.parameters.nodes.values()), table)
+    start = start_in_letters(problem)
+    general = start is None and not steady
+    start = start or ([table.parameter(name + "0"), table.parameter(name + "0'")] if general else [table.zero] * 2)
+    massless = problem.matrices_in_letters[0].get((0, 0), problem.scene.table.zero).is_zero
+    if massless and not general and not start[1].is_zero:
+        raise PhysicsError(f"'{name}' has no inertia: its velocity follows from the forces and cannot be given",
+                           f"leave {name}' out")
+    start, prefix, meaning = _about_steady(problem, table, copied(start, table), steady.get(name), massless)
+    m, c, k = (copied([entries.get((0, 0), problem.scene.table.zero)], table)[0]
+               for entries in (problem.matrices_in_letters[i] for i in (0, 1, 3)))
+    if not general and not steady and all(node.is_zero for node in start):
+        raise NotInLetters("nothing moves: the motion starts at rest in the equilibrium",
+                           "give initial: {x: x0} or a force that depends on time")
+    rates = {regime: table.parameter(letter(problem, name)) for regime, name in (
+        ("undamped", "omega"), ("under-damped", "omega_d"), ("over-damped", "beta"))}
+    found = free_motions(m, c, k, start, rates, table.variable("t"), [problem.scene.sample])
+    known = _known_regime(problem, m, c, k)
+    blocks = [block for motion in found if known in (None, motion.regime)
+              for block in _regime(name, motion, prefix, (m, c, k))]
+    title = f"Motion of {symbol(name)} from the start" if steady else f"Free motion of {symbol(name)}"
+    yield from section(title, *blocks, meaning)
+
+
+def _about_steady(problem, table, start, steady, massless):
+    """(start of the free part, parts of the steady part before it, what its letters mean)."""
+    if steady is None:
+        return start, (), None
+    formula, (x, v) = steady.formula, start
+    X, theta = (table.parameter(letter(problem, name)) for name in ("X", "theta"))
+    argument, Omega, still = copied([steady.argument, formula.Omega, _at_start(problem, steady)], table)
+    lag = table.zero if formula.undamped else theta
+    at = still - lag
+    sine, cosine = table.call("sin", at), table.call("cos", at)
+    place, speed = (sine, cosine) if steady.wave == "sin" else (cosine, -sine)
+    mean, = copied([table.zero if steady.mean is None else steady.mean], table)
+    start = x - mean - X * place, v - Omega * X * speed
+    prefix = *(() if mean.is_zero else (mean,)), X * table.call(steady.wave, argument - lag)
+    if formula.undamped:
+        return start, prefix, None
+    A, B = (table.parameter(letter(problem, name)) for name in "AB")
+    lines = [line(A, " = ", start[0]), line(B, " = ", start[1])]
+    return (A, B), prefix, equations(lines[:1] if massless else lines)
+
+
+def _at_start(problem, steady):
+    from vibcli.analyses.closed_form.steady_state import at_start
+
+    return at_start(steady.argument, problem.scene)
+
+
+def _known_regime(problem, m, c, k):
+    """The regime where no letter decides about it."""
+    from vibcli.analyses.closed_form.free_response import regime_at
+
+    if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.letters):
+        return None
+    return regime_at(*evaluate([m, c, k], Floats, problem.scene.sample))
+
+
+def _regime(name, motion, prefix, matrices):
+    """The words of a regime with its condition, its formula, and what ω stands for."""
+    m, c, k = matrices
+    relation = CONDITIONS.get(motion.regime)
+    if relation:
+        yield paragraph(f"{motion.regime}, ", maths(c * c, relation, 4 * k * m), ":")
+    elif not k.table.is_positive(k):
+        yield paragraph("for ", maths(k, " > 0"), ":")
+    wave = tuple(node for node in motion.wave if not node.is_zero)
+    if motion.decay is None:
+        parts = [Terms((*prefix, *wave))]
+    elif len(wave) == 1 and wave[0].op != "sum":
+        parts = [Terms((*prefix, motion.decay * wave[0]))]
+    else:
+        parts = [*([Terms(prefix), " + "] if prefix else []), motion.decay, "·(", Terms(wave), ")"]
+    lines = [line(Name(name), " = ", *parts)]
+    if motion.value is not None:
+        lines.append(line(motion.rate, " = ", motion.value))
+    yield equations(lines)

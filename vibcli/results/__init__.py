@@ -1,0 +1,1 @@
+"""The lazy pipeline from a Spec to its answers."""

@@ -1,0 +1,192 @@
+"""The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
+
+from contextlib import suppress
+from functools import cached_property
+
+from vibcli.base.errors import PhysicsError
+from vibcli.language.parameters import require_values
+from vibcli.language.signals import is_reaction
+from vibcli.results.full_signals import FullSignal
+from vibcli.results.responses import Motion
+from vibcli.symbolic.evaluation import evaluate
+from vibcli.symbolic.semantics import lower
+
+LOOK = 1.0          # seconds, to tell what rests for ever
+
+
+class StatesInTime(Motion):
+    """A motion whose places, velocities and accelerations are known at any instant, and with them all forces."""
+
+    def signal(self, tree):
+        """The signal of a tree: a function of the coordinates, velocities and accelerations, and of forces."""
+        from vibcli.mechanics.signals import moving
+        from vibcli.results.shared_friction import SharedFriction
+
+        scene, forces, frictions = self.problem.scene, {}, set()
+
+        def symbol(name, primes, part):
+            if part[0] == "quantity":
+                getattr(self.signal_of(scene.table.zero, {}), part[4])      # says why there is none
+            if name in scene.parameters.nodes and not primes:
+                return scene.parameters.nodes[name]
+            if not primes and is_reaction(self.problem.spec, name):
+                found = scene.table.variable("force " + name)
+                forces[found.name] = name
+                return found
+            if name.endswith(".force") and not primes:
+                frictions.add(name)
+            return moving(self.problem, name, primes)
+
+        found = self.signal_of(lower(tree, scene.table, symbol), forces)
+        if frictions:
+            found.shared = SharedFriction.of(scene, tree, frictions, symbol)
+        return found
+
+    def state_signal(self, node):
+        """The signal of an expression of coordinates, velocities and accelerations."""
+        return self.signal_of(node, {})
+
+    @cached_property
+    def _forces(self):
+        from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
+
+        return ForcesAlong(self.problem)
+
+    def forces(self, wanted, places, trajectory):
+        """{symbol: array} of the forces {symbol: name} of constraints, supports and drives, from the `places`."""
+        found = self._forces.values(list(dict.fromkeys(wanted.values())), self.states(places, trajectory))
+        return {symbol: found[name] for symbol, name in wanted.items()}
+
+
+class FullMotion(StatesInTime):
+    """The motion of the full equations, integrated."""
+
+    KIND, WORDS = "full", "full equations, integrated"
+
+    def __init__(self, problem):
+        super().__init__(problem)
+        self._trajectory = None
+
+    @property
+    def integrated(self):
+        return self._trajectory is not None
+
+    def trajectory(self, until=None):
+        """The Trajectory up to an instant at least, to the end asked for if none is given."""
+        until = self.until if until is None else until
+        found = self._trajectory
+        if found is None or (found.until < until and not found.reason):
+            from vibcli.analyses.time_integration.integrate import known_motion
+
+            self._trajectory = known_motion(self.problem, until, self.problem.given_start)
+        return self._trajectory
+
+    @property
+    def known(self):
+        """Up to when the motion is known, of that which is looked at [s]; where nobody says how long that is, of that
+        which was followed."""
+        try:
+            until = self.until
+        except PhysicsError:
+            if self._trajectory is None:
+                raise
+            return self._trajectory.end
+        return min(until, self.trajectory().end)
+
+    def reaching(self, t):
+        """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
+        if self._trajectory is None or self._trajectory.until < t:
+            try:
+                return self.trajectory(max(t, self.until))
+            except PhysicsError:
+                return self.trajectory(t)
+        return self._trajectory
+
+    def lasting(self):
+        from vibcli.analyses.transient.duration import duration
+
+        if self.problem.symbolic:
+            require_values(self.problem.scene.parameters, "this")
+        try:
+            return duration(self.problem.modes, self.problem.damped, 0.0, [])
+        except PhysicsError:
+            until = self.problem.spec.example("10 s")
+            raise PhysicsError("it is not known how long this motion is to be looked at",
+                               f"say until when: find: [{{response: {{until: {until}}}}}]") from None
+
+    def by_quadrature(self, tree):
+        """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
+        if tree[0] == "name" and tree[3] in self.problem.scene.coordinates and not tree[4]:
+            return self._exact_period
+        return None
+
+    @cached_property
+    def _exact_period(self):
+        import mpmath
+
+        from vibcli.analyses.time_integration.period import DIGITS, exact_period
+        from vibcli.symbolic.evaluation import multiprecision
+
+        problem = self.problem
+        if len(problem.scene.coordinates) != 1:
+            return None
+        self._require_start()
+        with mpmath.workdps(DIGITS):
+            values = problem.values(multiprecision())
+            (q,), (v,) = self._precise_start(values)
+        return exact_period(problem.scene, values, q, v)
+
+    def _require_start(self):
+        """PhysicsError of a period where nothing starts to move."""
+        from vibcli.analyses.time_integration.motionless import starts_at_rest
+
+        if self.problem.scene.timed or not starts_at_rest(self.problem.given_start):
+            return
+        found = self.reaching(LOOK)
+        if found.rests == found.end:
+            raise PhysicsError("the scene is at rest: its motion has no period", "give it an `initial` state")
+
+    def _precise_start(self, values):
+        """The places and velocities at t = 0, to more digits than floats have where they are given."""
+        from vibcli.results.high_precision_response import start
+
+        q, v = self.problem.start
+        with suppress(PhysicsError):
+            q, v = start(self.problem, values, q)
+        return q.values(), v.values()
+
+    def period(self, tree):
+        """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
+        from vibcli.analyses.time_integration.periodicity import searched_period
+
+        self._require_start()
+        if self.by_quadrature(tree) is not None:
+            return self._exact_period[0]
+        try:
+            first = self.until
+        except PhysicsError:
+            first = None
+        return searched_period(self.signal(tree), first)
+
+    def states(self, known, trajectory):
+        """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        scene = self.problem.scene
+        if trajectory.system.switches:
+            raise PhysicsError("reactions are not found along a motion in which a force bends or jumps",
+                               "ask for forces of springs and dampers, as in s.force + d.force")
+        names = [(name, primes) for name in self.problem.spec.coordinates if name not in trajectory.names
+                 for primes in range(3)]
+        values = evaluate([scene.symbol(name, primes) for name, primes in names], Arrays, known)
+        return {**known, **{name + "'" * primes: value for (name, primes), value in zip(names, values, strict=True)}}
+
+    def places(self, times, trajectory):
+        """{name: array} of the time and of the coordinates that were integrated, with their rates."""
+        values = {**self.problem.floats, self.problem.scene.time.name: times}
+        for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
+            values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
+        return values
+
+    def signal_of(self, node, forces):
+        return FullSignal(self, node, forces)

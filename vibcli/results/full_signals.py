@@ -1,0 +1,135 @@
+"""Signals of motions whose places, velocities and accelerations are known at any instant: integrated or prescribed."""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.signals import ComposedSignal, Signal, require_finite
+from vibcli.symbolic.evaluation import evaluate
+
+
+class FullSignal(Signal):
+    """A function of the coordinates, velocities and accelerations of a motion that was integrated, and of `forces`
+    {symbol: name} of constraints, supports and drives; shared: its SharedFriction, None if it has none."""
+
+    KIND = "a motion that is integrated"
+
+    def __init__(self, motion, node, forces=None):
+        self.motion, self.node, self.forces = motion, node, forces or {}
+        self.shared = None
+
+    def values(self, times, order=0):
+        if order:
+            raise PhysicsError("rates of composed signals are not found", "ask for x' or x''")
+        import numpy as np
+
+        times = np.asarray(times, dtype=float)
+        return self._along(self.motion.reaching(times.max(initial=0.0)), times)
+
+    def error(self, t):
+        trajectory = self.motion.reaching(t)
+        found = trajectory.shared.of_signal(self._along, t)
+        return found if trajectory.fast is None or t < trajectory.fast.since else found + self._of_fast(trajectory, t)
+
+    def _of_fast(self, trajectory, t):
+        """What an oscillation that was stepped over may make of the signal: Σ |∂s/∂q| of its amplitudes."""
+        import numpy as np
+
+        from vibcli.symbolic.derivatives import gradient
+
+        if self.forces:
+            raise PhysicsError(f"from t = {trajectory.fast.since:.3g} s on a fast oscillation of this motion is "
+                               "stepped over: forces of constraints, supports and drives are not known",
+                               "ask for earlier instants, or with more --patience")
+        fast, slopes = trajectory.fast, gradient(self.node)
+        rows = zip(("", "'", "''"), (fast.q, fast.v, fast.a), strict=True)
+        amplitudes = {name + primes: size for primes, sizes in rows
+                      for name, size in zip(trajectory.names, sizes, strict=True)}
+        return sum(amplitudes[symbol.name] * abs(float(FullSignal(self.motion, slope).values(np.array([t]))[0]))
+                   for symbol, slope in slopes.items() if symbol.name in amplitudes)
+
+    def error_of_time(self, t):
+        return t * self.motion.reaching(t).shared.of_state(t)
+
+    def _along(self, trajectory, times):
+        """The values along one solution."""
+        import numpy as np
+
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        values = self.motion.places(times, trajectory)
+        if self.forces:
+            values |= self.motion.forces(self.forces, values, trajectory)
+
+        def value(node, values):
+            with np.errstate(all="ignore"):
+                return evaluate([self._with_senses(node, trajectory, times, values)], Arrays, values)[0]
+
+        found = value(self.node, values)
+        self._require_fixed(trajectory, times, values, value)
+        return require_finite(np.broadcast_to(found, times.shape), times)
+
+    def _require_fixed(self, trajectory, times, values, value):
+        """PhysicsError where the signal is a force that elements share in any proportion."""
+        if self.shared is not None:
+            self.shared.require_fixed(trajectory, times, values, value)
+
+    def _with_senses(self, node, trajectory, times, values):
+        """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
+        from vibcli.symbolic.array_arithmetic import Arrays
+        from vibcli.symbolic.derivatives import substitute
+        from vibcli.symbolic.expression import reachable
+
+        signs = [part for part in reachable([node]) if part.name == "sign" and part.mask]
+        if not signs:
+            return node
+        from vibcli.analyses.time_integration.switch_senses import senses
+
+        scene, arguments = self.motion.problem.scene, [part.args[0] for part in signs]
+        found = senses(trajectory, scene, arguments, evaluate(arguments, Arrays, values), times)
+        symbols = {part: scene.table.variable(f"sense {i}") for i, part in enumerate(signs)}
+        values |= {symbol.name: sense for symbol, sense in zip(symbols.values(), found, strict=True)}
+        return substitute([node], symbols)[0]
+
+    def zeros(self, start, end, level=0.0):
+        """Instants at which the signal passes a level."""
+        from vibcli.analyses.time_integration.level_crossings import passages
+
+        return passages(self.motion.reaching(end), self.values, start, end, level)
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.time_integration.level_crossings import extreme
+
+        return extreme(self.motion.reaching(end), self.values, start, end, sense)
+
+    def final(self):
+        raise PhysicsError("a motion that is integrated has no known limit", "ask for its value at a late instant")
+
+
+class PrescribedSignal(FullSignal):
+    """The same of a motion that is prescribed."""
+
+    KIND = "a motion that is prescribed"
+
+    extreme, zeros, period = ComposedSignal.extreme, ComposedSignal.zeros, None
+    error, error_of_time = Signal.error, Signal.error_of_time
+
+    def along(self, end):
+        """The Composition of the time alone; KeyError where places follow from loops, or forces from the equations."""
+        from vibcli.analyses.transient.composition import Composition
+
+        problem = self.motion.problem
+        if self.forces or problem.scene.loops is not None:
+            raise KeyError("loops")
+        return Composition(self.node, {}, problem.floats, problem.scene.time.name, require_finite, end)
+
+    @property
+    def work(self):
+        return self.motion.problem.work
+
+    def _require_fixed(self, trajectory, times, values, value):
+        """Speeds that are prescribed are held by the drives."""
+
+    def _with_senses(self, node, trajectory, times, values):
+        return node
+
+    def final(self):
+        raise PhysicsError("a motion that is prescribed has no known limit", "ask for its value at a late instant")

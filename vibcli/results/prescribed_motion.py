@@ -1,0 +1,84 @@
+"""Motions of which nothing is free: all places are functions of the time, given outright or by closing loops."""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.results.full_response import StatesInTime
+from vibcli.results.full_signals import PrescribedSignal
+from vibcli.symbolic.evaluation import evaluate
+
+
+class PrescribedMotion(StatesInTime):
+    """The kinematics of a scene without coordinates of its own."""
+
+    KIND, WORDS = "prescribed", "prescribed by what drives it"
+
+    def __init__(self, problem):
+        super().__init__(problem)
+        self._closed = [self._start()]
+
+    @property
+    def start(self):
+        return {}, {}
+
+    @property
+    def drive(self):
+        return {}
+
+    def lasting(self):
+        raise PhysicsError("it is not known how long this motion is to be looked at",
+                           f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]")
+
+    def period(self, tree):
+        raise PhysicsError("the period of what is prescribed is that of what drives it",
+                           "ask for zero[1](x), zero[2](x), argmax(x)")
+
+    def _start(self):
+        """{name: float} of all symbols at t = 0."""
+        problem = self.problem
+        values = {**problem.floats, problem.scene.time.name: 0.0, **problem.drawn_floats}
+        return values if problem.scene.loops is None else self._followed(values, 0.0)
+
+    def _followed(self, start, time):
+        found = self.problem.scene.loops.followed(start, {**start, self.problem.scene.time.name: time})
+        if found is None:
+            raise PhysicsError(f"the loops of this scene cannot close at t = {time:.6g} s",
+                               "mind the lengths of its links, and dead centres")
+        return found
+
+    @property
+    def known(self):
+        return self.until
+
+    def reaching(self, t):
+        """It needs no solution."""
+
+    def places(self, times, trajectory):
+        """{name: array} of the time and of what closes the loops."""
+        import numpy as np
+
+        times, problem = np.asarray(times, dtype=float), self.problem
+        loops, time = problem.scene.loops, problem.scene.time.name
+        found = {**problem.floats, time: times}
+        if loops is None:
+            return found
+        order, here = np.argsort(times, kind="stable"), self._closed[0]
+        values = np.empty((len(loops.names), len(times)))
+        for k in order:
+            here = self._followed(here, float(times[k]))
+            values[:, k] = [here[name] for name in loops.names]
+        return {**found, **dict(zip(loops.names, values, strict=True))}
+
+    def states(self, known, trajectory):
+        """{name: array} of the time and of all coordinates with their rates."""
+        import numpy as np
+
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        scene = self.problem.scene
+        times = known[scene.time.name]
+        names = [(name, primes) for name in self.problem.spec.coordinates for primes in range(3)]
+        values = evaluate([scene.symbol(name, primes) for name, primes in names], Arrays, known)
+        return {**known, **{name + "'" * primes: np.broadcast_to(value, np.shape(times))
+                            for (name, primes), value in zip(names, values, strict=True)}}
+
+    def signal_of(self, node, forces):
+        return PrescribedSignal(self, node, forces)

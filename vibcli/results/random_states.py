@@ -1,0 +1,157 @@
+"""Where answers are compared: random values for the symbols of a scene, and random states of motion.
+
+Both are the same at every run.
+"""
+
+import random
+from fractions import Fraction
+
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.symbolic.evaluation import evaluate
+
+DRAWS, CANDIDATES = 3, 40
+FAILURES = 8        # draws without a solution after which the search for what is chosen is given up
+STATES, NEAR, SEPARATE, MOST_HALVINGS = 5, 1e-4, 12, 30
+
+
+class Draws:
+    """Numeric Problems of a scene: itself, or with random values for its symbols for which the drawing fits together;
+    with values for what it chooses.
+
+    Made when they are asked for and kept; `wanted` is how many of them a comparison takes.
+    """
+
+    def __init__(self, problem):
+        symbolic = bool(problem.letters)
+        self.wanted = DRAWS if symbolic else 1
+        self._known = [] if symbolic else [_settled(problem)]
+        self._candidates = _candidates(problem) if symbolic else iter(())
+
+    def __iter__(self):
+        yield from self._known
+        for problem in self._candidates:
+            self._known.append(problem)
+            yield problem
+
+
+def drawn(problem):
+    """The problem with random values for its letters, whenever the drawing fits together."""
+    from vibcli.scene.build import sample_values
+
+    for attempt in range(CANDIDATES):
+        values = sample_values(problem.letters, attempt)
+        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
+        candidate = problem.with_values(given)
+        try:
+            candidate.draw()
+        except (SpecError, PhysicsError):
+            continue
+        yield candidate
+
+
+def _candidates(problem):
+    """Those for which what the scene chooses can be found; its refusal where that is so for none."""
+    found, failed, refusal = 0, 0, None
+    for candidate in _for_choices(problem) or drawn(problem):
+        try:
+            settled = _settled(candidate)
+        except (SpecError, PhysicsError) as error:
+            refusal, failed = refusal or error, failed + 1
+            if failed >= FAILURES and not found:
+                break
+            continue
+        found += 1
+        yield settled
+    if not found and refusal is not None:
+        raise refusal
+
+
+def _for_choices(problem):
+    """Draws at which the first solution in letters of what a scene chooses is the first one; None without such."""
+    if not problem.spec.choices:
+        return None
+    from vibcli.inverse import settled
+
+    try:
+        return settled(problem).chosen.draws
+    except PhysicsError:
+        return None
+
+
+def _settled(problem):
+    """The problem with values for what it chooses."""
+    if not problem.spec.choices:
+        return problem
+    from vibcli.inverse import settled
+
+    return settled(problem)
+
+
+def states(problem):
+    """Random states near the drawn position, in groups: {symbol name: array} and the slices of the groups.
+
+    All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
+    is seen beside those of its kind, however stiff or heavy the rest of the scene is.
+    """
+    import numpy as np
+
+    generator = random.Random("states")
+    scene, names = problem.scene, problem.scene.coordinates
+    groups = [(1, 1, 1, names), (1, 0, 0, names), (NEAR, 0, 0, names), (0, 1, 0, names), (0, 0, 1, names)]
+    if 1 < len(names) <= SEPARATE:
+        groups += [(*kind, [name]) for name in names for kind in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    each, found = STATES + 3 * len(names), {}
+    for name in names:
+        scale = reach(problem, name)
+        for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
+            found[name + "'" * primes] = centre + spread * scale * np.array([
+                group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
+    if scene.timed:
+        found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
+    return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
+
+
+def _closed(problem, found):
+    """The states with their dependent coordinates; those whose loops cannot close are drawn nearer, until they can."""
+    import numpy as np
+
+    loops, names, time = problem.scene.loops, problem.scene.coordinates, problem.scene.time.name
+    if loops is None:
+        return found
+    start = {**problem.floats, time: 0.0, **problem.drawn_floats}
+    found |= {name: [] for name in loops.names}
+    for i in range(len(next(iter(found.values())))):
+        for halving in range(MOST_HALVINGS):
+            near = 0.5**halving
+            target = {**start, **{name: start[name] + near * (found[name][i] - start[name]) for name in names},
+                      **{name: found[name][i] for name in (time,) if name in found}}
+            closed = loops.followed(start, target)
+            if closed is not None:
+                break
+        else:
+            raise PhysicsError("the loops of this scene do not close near the drawn position", "draw it elsewhere")
+        for name in names:
+            found[name][i] = closed[name]
+        for name in loops.names:
+            found[name].append(closed[name])
+    return {name: np.array(values) for name, values in found.items()}
+
+
+def at_states(problem, nodes, states):
+    """The values of expressions at all states, arrays of one length."""
+    import numpy as np
+
+    from vibcli.symbolic.smoothed_functions import smooth_arrays
+
+    count = max(map(len, states.values()))
+    with np.errstate(all="ignore"):
+        values = evaluate(nodes, smooth_arrays(), {**problem.floats, **states})
+    if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
+        raise PhysicsError("this has no finite value in some positions near the drawn one",
+                           "look for roots of what may be negative, and for powers out of range")
+    return [np.broadcast_to(value, (count,)) for value in values]
+
+
+def reach(problem, name):
+    """How far a random state strays: a fraction of the figure, or of a radian."""
+    return 0.2 * (problem.figure_size or 1.0) if problem.dimension(name) else 0.3

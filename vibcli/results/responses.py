@@ -1,0 +1,266 @@
+"""The motion of a scene in time, of its small oscillations exactly or of its full equations, and the signals of it.
+
+A signal is an expression of coordinates, places, forces (vibcli/language/signals.py) and parameters. A sum of them with
+constant factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
+"""
+
+from fractions import Fraction
+from functools import cached_property
+
+from vibcli.analyses.excitation.linear_output import Output, combined
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import ENERGIES
+from vibcli.mechanics.signals import energy
+from vibcli.reader.sections.find import RESPONSE
+from vibcli.results.signals import Closing, ComposedSignal, LinearSignal
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.semantics import lower
+
+LONGEST = 1e12      # seconds
+FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
+
+
+class Motion:
+    """What all kinds of motion share: until when they are looked at, and what drives them. KIND: small, full or
+    prescribed."""
+
+    def __init__(self, problem):
+        self.problem = problem
+
+    @property
+    def ends(self):
+        """Is it said until when it is looked at?"""
+        return self.problem.end is not None or "until" in (self._asked or ())
+
+    @property
+    def _asked(self):
+        find = self.problem.spec.get("find")
+        return find.about(RESPONSE) if find is not None else None
+
+    @cached_property
+    def until(self):
+        """The end of the motion [s]: what the file says, else some periods or until it has died out."""
+        end, where, record = self.problem.end, None, self._asked
+        if end is None and record is not None and "until" in record:
+            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)
+            where = record["until"].where
+        if end is None:
+            return self.lasting()
+        if not 0 < end < LONGEST:
+            raise PhysicsError(f"a motion cannot end at t = {end:.6g} s",
+                               f"ask for an instant between its start, t = 0, and {LONGEST:.0e} s", where)
+        return end
+
+    @property
+    def start(self):
+        """({coordinate: value}, {coordinate: velocity}) at t = 0."""
+        return self.problem.start
+
+    @property
+    def title(self):
+        """That of the scene, with where the motion ends to be known."""
+        title = self.problem.spec.get("title") or ""
+        return title if self.known >= self.until else f"{title} (known up to t = {self.known:.4g} s)".strip()
+
+    @cached_property
+    def drive(self):
+        """{i: Q(t)} of the small oscillations, in letters."""
+        return self.problem.excitation if self.problem.scene.timed else {}
+
+
+def nonlinear(spec, owner):
+    """The refusal of a motion in time that nobody said to linearise."""
+    record = {**spec.get("springs", {}), **spec.get("dampers", {})}.get(owner)
+    return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
+                        "write motion: full, or motion: small where the motion stays small", record and record.where)
+
+
+def check_start(problem, motion):
+    """Refuses a velocity of what has no inertia, and a place of what nothing holds back."""
+    record = problem.spec.get("initial")
+    if motion.system is None or record is None:
+        return
+    names, reach = problem.scene.coordinates, abs(motion.start).max() + abs(motion.q0).max()
+    for key in record.values:
+        i = names.index(key.rstrip("'")) if key.rstrip("'") in names else None
+        if i is None or motion.M[i, i]:
+            continue
+        if key.endswith("'"):
+            raise PhysicsError(f"'{names[i]}' has no inertia: its velocity follows from the forces and cannot be given",
+                               f"leave {key} out", record.place(key))
+        if abs(motion.start[i] - motion.q0[i]) > FOLLOWED * reach:
+            raise PhysicsError(f"nothing holds '{names[i]}' back, neither inertia nor a damper: at t = 0 it stands "
+                               f"{motion.start[i]:.6g} from where it rests, not {motion.q0[i]:.6g}", f"leave {key} out",
+                               record.place(key))
+
+
+def _jumps(node, symbols):
+    """Does a function stand in the node that has no slope but where it jumps, of one of these symbols?"""
+    return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
+
+
+class SmallMotion(Motion):
+    """Small oscillations about the equilibrium, exact in time."""
+
+    KIND, WORDS = "small", "small oscillations about the equilibrium"
+
+    @property
+    def known(self):
+        return self.until
+
+    @cached_property
+    def deviations(self):
+        """(q, v) at t = 0, counted from the equilibrium, as arrays."""
+        import numpy as np
+
+        places, speeds = self.problem.start
+        rest = self.problem.equilibrium.values
+        names = self.problem.scene.coordinates
+        return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
+
+    @cached_property
+    def matrices(self):
+        """M, C + G, K as arrays."""
+        from vibcli.analyses.frequency_response.transfer_function import system
+
+        return system(self.problem)
+
+    def forcing(self, direct=()):
+        """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
+        from vibcli.analyses.excitation.decompose import forcing_of
+        from vibcli.notation.plain import plain
+
+        n = len(self.matrices[0])
+        nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
+        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain,
+                          work=self.problem.work)
+
+    def moved(self, direct=()):
+        """The LinearMotion under the excitation."""
+        from vibcli.analyses.transient.linear_response import linear_motion
+
+        found = self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                   modes=self.modes, work=self.problem.work)
+        check_start(self.problem, found)
+        return found
+
+    @property
+    def start(self):
+        """The start, and where what has no inertia stands then."""
+        places, speeds = self.problem.start
+        if self.alone.system is None:
+            return places, speeds
+        rest = self.problem.equilibrium.values
+        return {name: rest[name] + float(x) for name, x in zip(places, self.alone.start, strict=True)}, speeds
+
+    @cached_property
+    def modes(self):
+        """The undamped modes, which the element data tell better than K; None where they are not real."""
+        elements = self.problem.elements
+        if elements.G or elements.circulatory or elements.massless:
+            return None
+        return self.problem.modes
+
+    @cached_property
+    def alone(self):
+        return self.moved()
+
+    def lasting(self):
+        from vibcli.analyses.transient.duration import duration
+
+        problem, forcing = self.problem, self.alone.forcing
+        if forcing.listed:
+            last = max((piece.start for piece in forcing.pieces), default=0.0)
+            speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
+        else:
+            last, speeds = 0.0, [6.283185307179586 / forcing.turn]
+        modes = () if problem.damped or not self.alone.blocks else problem.modes
+        return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
+
+    def signal(self, tree):
+        """The signal of a tree."""
+        parts = {}
+        node = lower(tree, self.problem.scene.table, lambda name, primes, part: self._part(parts, name, primes, part))
+        if node in parts:
+            return self._one(parts[node])
+        slopes = gradient(node)
+        if (any(slope.mask for slope in slopes.values()) or _jumps(node, parts)
+                or not all(isinstance(part[0], Output) for part in parts.values())):
+            return self._composed(node, parts)
+        used = [symbol for symbol in parts if symbol in slopes]
+        values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
+        constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
+        return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)))
+
+    def _part(self, parts, name, primes, part):
+        """The node of a name within a signal; a symbol for what is read off the motion."""
+        from vibcli.analyses.excitation.signal_outputs import linear_output, quadratic_output
+        from vibcli.mechanics.inputs_outputs.outputs import is_quadratic
+
+        problem, table = self.problem, self.problem.scene.table
+        if name in problem.scene.parameters.nodes and not primes:
+            return problem.scene.parameters.nodes[name]
+        symbol = table.variable("signal " + (part[3] if part[0] == "quantity" else name + "'" * primes))
+        if part[0] == "quantity":
+            parts[symbol] = (part,)
+        elif name in ENERGIES and name not in problem.spec.coordinates:
+            return self._at_states(parts, energy(problem.scene, name, primes))
+        elif is_quadratic(name):
+            total = table.zero
+            for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
+                square = table.variable(f"signal {name} {number}")
+                parts[square] = self._apart(*found)
+                total = total + square * square * table.number(Fraction(weight))
+            return total
+        else:
+            parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
+        return symbol
+
+    def state_signal(self, node):
+        """The signal of an expression of coordinates, velocities and accelerations."""
+        parts = {}
+        return self._composed(self._at_states(parts, node), parts)
+
+    def _composed(self, node, parts):
+        """The function `node` of the signals of `parts`, and of coordinates that close loops where it holds some."""
+        scene, closing = self.problem.scene, None
+        if scene.loops is not None and any(part.op == "symbol" and part.name in scene.loops.names
+                                           for part in reachable([node])):
+            free = {q: self.signal(("name", 0, 0, q, 0)) for q in scene.coordinates}
+            closing = Closing(scene.loops, self.problem.at_rest, free)
+        return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
+                              self.problem.floats, scene.time, closing, self.problem.work)
+
+    def _at_states(self, parts, node):
+        """The same with the coordinates and their rates replaced by symbols of their signals."""
+        scene = self.problem.scene
+        states = {symbol: (name, primes) for primes, kind in enumerate((scene.q, scene.v, scene.a))
+                  for symbol, name in zip(kind, scene.coordinates, strict=True)}
+        below = set(reachable([node]))
+        return substitute([node], {symbol: self._part(parts, name, primes, ("name",))
+                                   for symbol, (name, primes) in states.items() if symbol in below})[0]
+
+    def _apart(self, output, direct):
+        """(Output without its channel, the node on it or None)."""
+        from vibcli.symbolic.transfer_between_tables import copied
+
+        nodes = copied(list(direct.values()), self.problem.scene.table)
+        return output._replace(channels={}), next(iter(nodes), None)
+
+    def _one(self, part):
+        if isinstance(part[0], Output):
+            return self._linear(0.0, [(1.0, part)])
+        return getattr(self.signal(part[0][7][0]), part[0][4])
+
+    def _linear(self, constant, terms):
+        direct = [node for _, (_, node) in terms if node is not None]
+        motion = self.moved(direct) if direct else self.alone
+        channel, outputs = len(self.matrices[0]), [(1.0, Output(constant))]
+        for factor, (output, node) in terms:
+            if node is not None:
+                output = output._replace(channels={channel: 1.0})
+                channel += 1
+            outputs.append((factor, output))
+        return LinearSignal(motion, combined(outputs))

@@ -1,0 +1,60 @@
+"""Signals of forces of dry friction that several elements share while they stick."""
+
+from vibcli.symbolic.semantics import lower
+
+TINY = 1e-7         # of what the forces alone would change
+
+
+class SharedFriction:
+    """A signal with a change of each friction force in it: does it change if these still balance?"""
+
+    def __init__(self, node, changes):
+        self.node, self.changes = node, changes
+
+    @classmethod
+    def of(cls, scene, tree, names, symbol):
+        """That of a tree with the forces `names`; None where none of them is one of dry friction."""
+        from vibcli.mechanics.equilibrium.redundant_friction import signs_of_speeds
+
+        owners = {law.owner for law in scene.laws
+                  if law.damper and signs_of_speeds(scene, scene.law_at(law, law.force))}
+        changes = {name.removesuffix(".force"): scene.table.variable(f"change of {name}") for name in sorted(names)
+                   if name.removesuffix(".force") in owners}
+        if not changes:
+            return None
+
+        def changed(name, primes, part):
+            node, owner = symbol(name, primes, part), name.removesuffix(".force")
+            return node + changes[owner] if owner in changes and owner != name and not primes else node
+
+        return cls(lower(tree, scene.table, changed), changes)
+
+    def require_fixed(self, trajectory, times, values, value):
+        """PhysicsError at instants at which statics does not fix the signal; value(node, values): of a node there."""
+        import numpy as np
+
+        from vibcli.mechanics.equilibrium.redundant_friction import shared
+
+        moves = _moves(trajectory, times, values)
+        if not any(moves[owner].any() for owner in self.changes if owner in moves):
+            return
+        none = {symbol.name: np.zeros(times.shape) for symbol in self.changes.values()}
+        some = {symbol.name: moves[owner] for owner, symbol in self.changes.items() if owner in moves}
+        at_first = value(self.node, {**values, **none})
+        alone = sum(np.abs(value(self.node, {**values, **none, name: move}) - at_first) for name, move in some.items())
+        if (np.abs(value(self.node, {**values, **none, **some}) - at_first) > TINY * alone).any():
+            raise shared(next(owner for owner in self.changes if owner in moves and moves[owner].any()))
+
+
+def _moves(trajectory, times, values):
+    """The changes of friction forces that still balance, {owner: array}; empty where none is held."""
+    import numpy as np
+
+    if not trajectory.system.switches or not trajectory.friction.possible:
+        return {}
+    none, held = np.full(times.shape, np.nan), trajectory.held(times)
+    if not held:
+        return {}
+    held = {trajectory.system.switches[k]: sigma for k, sigma in held.items()}
+    stuck = np.array([~np.isnan(held.get(part.argument, none)) for part in trajectory.friction.parts])
+    return trajectory.friction.moves(values, len(times), stuck)

@@ -1,0 +1,134 @@
+"""Numbers that are read off one signal of a small motion in free vibration: after the last change of the loads
+x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
+
+from math import inf, pi
+
+from vibcli.analyses.excitation.forcing import oscillates
+from vibcli.base.errors import PhysicsError
+
+TURN = 2 * pi
+ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
+UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as none
+
+
+def kept_up(signal):
+    """Do loads that oscillate without end drive the motion?"""
+    forcing = signal.motion.forcing
+    return forcing.period is not None or oscillates(forcing)
+
+
+def free_parts(signal):
+    """The Parts of a signal after the last change of the loads, of which none oscillates without end."""
+    from vibcli.analyses.transient.textbook_form import formula
+
+    if kept_up(signal):
+        if signal.part == "steady":
+            raise PhysicsError("a steady state is no free vibration: it does not die out", "ask for max(x)")
+        signal.motion.steady  # noqa: B018 - at resonance there is none, and so no part that is free
+        raise PhysicsError("loads that oscillate without end keep this signal in motion: it is no free vibration",
+                           "the part of it that is free is transient(x)")
+    return formula(signal.motion, signal.output, -1)
+
+
+def vibration(signal):
+    """The one Part A e^{rate τ} cos(ω τ − φ) of a free vibration, τ from the last change of the loads; PhysicsError
+    where there are several or none."""
+    parts = [part for part in free_parts(signal) if not part.forced and part.omega]
+    largest = max((abs(part.amplitude) for part in parts), default=0.0)
+    waves = [part for part in parts if abs(part.amplitude) > ALONE * largest]
+    if not waves:
+        raise PhysicsError("this signal does not vibrate freely", "ask for max(x), or its value at a time")
+    if len(waves) > 1:
+        raise PhysicsError(f"this signal holds {len(waves)} vibrations: no one amplitude or decrement is that of all",
+                           "ask for max(x), or start in one mode")
+    return waves[0]
+
+
+def from_the_start(signal):
+    """The same of a vibration that is free from t = 0 on."""
+    part, last = vibration(signal), signal.motion.forcing.segments(inf)[-1].start
+    if last:
+        raise PhysicsError(f"this vibration is free only from t = {last:.6g} s on: A e^(−δt) cos(ω_d t − φ) is not its "
+                           "motion from t = 0", "ask for max(x), or its value at a time")
+    return part
+
+
+def amplitude(signal):
+    """Of the one free vibration; 0 of what stays at rest."""
+    if all(not part.amplitude or not (part.omega or part.rate or part.power) for part in free_parts(signal)):
+        return 0.0
+    part = vibration(signal)
+    return part.amplitude if abs(part.rate) <= UNDYING * part.omega else from_the_start(signal).amplitude
+
+
+def decrement(signal):
+    from vibcli.analyses.transient.free_vibration import decrement
+
+    part = vibration(signal)
+    return decrement(part.rate, part.omega) + 0.0       # 0 and not −0 where nothing damps
+
+
+def time_to(signal, fraction):
+    from vibcli.analyses.transient.free_vibration import time_to
+
+    return time_to(fraction, _decaying(signal).rate)
+
+
+def cycles_to(signal, fraction):
+    from vibcli.analyses.transient.free_vibration import cycles_to
+
+    part = _decaying(signal)
+    return cycles_to(fraction, -TURN * part.rate / part.omega)
+
+
+def _decaying(signal):
+    part = vibration(signal)
+    if not part.rate < 0:
+        raise PhysicsError("this vibration does not die out: its amplitude never falls to a fraction", "add a damper")
+    return part
+
+
+def beat_period(signal):
+    """Of two vibrations that last, one of which a load may keep up."""
+    from vibcli.analyses.transient.free_vibration import beat_period
+
+    if signal.motion.forcing.period is None:
+        found = beat_period(signal.motion, signal.output, -1)
+        if found is not None:
+            return found
+    raise PhysicsError("this signal has no beats", "beats need two vibrations of nearly equal frequency and comparable "
+                       "amplitude that last")
+
+
+def free_period(signal):
+    return TURN / vibration(signal).omega
+
+
+def mean(signal):
+    """Of what lasts of a free motion."""
+    return _lasting(signal)[0]
+
+
+def rms(signal):
+    """√(c² + Σ A²/2) of c + Σ A cos(ω t − φ), what lasts of a free motion."""
+    middle, sizes = _lasting(signal)
+    return (middle * middle + sum(A * A for A in sizes) / 2) ** 0.5
+
+
+def _lasting(signal):
+    """(constant, amplitudes) of the vibrations that do not die out."""
+    parts = free_parts(signal)
+    if any(part.amplitude and (part.rate > 0 or (part.power and not part.rate)) for part in parts):
+        raise PhysicsError("this motion drifts or grows: it has no mean over a period", "ask for its value at a time")
+    waves = [part.amplitude for part in parts if part.omega and abs(part.rate) <= UNDYING * part.omega]
+    if not waves:
+        raise PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
+    return sum(part.amplitude for part in parts if not (part.omega or part.rate)), waves
+
+
+def envelope(signal, times):
+    """A e^{rate t} of a free vibration."""
+    import numpy as np
+
+    part = from_the_start(signal)
+    return part.amplitude * np.exp(part.rate * np.asarray(times))

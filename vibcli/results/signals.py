@@ -1,0 +1,257 @@
+"""Signals in time: values at any instant, extremes, passages through zero; the exact ones of linear motions, and those
+that are composed of them."""
+
+from functools import cached_property
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.work import Work
+from vibcli.symbolic.evaluation import evaluate
+
+
+def require_finite(values, times):
+    """The values; PhysicsError where one is no real number."""
+    import numpy as np
+
+    bad = ~np.isfinite(values)
+    if bad.any():
+        instant = np.asarray(times)[bad][0]
+        raise PhysicsError(f"this signal has no finite real value at t = {instant:.6g} s",
+                           "mind its divisors and what stands under roots and in logarithms")
+    return values
+
+
+class Signal:
+    """A function of the time. What a kind of signal does not have is refused by the name of that kind."""
+
+    KIND, period = "a signal", None
+
+    def error(self, t):
+        """How far its value at an instant may be off; 0 where that is rounding."""
+        return 0.0
+
+    def error_of_time(self, t):
+        """How far an instant that was searched may be off [s]."""
+        return 0.0
+
+    @property
+    def steady(self):
+        raise PhysicsError(f"{self.KIND} has no steady part that is found", "ask for max(x), min(x) or values in time")
+
+    @property
+    def transient(self):
+        raise PhysicsError(f"{self.KIND} has no transient part that is found",
+                           "ask for max(x), min(x) or values in time")
+
+    @property
+    def envelope(self):
+        raise PhysicsError(f"{self.KIND} has no envelope that is found", "ask for max(x), min(x) or values in time")
+
+
+class LinearSignal(Signal):
+    """A linear output of a linear motion. part: "steady" or "transient" where it is that of another."""
+
+    def __init__(self, motion, output, part=""):
+        self.motion, self.output, self.part = motion, output, part
+
+    def values(self, times, order=0):
+        return self.motion.values(self.output, times, order)
+
+    def along(self, end):
+        from vibcli.analyses.transient.composition import Leaf
+
+        return Leaf(self.motion.pieces(end), self.output)
+
+    @cached_property
+    def period(self):
+        """After which the steady state repeats itself, None where it does not; of others, None."""
+        from vibcli.results.steady_features import TURN, fundamental
+
+        try:
+            return TURN / fundamental(self) if self.part == "steady" else None
+        except PhysicsError:
+            return None
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        end = min(end, start + (self.period or end))      # later ones are the same but for rounding
+        return self.motion.extreme(self.output, start, end, "max" if sense > 0 else "min")
+
+    def zeros(self, start, end):
+        return self.motion.zeros(self.output, start, end)
+
+    def final(self):
+        return self.motion.final(self.output)
+
+    @cached_property
+    def steady(self):
+        return LinearSignal(self.motion.steady, self.output, "steady")
+
+    @cached_property
+    def transient(self):
+        return LinearSignal(self.motion.transient, self.output, "transient")
+
+    @cached_property
+    def envelope(self):
+        return Envelope(self)
+
+    @property
+    def phasors(self):
+        """[(Ω, complex X)] of the steady state Re Σ X e^{iΩt}, by ascending Ω."""
+        from vibcli.results.steady_features import harmonics
+
+        return harmonics(self)
+
+
+class Closing:
+    """Coordinates that close loops, as functions of the time: of the free ones, whose signals are {name: signal}."""
+
+    def __init__(self, loops, rest, free):
+        self.loops, self.rest, self.free = loops, rest, free
+
+    def values(self, times, known):
+        """{name: array}, `known` being the values of parameters and of the time."""
+        found = self.loops.along(self.rest, {**known, **{name: one.values(times) for name, one in self.free.items()}})
+        if found is None:
+            raise PhysicsError("the loops of this scene cannot close along its small oscillations",
+                               "mind how large they are, or write motion: full")
+        return found
+
+
+class ComposedSignal(Signal):
+    """A function of signals, instant by instant; `node` in symbols that `signals` names, and in the time."""
+
+    KIND = "a signal composed of others"
+
+    def __init__(self, node, signals, floats, time, closing=None, work=None):
+        self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
+        self.work = work or Work()
+
+    def values(self, times, order=0):
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        if order:
+            raise PhysicsError("rates of products of signals are not found", "ask for the signal itself")
+        import numpy as np
+
+        values = {name: signal.values(times) for name, signal in self.signals.items()}
+        with np.errstate(all="ignore"):
+            values |= {**self.floats, self.time.name: np.asarray(times)}
+            values |= {} if self.closing is None else self.closing.values(times, values)
+            found = evaluate([self.node], Arrays, values)[0]
+        return require_finite(np.broadcast_to(found, np.shape(times)), times)
+
+    def along(self, end):
+        """The Composition of the outputs up to an instant; KeyError where it holds what has no known bounds."""
+        from vibcli.analyses.transient.composition import Composition
+
+        if self.closing is not None:
+            raise KeyError("loops")
+        leaves = {name: signal.along(end) for name, signal in self.signals.items()}
+        return Composition(self.node, leaves, self.floats, self.time.name, require_finite, end)
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value."""
+        from vibcli.analyses.transient.largest import extreme
+        from vibcli.results.sampled_extremes import Sampled
+
+        end = min(end, start + (self.period or end))
+        try:
+            return extreme(self.along(end), None, start, end, "max" if sense > 0 else "min", self.work)
+        except KeyError:
+            return Sampled(self.values, start, end, self.work).extreme(sense)
+
+    def zeros(self, start, end):
+        """Instants at which the signal passes or touches zero."""
+        from vibcli.analyses.transient.extremes import zeros
+        from vibcli.results.sampled_extremes import Sampled
+
+        try:
+            return zeros(self.along(end), None, start, end, self.work).tolist()
+        except KeyError:
+            return Sampled(self.values, start, end, self.work).zeros()
+
+    @property
+    def period(self):
+        """After which it repeats itself from t = 0 on, None where that is not known."""
+        periods = {signal.period for signal in self.signals.values()}
+        return None if self.node.mask & self.time.mask or len(periods) != 1 else periods.pop()
+
+    def final(self):
+        self._require_no_time("limit")
+        from vibcli.symbolic.evaluation import Floats
+
+        try:
+            values = {name: signal.final() for name, signal in self.signals.items()}
+        except PhysicsError as error:
+            raise PhysicsError("no limit of a signal composed of others is found where one of them has none: "
+                               + error.message, "ask for a value at a late instant") from None
+        return evaluate([self.node], Floats, {**self.floats, **values})[0]
+
+    @cached_property
+    def steady(self):
+        self._require_no_time("steady state")
+        return ComposedSignal(self.node, {name: signal.steady for name, signal in self.signals.items()}, self.floats,
+                              self.time, work=self.work)
+
+    def _require_no_time(self, what):
+        if self.node.mask & self.time.mask or self.closing is not None:
+            raise PhysicsError(f"the {what} of what holds a driven motion in a product is not found",
+                               "ask for its values at instants, or for max and min")
+
+    @cached_property
+    def transient(self):
+        """It less its steady part."""
+        from vibcli.symbolic.derivatives import substitute
+        from vibcli.symbolic.expression import reachable
+
+        table, signals, instead = self.node.table, dict(self.signals), {}
+        for symbol in reachable([self.node]):
+            if symbol.op == "symbol" and symbol.name in self.signals:
+                instead[symbol] = table.variable(f"steady {symbol.name}")
+                signals[f"steady {symbol.name}"] = self.steady.signals[symbol.name]
+        node = self.node - substitute([self.node], instead)[0]
+        found = ComposedSignal(node, signals, self.floats, self.time, work=self.work)
+        found.KIND = "the transient part of a composed signal"
+        return found
+
+
+class Envelope(Signal):
+    """A e^{−δt} of a free vibration."""
+
+    KIND = "an envelope"
+
+    def __init__(self, signal):
+        self.signal = signal
+
+    def values(self, times, order=0):
+        from vibcli.results.signal_features import envelope
+
+        return envelope(self.signal, times)
+
+    def along(self, end):
+        from vibcli.analyses.transient.composition import Decay
+        from vibcli.results.signal_features import from_the_start
+
+        part = from_the_start(self.signal)
+        return Decay(part.amplitude, part.rate)
+
+    def extreme(self, start, end, sense):
+        """(instant, value) of the largest (sense 1) or smallest (−1) value: at an end."""
+        import numpy as np
+
+        times = np.array([start, end])
+        found = self.values(times)
+        best = int(np.argmax(sense * found))
+        return float(times[best]), float(found[best])
+
+    def zeros(self, start, end):
+        """None: it dies out, or is 0 for good."""
+        return []
+
+    def final(self):
+        from vibcli.results.signal_features import from_the_start
+
+        part = from_the_start(self.signal)
+        if part.rate > 0:
+            raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
+        return 0.0 if part.rate else part.amplitude

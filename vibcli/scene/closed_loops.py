@@ -1,0 +1,129 @@
+"""Closed loops in numbers: the dependent coordinates z(q) of G(q, z, t) = 0, by Newton's method along a path.
+
+A step from a known position is taken whole where Newton's steps contract fast, and halved where they do not; det ∂G/∂z
+keeps its sign. So a linkage does not jump from one way of closing to another, nor pass a dead centre.
+"""
+
+from vibcli.base.errors import PhysicsError
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+CONTRACTION, SHORTEST, ROUNDS = 0.25, 2.0**-12, 40
+ALONG = 1e-14       # of its size: what is left of a step
+
+
+class Loops:
+    """Conditions G = 0 in the plain symbols of coordinates, unknowns z, slopes ∂G/∂z, and the size of each unknown."""
+
+    __slots__ = ("conditions", "names", "sizes", "slopes")
+
+    def __init__(self, unknowns, conditions, partial, sizes):
+        self.names, self.conditions, self.sizes = [z.name for z in unknowns], conditions, sizes
+        self.slopes = [node for row in partial for node in row[:len(unknowns)]]
+
+    def followed(self, start, target):
+        """{name: float} of `target` ({name: float}) with z, along the straight path from the position `start`; None
+        where the loops cannot follow. What `start` leaves open, as a drawn position that is driven away from at once,
+        is closed on the way."""
+        n, gaps = len(self.names), evaluate(self.conditions, Floats, start)
+        moving = [name for name in target if name not in self.names and target[name] != start.get(name, target[name])]
+        here, done, step, sense = dict(start), 0.0, 1.0, self._sense(start)
+        while done < 1.0:
+            reach = min(1.0, done + step)
+            trial = {**target, **{name: here[name] for name in self.names}}
+            for name in moving:
+                trial[name] = target[name] if reach == 1.0 else (1 - reach) * start[name] + reach * target[name]
+            if self._closed(trial, n, [(1.0 - reach) * gap for gap in gaps]) and self._sense(trial) == sense:
+                here, done, step = trial, reach, 2 * step
+            else:
+                step *= 0.5
+                if step < SHORTEST:
+                    return None
+        return here if moving or not n else self._polished(here, target)
+
+    def _sense(self, values):
+        """The sign of det ∂G/∂z: it changes where the loops are singular."""
+        import numpy as np
+
+        n = len(self.names)
+        flat = evaluate(self.slopes, Floats, values)
+        return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
+
+    def _polished(self, here, target):
+        trial = {**target, **{name: here[name] for name in self.names}}
+        return trial if self._closed(trial, len(self.names)) else None
+
+    def _closed(self, values, n, gaps=0.0):
+        """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""
+        import numpy as np
+
+        before = None
+        for _ in range(12):
+            flat = evaluate([*self.conditions, *self.slopes], Floats, values)
+            G, Gz = np.array(flat[:n]), np.array(flat[n:]).reshape(n, n)
+            if not np.isfinite(flat).all():
+                return False
+            try:
+                step = np.linalg.solve(Gz, gaps - G)
+            except np.linalg.LinAlgError:
+                return False
+            for name, change in zip(self.names, step, strict=True):
+                values[name] += float(change)
+            size = float(np.max(np.abs(step) / self.sizes))
+            if size <= 1e-16:
+                return True
+            if before is not None and size > CONTRACTION * before:
+                return size <= 1e-12
+            before = size
+        return False
+
+    def along(self, start, values):
+        """{name: array} of the unknowns for arrays of coordinates and instants near the closed position `start`; None
+        where Newton's method does not find them."""
+        import numpy as np
+
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        n, shape = len(self.names), np.broadcast_shapes(*(np.shape(value) for value in values.values()))
+        z = np.array([np.full(shape, start[name]) for name in self.names])
+        for _ in range(ROUNDS):
+            at = {**values, **dict(zip(self.names, z, strict=True))}
+            flat = [np.broadcast_to(x, shape) for x in evaluate([*self.conditions, *self.slopes], Arrays, at)]
+            G, Gz = np.array(flat[:n]).T, np.array(flat[n:]).reshape(n, n, *shape).transpose(2, 0, 1)
+            step = np.linalg.solve(Gz, -G[:, :, None])[:, :, 0].T
+            z = z + step
+            if not np.isfinite(z).all():
+                return None
+            if not (ALONG * (np.array(self.sizes) + np.abs(z.T)) < np.abs(step).T).any():
+                return dict(zip(self.names, z, strict=True))
+        return None
+
+    def refined(self, values, arithmetic):
+        """The same in mpmath at the working precision, from float values close to the solution; in place."""
+        import mpmath
+
+        n = len(self.names)
+        for _ in range(ROUNDS):
+            flat = evaluate([*self.conditions, *self.slopes], arithmetic, values)
+            matrix = mpmath.matrix([[flat[n + i * n + j] for j in range(n)] for i in range(n)])
+            step = mpmath.lu_solve(matrix, mpmath.matrix([-g for g in flat[:n]]))
+            for name, change in zip(self.names, step, strict=True):
+                values[name] += change
+            if max(map(abs, step)) <= 100 * mpmath.eps * (1 + max(abs(values[name]) for name in self.names)):
+                return values
+        raise PhysicsError("the loops of this scene do not close to more digits", "ask for fewer digits")
+
+
+def drawn_values(scene):
+    """{name: float} as drawn, with sample values for letters."""
+    names = {node.name: value for node, value in scene.drawn.items()}
+    found = evaluate(list(names.values()), Floats, scene.sample)
+    return {**scene.sample, **dict(zip(names, found, strict=True)), scene.time.name: 0.0}
+
+
+def nearby(scene, attempt):
+    """A closed position near the drawn one, other at each attempt; None where the loops do not close there."""
+    start = drawn_values(scene)
+    target = dict(start)
+    for i, q in enumerate(q for q in scene.q if q not in scene.inputs):
+        target[q.name] += 0.01 * (1 + (7 * i + 3 * attempt) % 5) * (-1) ** (i + attempt) * scene.unit_of(q.name)
+    return scene.loops.followed(start, target) if scene.loops else target

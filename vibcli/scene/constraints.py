@@ -1,0 +1,279 @@
+"""Constraints G(q, z, t) = 0: dependent coordinates z become functions of the independent ones.
+
+Where a condition holds z with a constant coefficient, z is substituted; otherwise z stays as a symbol whose gradient is
+the implicit one, z_q = −G_z⁻¹ G_q, an expression in q and z: its own derivative is the implicit second derivative, so
+that all which is derived from z later is exact to any order.
+"""
+
+from math import isfinite
+from typing import NamedTuple
+
+from vibcli.scene.closed_loops import Loops, nearby
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.normal_form import is_zero, textbook
+
+LOOSE = 1e-7
+
+
+class Constraint(NamedTuple):
+    """One condition node = 0 of the constraint `name` (a part of it: `name.x`); `form` is one of
+    equation, join, link, point, gear, belt, rope, release."""
+
+    name: str
+    node: object
+    where: object
+    form: str
+
+    @property
+    def whole(self):
+        """The name of the constraint that this is a part of."""
+        return self.name.partition(".")[0]
+
+
+class Freedom(NamedTuple):
+    """How many coordinates and independent conditions a scene has, and which constraints follow from others."""
+
+    coordinates: int
+    conditions: int
+    redundant: tuple
+
+
+def close(scenes):
+    """Express dependent coordinates by the others throughout a scene, and the same ones in the scene at rest if that is
+    another: {name: expression} in `dependent` of each.
+
+    Where the file lists its coordinates, the first of them stay independent as far as can be; else those that no
+    condition gives explicitly.
+    """
+    scene, still = scenes[0], scenes[-1]
+    raw = [q for q in scene.q if q not in scene.inputs]
+    nodes, *others = [dict(enumerate(textbook(tie.node) for tie in one.constraints)) for one in scenes]
+    if _contradictory(scene, nodes.values()):
+        return
+    allowed = raw
+    if "coordinates" in scene.spec.sections:
+        allowed = [q for _, q in _pivots(still, dict([nodes, *others][-1]), raw)]
+    values, order = _explicit(scene, nodes, allowed)
+    found = [(scene, nodes, values), *((still, rest, _the_same(rest, order)) for rest in others)]
+    pivots = _pivots(still, dict(found[-1][1]), [q for q in allowed if q not in values])
+    if scene.diagnostics:
+        return
+    left = [q for q in raw if q not in values and q not in {z for _, z in pivots}] + list(scene.inputs)
+    for one, conditions, given in found:
+        _settle(one, conditions, given, pivots, left)
+        one.freedom = Freedom(len(raw), len(given), tuple(scene.constraints[k].name for k in conditions))
+
+
+def _settle(scene, nodes, values, pivots, left):
+    """Put what the dependent coordinates are into a scene: `values`, and those that `pivots` leave implicit."""
+    tied = [nodes.pop(k) for k, _ in pivots]
+    scene.rename(left)
+    scene.loops = _implicit(scene, tied, [z for _, z in pivots], values, left) if pivots else None
+    used = 0
+    for node in (*(term.weight for term in scene.forces), *scene.energies.values()):
+        used |= node.mask
+    velocities = {scene.symbol(z.name, 1): node for z, node in values.items()}
+    scene.replace({**values, **{v: scene.rate(node) for v, node in velocities.items() if v.mask & used}})
+    for z, node in values.items():
+        scene.define(z.name, node)
+    _redundant(scene, nodes, substitute(list(nodes.values()), values))
+    scene.dependent = {z.name: node for z, node in values.items()}
+
+
+def _contradictory(scene, nodes):
+    """A condition without coordinates cannot be met."""
+    before = len(scene.diagnostics)
+    for constraint, node in zip(scene.constraints, nodes, strict=True):
+        if not any(q in gradient(node) for q in scene.q) and not node.is_zero:
+            scene.report(constraint.where, f"nothing can move so that the constraint '{constraint.name}' holds",
+                         "one of the things that it ties must be able to move")
+    return len(scene.diagnostics) > before
+
+
+def _pivots(scene, nodes, columns):
+    """[(number of a condition, coordinate)] of a largest regular block of ∂G/∂q as drawn: coordinates from the last,
+    conditions from the first. `nodes`: {number: condition}."""
+    zero = scene.table.zero
+    slopes = scene.at_drawn(*(gradient(node).get(q, zero) for node in nodes.values() for q in columns))
+    flat, n = evaluate(slopes, Floats, scene.sample), len(columns)
+    work = {}
+    for i, k in enumerate(nodes):
+        row = flat[i * n:(i + 1) * n]
+        if not all(map(isfinite, row)):
+            scene.report(scene.constraints[k].where, f"how '{scene.constraints[k].whole}' changes is not "
+                         "defined as drawn", "look for roots of what is zero or negative, and for what divides by zero")
+            return []
+        size = max(map(abs, row), default=0.0) or 1.0
+        work[k] = [x / size for x in row]
+    found = []
+    for j in reversed(range(n)):
+        largest = max((abs(row[j]) for row in work.values()), default=0.0)
+        if largest <= LOOSE:
+            continue
+        pivot = next(k for k, row in work.items() if abs(row[j]) >= 0.1 * largest)
+        found.append((pivot, columns[j]))
+        chosen = work.pop(pivot)
+        for k, row in work.items():
+            if row[j]:
+                factor = row[j] / chosen[j]
+                work[k] = [x - factor * y for x, y in zip(row, chosen, strict=True)]
+    return found
+
+
+def _explicit(scene, nodes, allowed):
+    """{z: expression} of coordinates that stand with a constant coefficient in a condition, which is taken out of
+    `nodes` ({number: condition}); of those of the shortest condition the last. And [(number, z)] in this order."""
+    found, taken, ranked = {}, [], {}
+    order = {q: i for i, q in enumerate(scene.q) if q not in scene.inputs}
+    while True:
+        for k in nodes.keys() - ranked.keys():
+            ranked[k] = _shortest(scene, nodes[k], order, allowed)
+        choices = [(*rank, k) for k, rank in ranked.items() if rank is not None]
+        if not choices:
+            return found, taken
+        _, place, k = min(choices)
+        z = scene.q[-place]
+        del ranked[k]
+        taken.append((k, z))
+        for changed in _solve_for(nodes, found, k, z):
+            del ranked[changed]
+
+
+def _the_same(nodes, order):
+    """{z: expression} of the same coordinates, from the conditions of the scene at rest."""
+    found = {}
+    for k, z in order:
+        _solve_for(nodes, found, k, z)
+    return found
+
+
+def _solve_for(nodes, found, k, z):
+    """Take condition k out of `nodes` and z from it, `found` being {z: expression}; the numbers of those with z."""
+    node = nodes.pop(k)
+    expression = textbook(z - node / gradient(node)[z])
+    for other, value in found.items():
+        found[other] = _with(value, z, expression)
+    found[z] = expression
+    moved = {other: _with(value, z, expression) for other, value in nodes.items()}
+    changed = [other for other, value in moved.items() if value is not nodes[other]]
+    nodes.update(moved)
+    return changed
+
+
+def _shortest(scene, node, order, allowed):
+    """(number of coordinates in a condition, −place of the last that it gives explicitly), None where it gives none."""
+    here = {q: slope for q, slope in gradient(node).items() if q in order}
+    given = [order[q] for q, slope in here.items() if q in allowed and not slope.mask and scene.number(slope)]
+    return (len(here), -max(given)) if given else None
+
+
+def _with(node, z, expression):
+    """The node with z substituted."""
+    return textbook(substitute([node], {z: expression})[0]) if node.mask & z.mask else node
+
+
+def _implicit(scene, nodes, waiting, values, left):
+    """Adds the dependents `waiting` to `values` as symbols with implicit gradients; returns the Loops."""
+    table = scene.table
+    depends = [x for x in (*left, scene.time) if any(x in gradient(node) for node in nodes)]
+    mask = 0
+    for x in depends:
+        mask |= x.mask
+    symbols = {z: table.dependent(z.name, mask, scene.at_rest) for z in waiting}
+    partial = [[gradient(node).get(x, table.zero) for x in (*waiting, *depends)] for node in nodes]
+    moved = substitute([node for row in partial for node in row], symbols)
+    width = len(waiting) + len(depends)
+    rows = [moved[i * width:(i + 1) * width] for i in range(len(nodes))]
+    drawn = {**scene.drawn, **{symbols[z]: scene.drawn[z] for z in waiting}, scene.time: table.zero}
+    solution = solved(rows, len(waiting), lambda nodes: evaluate(substitute(nodes, drawn), Floats, scene.sample))
+    for z, slopes in zip(waiting, solution, strict=True):
+        symbols[z].gradient = {x: -slope for x, slope in zip(depends, slopes, strict=True) if not slope.is_zero}
+    for other, node in values.items():
+        values[other] = substitute([node], symbols)[0]
+    values.update(symbols)
+    scene.drawn.update({symbols[z]: scene.drawn[z] for z in waiting})
+    return Loops(waiting, nodes, partial, [scene.unit_of(z.name) for z in waiting])
+
+
+def solved(rows, n, numbers):
+    """A⁻¹B of rows [A | B] in letters, A being n × n: sparse elimination; pivots are not small as drawn."""
+    work = [{j: node for j, node in enumerate(row) if not node.is_zero} for row in rows]
+    order, free = [], set(range(n))
+    while free:
+        candidates = [(i, j) for i in free for j in work[i] if j < n and j not in {c for _, c in order}]
+        sizes = dict(zip(candidates, map(abs, numbers([work[i][j] for i, j in candidates])), strict=True))
+        largest = {i: max((size for (k, _), size in sizes.items() if k == i), default=0.0) for i in free}
+        count = {}
+        for _, j in candidates:
+            count[j] = count.get(j, 0) + 1
+        i, j = min((pair for pair in candidates if sizes[pair] >= 0.1 * largest[pair[0]] and sizes[pair] > 0),
+                   key=lambda pair: ((len(work[pair[0]]) - 1) * (count[pair[1]] - 1), pair))
+        order.append((i, j))
+        free.remove(i)
+        for other in free:
+            if j in work[other]:
+                factor = work[other].pop(j) / work[i][j]
+                _reduce(work[other], work[i], factor, j)
+    answers = {}
+    for i, j in reversed(order):
+        found = {k: node for k, node in work[i].items() if k >= n}
+        for k, node in work[i].items():
+            if k < n and k != j:
+                _reduce(found, answers[k], node, None)
+        answers[j] = {k: node / work[i][j] for k, node in found.items()}
+    zero = rows[0][0].table.zero
+    return [[answers[j].get(k, zero) for k in range(n, len(rows[0]))] for j in range(n)]
+
+
+def _reduce(row, other, factor, skip):
+    """row − factor·other, in place."""
+    for k, node in other.items():
+        if k != skip:
+            value = row[k] - factor * node if k in row else -(factor * node)
+            if value.is_zero:
+                row.pop(k, None)
+            else:
+                row[k] = value
+
+
+def _redundant(scene, numbers, nodes):
+    """Conditions which the others imply as drawn must be implied in all positions."""
+    for k, node in zip(numbers, nodes, strict=True):
+        if is_zero(node):
+            continue
+        terms = [scene.table.scaled(part, c) for part, c in node.args] if node.op == "sum" else [node]
+        if not all(abs(size) <= 1e-9 for size in _rates(scene, node)):
+            constraint = scene.constraints[k]
+            scene.report(constraint.where, f"the constraint '{constraint.whole}' contradicts the others: they "
+                         "prescribe different motions in time", "take one of them out")
+            continue
+        for values in (nearby(scene, attempt) for attempt in range(4)):
+            sizes = evaluate([node, *terms], Floats, values) if values is not None else (0.0,)
+            if not abs(sizes[0]) <= 1e-9 * sum(map(abs, sizes[1:])):
+                constraint = scene.constraints[k]
+                scene.report(constraint.where, f"the constraint '{constraint.whole}' locks the scene in the drawn "
+                             "position: it contradicts the other constraints as soon as anything moves",
+                             "take it out, or draw the position so that all constraints can hold while it moves")
+                break
+
+
+def _rates(scene, node):
+    """∂G/∂t as drawn of a condition that follows from the others there, relative to the terms it is summed from."""
+    slope = gradient(node).get(scene.time)
+    if slope is None:
+        return []
+    terms = [scene.table.scaled(part, c) for part, c in slope.args] if slope.op == "sum" else [slope]
+    sizes = evaluate(scene.at_drawn(slope, *terms), Floats, scene.sample)
+    return [sizes[0] / (sum(map(abs, sizes[1:])) or 1.0)]
+
+
+def words_of_locked(scene):
+    """What is said of a scene whose constraints leave no freedom."""
+    if any(node.mask & scene.time.mask for node in scene.dependent.values()) or not scene.dependent:
+        return "nothing moves freely: all motion is prescribed as a function of the time"
+    bodies = ", ".join(f"'{name}'" for name, body in scene.bodies.items() if body.moves)
+    names = list(dict.fromkeys(f"'{constraint.whole}'" for constraint in scene.constraints))
+    verb = "the constraint {} locks" if len(names) == 1 else "the constraints {} lock"
+    return (f"{verb.format(', '.join(names))} the scene: {bodies} cannot move, as {scene.freedom.coordinates} "
+            "coordinates are tied by as many independent conditions")

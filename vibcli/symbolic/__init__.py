@@ -1,0 +1,1 @@
+"""The expression: syntax, table, derivatives, evaluation, normal forms."""

@@ -1,0 +1,32 @@
+"""NumPy arithmetic for `evaluate`: one walk over the expressions for many states at once."""
+
+import numpy as np
+
+from vibcli.symbolic import discontinuous_functions
+from vibcli.symbolic.rationals import HALF
+
+
+class Arrays:
+    """Float arrays; what has no real value is NaN, for the caller to refuse."""
+
+    pi = np.pi
+    functions = {"sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan,
+                 "atan2": np.arctan2, "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh, "exp": np.exp, "log": np.log,
+                 "abs": np.abs, "sign": np.sign, "min": np.minimum, "max": np.maximum, "power": np.power,
+                 **discontinuous_functions.on_arrays()}
+
+    @staticmethod
+    def record(name, samples):
+        return samples.on_arrays
+
+    @staticmethod
+    def number(value):
+        return value.numerator / value.denominator
+
+    @staticmethod
+    def power(base, exponent):
+        if exponent == HALF:
+            return np.sqrt(base)
+        if exponent.denominator == 1:
+            return np.power(np.asarray(base, dtype=float), exponent.numerator)
+        return np.power(base, exponent.numerator / exponent.denominator)

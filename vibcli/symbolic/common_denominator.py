@@ -1,0 +1,111 @@
+"""One fraction bar: a sum of quotients over a common denominator, all coefficients whole, common factors cancelled."""
+
+from fractions import Fraction
+from math import gcd, lcm
+
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.nested_form import letters, nested
+from vibcli.symbolic.normal_form import TooLong, add, expanded, factors_of, multiplied, reduced, times
+from vibcli.symbolic.rationals import ONE, ZERO
+
+
+def single(node):
+    """The node as one fraction."""
+    return node.table.product(*fraction(node))
+
+
+def shorter(node):
+    """The node, as one fraction where it divides by a sum and that is shorter."""
+    divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
+                  for base, e in part.args)
+    return min((node, single(node)), key=letters) if divides else node
+
+
+def fraction(node):
+    """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients.
+
+    The node alone where it is too long.
+    """
+    table = node.table
+    try:
+        terms = reduced(expanded(node))
+        below = _denominator(terms)
+        above, factors = _cleared(terms, below), []
+        for atom, e in below:
+            for base, power in _parts(table, atom):
+                above, left = _cancelled(above, base, -power * e)
+                factors.append((base, left))
+    except (TooLong, ZeroDivisionError):
+        return ((node, ONE),)
+    return *_written(table, above), *factors
+
+
+def _denominator(terms):
+    """((atom, exponent), …): the lowest negative exponent of each atom, as a positive one."""
+    lowest = {}
+    for monomial in terms:
+        for atom, e in monomial:
+            if e < 0:
+                lowest[atom] = min(lowest.get(atom, ZERO), e)
+    return tuple((atom, -e) for atom, e in sorted(lowest.items(), key=lambda pair: pair[0].index))
+
+
+def _cleared(terms, below):
+    """The polynomial times its denominator; sums expanded where their exponent is whole."""
+    found = {}
+    whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
+    for monomial, value in terms.items():
+        above = times(monomial, below)
+        product = {tuple(pair for pair in above if pair[0] not in whole): value}
+        for atom, e in above:
+            for _ in range(int(e) if atom in whole else 0):
+                product = multiplied(product, expanded(atom, ()))
+        for part, c in product.items():
+            add(found, part, c)
+    return reduced(found)
+
+
+def _parts(table, atom):
+    """A base of the denominator as factors with whole coefficients."""
+    return _written(table, reduced(expanded(atom, ()))) if atom.op == "sum" else ((atom, ONE),)
+
+
+def _written(table, terms):
+    """A polynomial as factors: a rational, common letters, and a sum with whole coefficients."""
+    values = list(terms.values())
+    scale = Fraction(gcd(*(v.numerator for v in values)), lcm(*(v.denominator for v in values))) if values else ONE
+    factors = factors_of(table, {monomial: value / scale for monomial, value in terms.items()})
+    return ((table.number(scale), ONE),
+            *((nested(table, expanded(base, ())) if base.op == "sum" else base, e) for base, e in factors))
+
+
+def _cancelled(above, base, e):
+    """(polynomial, exponent left) after dividing by a sum of the denominator as often as it goes."""
+    divisor = expanded(base, ()) if base.op == "sum" else None
+    while divisor and e <= -1:
+        found = divided(above, divisor)
+        if found is None:
+            break
+        above, e = found, e + 1
+    return above, e
+
+
+def divided(terms, divisor):
+    """The polynomial terms/divisor where the division leaves no rest, else None."""
+    lead = max(divisor, key=_rank)
+    rest, found = dict(terms), {}
+    while rest:
+        top = max(rest, key=_rank)
+        power = times(top, lead, -1)
+        if any(e < 0 for _, e in power) or len(found) > len(terms):
+            return None
+        value = Fraction(rest[top]) / divisor[lead]
+        found[power] = value
+        for monomial, c in divisor.items():
+            add(rest, times(power, monomial), -value * c)
+    return found
+
+
+def _rank(monomial):
+    """Lexicographic order by the indices of the atoms, the degree first."""
+    return sum(e for _, e in monomial), [(-atom.index, e) for atom, e in monomial]

@@ -1,0 +1,172 @@
+"""Cycles told from radians: what each part of an expression counts, and where cycles meet what is due in radians.
+
+A count is a dict of exponents like a dimension: CYCLE of Hz, PERIOD of the parameters that are periods T = 1/f, RADIAN
+of rad and rpm, PI of the factors π. A factor π turns one cycle into radians, as in 2·π·f or m·4·π²·f²; what is left
+counts CYCLE − PERIOD cycles. A rate v/R or a number n counts neither, and is added to both.
+"""
+
+from vibcli.base import units
+from vibcli.base.diagnostics import quoted
+from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
+from vibcli.symbolic.rationals import HALF
+from vibcli.symbolic.semantics import ANY, children, constant, literal_unit
+
+CYCLE, PERIOD, RADIAN, PI = "cycle", "period", "radian", "pi"
+NEITHER = {}
+RATE = {"s": -1}
+OF_ANGLES = "an angular frequency is 2*pi*f: "
+
+
+def count_of(unit):
+    return {key: power for key, power in ((CYCLE, unit.cycles), (RADIAN, unit.radians)) if power}
+
+
+def left_over(count):
+    """How many cycles are not cleared by a factor π."""
+    return count.get(CYCLE, 0) - count.get(PERIOD, 0)
+
+
+def cleared(count):
+    """The count with as many cycles turned into radians as it has factors π."""
+    over, factors = left_over(count), count.get(PI, 0)
+    if over > 0 and factors > 0:
+        turned = min(over, factors)
+    elif over < 0 and factors < 0 and count.get(CYCLE, 0) < 0:
+        turned = max(over, factors, count[CYCLE])
+    else:
+        return count
+    return units.times(count, {CYCLE: -1, PI: -1, RADIAN: 1}, turned)
+
+
+def is_period(count):
+    """Is it, if it is a time, one for each cycle: T = 1/f?"""
+    return left_over(count) == -1 and not count.get(PERIOD) and count.get(PI, 0) <= 0
+
+
+def in_radians(count, dimension):
+    """May it stand where radians are due? A period is a time like any other, and may be a factor of anything."""
+    if left_over(count) > 0:
+        return False
+    return count.get(CYCLE, 0) >= 0 or left_over(count) == 0 or (dimension == units.TIME and is_period(count))
+
+
+def fits_both(count, dimension):
+    """Does it count neither, being a number or a rate, or what fits everywhere?"""
+    angular = count.get(RADIAN, 0) > 0 and count.get(PI, 0) >= 0
+    return left_over(count) == 0 and not angular and dimension in (units.NONE, RATE, ANY)
+
+
+def agree(counts, dimensions):
+    """Can these be added or compared? All count as many cycles, or fit both."""
+    over = set(map(left_over, counts))
+    if over == {0, -1}:
+        return all(map(in_radians, counts, dimensions))
+    return len(over) <= 1 or (over == {0, 1} and all(
+        left_over(count) or fits_both(count, dimension) for count, dimension in zip(counts, dimensions, strict=True)))
+
+
+class Cycles:
+    """Counts of the parts of trees, given `of(name)` and `quantity(tree)`, the counts of names and quantities, and
+    `dimension(tree)`; every misfit is raised as an ExpressionError."""
+
+    def __init__(self, of, quantity, dimension, text=""):
+        self.of, self.quantity, self.dimension, self.text = of, quantity, dimension, text
+
+    def count(self, tree):
+        return getattr(self, "_" + tree[0])(tree)
+
+    def require_radians(self, tree, message="this counts cycles (Hz) where radians are due", whole=False):
+        """Report a tree that counts cycles where an angle, a stiffness … is due."""
+        if not in_radians(self.count(tree), self.dimension(tree)):
+            start, end = (0, len(self.text)) if whole else tree[1:3]
+            raise ExpressionError(start, end - start, message, self.advice(tree))
+
+    def advice(self, tree):
+        """Where a factor 2π is missing: at the first literal in Hz, or the first name that counts cycles."""
+        if left_over(self.count(tree)) < 0 and self.dimension(tree) == units.TIME:
+            return "the period of a frequency f in Hz is 1/f"
+        part = self._uncleared(tree)
+        count = self.count(part)
+        if part[0] == "name" and count.get(PERIOD) == 1:
+            found = OF_ANGLES + f"write 2*pi/{part[3]}"
+        elif part[0] == "name" and left_over(count) != 1:
+            found = OF_ANGLES + f"write it so where '{part[3]}' is defined"
+        else:
+            found = OF_ANGLES + f"write (2*pi*{self._text(part) if part[0] in ('name', 'number') else 'f'})"
+        return found + ("; a period T = 1/f is a parameter of its own" if left_over(self.count(tree)) < 0 else "")
+
+    def _uncleared(self, tree):
+        """The first name or literal that brings in cycles without their factors π."""
+        parts = children(tree)
+        while part := next((part for part in parts if left_over(self.count(part))), None):
+            tree, parts = part, children(part)
+        return tree
+
+    def _text(self, part):
+        return self.text[part[1]:part[2]].strip()
+
+    def _number(self, tree):
+        if not tree[4]:
+            return NEITHER
+        return count_of(literal_unit(tree[4]))
+
+    def _name(self, tree):
+        return {PI: 1} if tree[3] == "pi" and not tree[4] else self.of(tree[3])
+
+    def _quantity(self, tree):
+        return self.quantity(tree)
+
+    def _product(self, tree):
+        found = NEITHER
+        for power, part in tree[3]:
+            found = units.times(found, self.count(part), power)
+        return cleared(found)
+
+    def _power(self, tree):
+        exponent = constant(tree[4])
+        if exponent is None:
+            self.require_radians(tree[4])
+            self.require_radians(tree[3])
+            return NEITHER
+        return cleared(units.raised(self.count(tree[3]), exponent))
+
+    def _equation(self, tree):
+        return self._joined([tree[3], tree[4]], "compared")
+
+    def _sum(self, tree):
+        return self._joined([part for _, part in tree[3]], "added")
+
+    def _joined(self, parts, done):
+        """The count of terms that measure the same."""
+        parts = [part for part in parts if not (part[0] == "number" and not part[3])]
+        counts = [self.count(part) for part in parts]
+        over = [left_over(count) for count in counts]
+        if not agree(counts, [self.dimension(part) for part in parts] if len(set(over)) > 1 else ()):
+            cyclic = max(range(len(parts)), key=lambda i: abs(over[i]))
+            other = next(i for i in range(len(parts)) if over[i] != over[cyclic])
+            self._misfit(parts[cyclic], parts[other], done)
+        if counts and all(count == counts[0] for count in counts):
+            return counts[0]
+        most = max(over, default=0) or (min(over, default=0) if 0 not in over else 0)
+        return {CYCLE: most} if most else NEITHER
+
+    def _misfit(self, cyclic, other, done):
+        raise ExpressionError(cyclic[1], cyclic[2] - cyclic[1], f"these cannot be {done}: {quoted(self._text(cyclic))} "
+                              f"counts cycles (Hz), as {quoted(self._text(other))} does not", self.advice(cyclic))
+
+    def _call(self, tree):
+        name, args = tree[3], tree[4]
+        if name == "sqrt":
+            return cleared(units.raised(self.count(args[0]), HALF))
+        if name in ("abs", "ramp"):
+            return self.count(args[0])
+        if name == "impulse":
+            return units.raised(self.count(args[0]), -1)
+        if name in ("min", "max", "atan2"):
+            found = self._joined(args, "compared")
+            return NEITHER if name == "atan2" else found
+        if name in ("sign", "step"):
+            self.count(args[0])
+            return NEITHER
+        self.require_radians(args[0], f"the argument of {name} counts cycles (Hz)")
+        return NEITHER if name in FUNCTIONS else self.of(name + "()")

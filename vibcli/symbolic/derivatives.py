@@ -1,0 +1,154 @@
+"""Derivatives and substitution, each memoised: a shared part is treated once."""
+
+from fractions import Fraction
+
+from vibcli.symbolic.expression import Node, reachable
+from vibcli.symbolic.rationals import HALF, ONE
+
+
+def gradient(node):
+    """{variable: ∂node/∂variable} for every variable that the node depends on. Memoised on the node."""
+    if node.gradient is None:
+        for part in _unfinished(node):
+            part.gradient = _RULES[part.op](part)
+    return node.gradient
+
+
+def _unfinished(node):
+    seen, pending = set(), [node]
+    while pending:
+        part = pending.pop()
+        if part in seen or part.gradient is not None:
+            continue
+        seen.add(part)
+        if part.op in ("sum", "product"):
+            pending.extend(arg for arg, _ in part.args)
+        else:
+            pending.extend(part.args)
+    return sorted(seen, key=lambda part: part.index)
+
+
+def _collect(table, pairs):
+    """Σ weight·(∂part/∂v) by variable, of (part, weight node or rational) pairs."""
+    terms = {}
+    for part, weight in pairs:
+        for variable, slope in part.gradient.items():
+            term = (slope * weight, ONE) if weight.__class__ is Node else (slope, weight)
+            terms.setdefault(variable, []).append(term)
+    found = {variable: table.sum(*parts) for variable, parts in terms.items()}
+    return {variable: slope for variable, slope in found.items() if not slope.is_zero}
+
+
+def _symbol(node):
+    return {node: node.table.one} if node.mask else {}
+
+
+def _sum(node):
+    return _collect(node.table, node.args)
+
+
+def _product(node):
+    table = node.table
+    return _collect(table, [(base, table.scaled(table.product((node, ONE), (base, -ONE)), power))
+                            for base, power in node.args if base.mask])
+
+
+def _call(node):
+    if not node.mask:
+        return {}
+    outer = _OUTER.get(node.name, _higher)(node, *node.args)
+    return _collect(node.table, [(arg, slope) for arg, slope in zip(node.args, outer, strict=True) if arg.mask])
+
+
+_RULES = {"number": lambda node: {}, "pi": lambda node: {}, "symbol": _symbol, "sum": _sum, "product": _product,
+          "call": _call}
+
+
+def _power_slopes(node, base, exponent):
+    return (exponent * node / base, node * node.table.call("log", base))
+
+
+def _atan2_slopes(node, y, x):
+    square = x * x + y * y
+    return (x / square, -(y / square))
+
+
+def _extreme(sign):
+    def slopes(node, a, b):
+        step = node.table.call("sign", a - b) * Fraction(sign, 2)
+        return (step + HALF, HALF - step)
+    return slopes
+
+
+def _sign_slope(node, u):
+    """Where u is a function of the time alone, sign u jumps by 2 where it vanishes; of other kinks see kinks.py."""
+    time = node.table.time
+    return (node.table.call("impulse", u) * 2 if time is not None and u.mask == time.mask else node.table.zero,)
+
+
+def _higher(node, u, order=None):
+    """The next rate of an impulse, or of a train of jumps: the same function with its order as second argument."""
+    following = node.table.number(1) if order is None else order + 1
+    slope = node.table.call(node.name, u, following)
+    return (slope,) if order is None else (slope, node.table.zero)
+
+
+_OUTER = {
+    "sin": lambda node, u: (node.table.call("cos", u),),
+    "cos": lambda node, u: (-node.table.call("sin", u),),
+    "tan": lambda node, u: (node * node + 1,),
+    "asin": lambda node, u: ((1 - u * u) ** -HALF,),
+    "acos": lambda node, u: (-((1 - u * u) ** -HALF),),
+    "atan": lambda node, u: (1 / (u * u + 1),),
+    "atan2": _atan2_slopes,
+    "sinh": lambda node, u: (node.table.call("cosh", u),),
+    "cosh": lambda node, u: (node.table.call("sinh", u),),
+    "tanh": lambda node, u: (1 - node * node,),
+    "exp": lambda node, u: (node,),
+    "log": lambda node, u: (1 / u,),
+    "abs": lambda node, u: (node.table.call("sign", u),),
+    "sign": _sign_slope,
+    "step": lambda node, u: (node.table.call("impulse", u),),
+    "ramp": lambda node, u: (node.table.call("step", u),),
+    "impulse": _higher,
+    "square": _higher,
+    "sawtooth": _higher,
+    "min": _extreme(-1),
+    "max": _extreme(1),
+    "power": _power_slopes,
+}
+
+
+def substitute(nodes, values):
+    """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
+    done = {}
+    for node in reachable(nodes):
+        if node in values:
+            done[node] = values[node]
+        elif node.op == "sum":
+            done[node] = _rebuilt(node, done, node.table.sum, lambda table, c: (table.number(c), ONE))
+        elif node.op == "product":
+            done[node] = _rebuilt(node, done, node.table.product, lambda table, c: (table.number(c), ONE))
+        elif node.op == "call":
+            args = [done[arg] for arg in node.args]
+            done[node] = node if all(map(_same, args, node.args)) else _recalled(node, args)
+        else:
+            done[node] = node
+    return [done[node] for node in nodes]
+
+
+def _same(a, b):
+    return a is b
+
+
+def _rebuilt(node, done, build, constant):
+    args = [(done[arg], c) for arg, c in node.args]
+    if all(new is old for (new, _), (old, _) in zip(args, node.args, strict=True)):
+        return node
+    return build(constant(node.table, node.coefficient), *args)
+
+
+def _recalled(node, args):
+    if node.name == "power":
+        return node.table.power(*args)
+    return node.table.call(node.name, *args)

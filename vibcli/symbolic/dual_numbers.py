@@ -1,0 +1,134 @@
+"""Dual numbers v + d·ε, ε² = 0: the value of an expression and its derivative by one parameter, in one evaluation.
+
+Forward-mode automatic differentiation over any arithmetic of evaluate.py. What does not depend on the parameter stays
+a plain number of that arithmetic, so a Dual is met only where there is a derivative.
+"""
+
+from vibcli.symbolic.rationals import HALF, ONE
+
+
+class Dual:
+    """value + slope·ε. `abs` is the magnitude of each part, as the sizes of sums need it; |v| itself is a function."""
+
+    __slots__ = ("slope", "value")
+
+    def __init__(self, value, slope):
+        self.value, self.slope = value, slope
+
+    def __add__(self, other):
+        if other.__class__ is Dual:
+            return dual(self.value + other.value, self.slope + other.slope)
+        return Dual(self.value + other, self.slope)
+
+    def __mul__(self, other):
+        if other.__class__ is Dual:
+            return dual(self.value * other.value, self.value * other.slope + self.slope * other.value)
+        return dual(self.value * other, self.slope * other)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __neg__(self):
+        return Dual(-self.value, -self.slope)
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __rsub__(self, other):
+        return -self + other
+
+    def __abs__(self):
+        return Dual(abs(self.value), abs(self.slope))
+
+    def __bool__(self):
+        return bool(self.value) or bool(self.slope)
+
+
+def dual(value, slope):
+    """The dual number, or the plain one where the slope is exactly zero."""
+    return Dual(value, slope) if slope else value
+
+
+def value(x):
+    return x.value if x.__class__ is Dual else x
+
+
+def slope(x):
+    return x.slope if x.__class__ is Dual else 0
+
+
+class Duals:
+    """The arithmetic of dual numbers over the numbers of another one."""
+
+    ordered = False
+
+    def __init__(self, inner):
+        self.inner, self.number, self.pi = inner, inner.number, inner.pi
+        self.functions = {name: self._function(name) for name in inner.functions}
+
+    def power(self, base, exponent):
+        if base.__class__ is not Dual:
+            return self.inner.power(base, exponent)
+        steep = self.number(exponent) * self.inner.power(base.value, exponent - ONE)
+        return dual(self.inner.power(base.value, exponent), steep * base.slope)
+
+    def record(self, name, samples):
+        plain = self.inner.record(name, samples)
+
+        def at(u, order):
+            return dual(plain(value(u), order), plain(value(u), order + 1) * slope(u))
+        return at
+
+    def _function(self, name):
+        plain, slopes = self.inner.functions[name], _SLOPES[name]
+
+        def call(*args):
+            values = [value(x) for x in args]
+            found = plain(*values)
+            if not any(x.__class__ is Dual for x in args):
+                return found
+            outer = slopes(self.inner, found, *values)
+            return dual(found, sum(by * slope(x) for by, x in zip(outer, args, strict=True) if slope(x)))
+        return call
+
+
+def _arc(inner, x):
+    return inner.power(1 - x * x, -HALF)
+
+
+def _extreme(direction):
+    def slopes(inner, y, a, b):
+        step = direction * inner.functions["sign"](a - b)
+        return (1 + step) / 2, (1 - step) / 2
+    return slopes
+
+
+def _power(inner, y, base, exponent):
+    by_base = exponent * inner.functions["power"](base, exponent - 1)
+    return by_base, y * inner.functions["log"](base) if base else 0
+
+
+# the derivatives of f at x, y being f(x): by each argument
+_SLOPES = {
+    "sin": lambda inner, y, x: (inner.functions["cos"](x),),
+    "cos": lambda inner, y, x: (-inner.functions["sin"](x),),
+    "tan": lambda inner, y, x: (1 + y * y,),
+    "asin": lambda inner, y, x: (_arc(inner, x),),
+    "acos": lambda inner, y, x: (-_arc(inner, x),),
+    "atan": lambda inner, y, x: (1 / (1 + x * x),),
+    "atan2": lambda inner, z, y, x: (x / (x * x + y * y), -y / (x * x + y * y)),
+    "sinh": lambda inner, y, x: (inner.functions["cosh"](x),),
+    "cosh": lambda inner, y, x: (inner.functions["sinh"](x),),
+    "tanh": lambda inner, y, x: (1 - y * y,),
+    "exp": lambda inner, y, x: (y,),
+    "log": lambda inner, y, x: (1 / x,),
+    "abs": lambda inner, y, x: (inner.functions["sign"](x),),
+    "sign": lambda inner, y, x: (0,),
+    "step": lambda inner, y, x: (0,),
+    "ramp": lambda inner, y, x: (inner.functions["step"](x),),
+    "impulse": lambda inner, y, *args: (0,) * len(args),
+    "square": lambda inner, y, *args: (0,) * len(args),
+    "sawtooth": lambda inner, y, x, *order: (0, 0) if order else (inner.functions["sawtooth"](x, 1),),
+    "min": _extreme(-1),
+    "max": _extreme(1),
+    "power": _power,
+}

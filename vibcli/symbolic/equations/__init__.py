@@ -1,0 +1,1 @@
+"""Equations in free symbols, solved."""

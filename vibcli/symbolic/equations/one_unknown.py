@@ -1,0 +1,182 @@
+"""Solutions in letters of one condition with one unknown: polynomials of first and second degree, pure powers, and
+equations in its sine and cosine. SymPy factors the condition; each factor is solved by its kind.
+
+Solutions are candidates: a root is squared away, and branches are all offered, so that they have to be checked.
+"""
+
+from fractions import Fraction
+
+from vibcli.symbolic.angle_addition import opened
+from vibcli.symbolic.common_denominator import single
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.radicals import root
+from vibcli.symbolic.rational_functions import Quotients
+from vibcli.symbolic.rationals import HALF
+from vibcli.symbolic.surds import Pair
+from vibcli.symbolic.time_limit import within
+
+CALLS = 8_000_000
+
+
+class Solution:
+    """value: the unknown; sine, cosine: of it where it is an angle, else None."""
+
+    __slots__ = ("cosine", "sine", "value")
+
+    def __init__(self, value, sine=None, cosine=None):
+        self.value, self.sine, self.cosine = value, sine, cosine
+
+
+def solutions(node, unknown, samples):
+    """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
+    node, = opened([node], unknown)
+    node = textbook(node)
+    return within(CALLS, lambda: _Condition(node, unknown, samples).solutions(), [])
+
+
+class _Condition:
+    """A condition as polynomials in the letters and x, sin x, cos x and roots that hold these."""
+
+    def __init__(self, node, unknown, samples):
+        table = self.table = node.table
+        self.x, self.samples = unknown, samples
+        self.sine, self.cosine = table.call("sin", unknown), table.call("cos", unknown)
+        extra = [self.sine, self.cosine, *_under_roots(node, unknown)]
+        self.quotients = Quotients(table, [node, *extra])
+        self.node = node
+
+    def solutions(self):
+        moving = [atom for atom in self.quotients.atoms if atom[0].mask & self.x.mask]
+        if any(base not in (self.x, self.sine, self.cosine) and e != HALF for base, e in moving):
+            return []
+        roots = [base for base, e in moving if e == HALF]
+        polynomial = self.quotients(self.node).numer
+        found = []
+        for factor in self._factors(polynomial):
+            found += self._of_factor(factor, roots)
+        return found
+
+    def _factors(self, polynomial):
+        return [factor for factor, _ in self.quotients.factors(polynomial)[1]]
+
+    def _of_factor(self, factor, roots):
+        present = [base for base in roots if self._degree(factor, base, HALF)]
+        if len(present) > 1:
+            return []
+        if present:
+            return self._without_root(factor, present[0])
+        kinds = {atom for atom in (self.x, self.sine, self.cosine) if self._degree(factor, atom)}
+        if kinds == {self.x}:
+            return [Solution(value) for value in self._polynomial_roots(factor, self.x)]
+        if not kinds or self.x in kinds:
+            return []
+        if len(kinds) == 2:
+            return self._both(factor)
+        atom, = kinds
+        return [solution for value in self._polynomial_roots(factor, atom)
+                for solution in (self._of_sine(value) if atom is self.sine else self._of_cosine(value))]
+
+    def _generator(self, atom, e=1):
+        return self.quotients.generator(atom, e).numer
+
+    def _degree(self, polynomial, atom, e=1):
+        return polynomial.degree(self._generator(atom, e)) if (atom, e) in self.quotients.atoms else 0
+
+    def _coefficients(self, polynomial, atom, e=1):
+        """From the lowest, as elements of the field."""
+        i = self.quotients.ring.gens.index(self._generator(atom, e))
+        found = {}
+        for powers, value in polynomial.terms():
+            found.setdefault(powers[i], {})[(*powers[:i], 0, *powers[i + 1:])] = value
+        ring, field = self.quotients.ring, self.quotients.field
+        return [field(ring.from_dict(found.get(d, {}))) for d in range(max(found) + 1)]
+
+    def _without_root(self, factor, base):
+        """A + B√D = 0 gives A² = B²D."""
+        parts = self._coefficients(factor, base, HALF)
+        if len(parts) != 2:
+            return []
+        squared = parts[0] ** 2 - parts[1] ** 2 * self.quotients(base)
+        return [solution for factor in self._factors(self._one_of_two(squared.numer))
+                for solution in self._of_factor(factor, [])]
+
+    def _one_of_two(self, polynomial):
+        """sin² replaced by 1 − cos²."""
+        field = self.quotients.field
+        cosine = field(self._generator(self.cosine))
+        total = field(0)
+        for d, c in enumerate(self._coefficients(polynomial, self.sine)):
+            total += c * (1 - cosine ** 2) ** (d // 2) * field(self._generator(self.sine)) ** (d % 2)
+        return total.numer
+
+    def _polynomial_roots(self, polynomial, atom):
+        """The roots in an atom of a polynomial of degree one or two, or c₀ + cₙ xⁿ."""
+        c = self._coefficients(polynomial, atom)
+        n = len(c) - 1
+        if n == 1:
+            return [self.quotients.node(-c[0] / c[1])]
+        if n == 2:
+            pair = Pair(self.quotients, c, self.samples[0])
+            parts = (pair.written(pair.rational, sign * pair.factor) for sign in (1, -1))
+            return [front * rest for front, rest in parts]
+        if any(c[1:-1]):
+            return []
+        power = self.quotients.node(-c[0] / c[n])
+        return [sign * (sign * power) ** Fraction(1, n) for sign in (1, -1)]
+
+    def _of_sine(self, u):
+        table = self.table
+        if u.is_zero:
+            return [Solution(table.zero, u, table.one), *(Solution(sign * table.pi, u, -table.one) for sign in (1, -1))]
+        if u.op == "number" and abs(u.coefficient) == 1:
+            return [Solution(table.pi * (u.coefficient * turn), u, table.zero) for turn in (HALF, HALF - 2)]
+        inner, across = table.call("asin", u), self._beside(u)
+        return [Solution(inner, u, across), Solution(table.pi - inner, u, -across),
+                Solution(-table.pi - inner, u, -across)]
+
+    def _of_cosine(self, u):
+        table = self.table
+        if u.is_zero:
+            return [Solution(sign * table.pi / 2, sign * table.one, u) for sign in (1, -1)]
+        if u.op == "number" and abs(u.coefficient) == 1:
+            turns = (0, 2, -2) if u.coefficient == 1 else (1, -1)
+            return [Solution(table.pi * turn, table.zero, u) for turn in turns]
+        inner, across = table.call("acos", u), self._beside(u)
+        return [Solution(inner, across, u), Solution(-inner, -across, u)]
+
+    def _beside(self, u):
+        """√(1 − u²)."""
+        return root(single(1 - u * u), self.samples)
+
+    def _both(self, factor):
+        """a sin x + b cos x + d = 0."""
+        by_sine = self._coefficients(factor, self.sine)
+        if len(by_sine) != 2 or self._degree(by_sine[1].numer, self.cosine):
+            return []
+        rest = self._coefficients(by_sine[0].numer, self.cosine)
+        if len(rest) > 2:
+            return []
+        a, b, d = by_sine[1], rest[1], rest[0]
+        table, square = self.table, a ** 2 + b ** 2
+        length = root(self.quotients.node(square), self.samples)
+        lean = table.call("atan", self.quotients.node(b / a))
+        if not d:
+            sine, cosine = self.quotients.node(-b) / length, self.quotients.node(a) / length
+            return [Solution(-lean + k * table.pi, sign * sine, sign * cosine)
+                    for sign in (1, -1) for k in (0, 1, -1)]
+        span = root(self.quotients.node(square - d ** 2), self.samples)
+        inner = table.call("asin", self.quotients.node(-d) / length)
+        found = []
+        for sign in (1, -1):
+            sine = self.quotients.node(-a * d / square) - sign * self.quotients.node(b / square) * span
+            cosine = self.quotients.node(-b * d / square) + sign * self.quotients.node(a / square) * span
+            for branch in (inner, table.pi - inner, -table.pi - inner):
+                found += [Solution(branch - lean + k * table.pi, sine, cosine) for k in (0, 1, -1)]
+        return found
+
+
+def _under_roots(node, unknown):
+    """The sums under roots that hold the unknown."""
+    return [base for part in reachable([node]) if part.op == "product" for base, e in part.args
+            if e.denominator == 2 and base.mask & unknown.mask]

@@ -1,0 +1,215 @@
+"""One evaluator for every kind of number: floats, NumPy arrays, mpmath, exact rationals, SymPy.
+
+An arithmetic supplies `number(Fraction)`, `pi`, `power(base, Fraction)`, `functions` by name and `isfinite`;
+sums and products use the operators of the numbers themselves.
+"""
+
+import math
+from fractions import Fraction
+
+from vibcli.symbolic import discontinuous_functions
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.rationals import HALF, ONE, bits
+
+ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
+
+
+def evaluate(nodes, arithmetic, values):
+    """The values of `nodes`, given {symbol name: number}."""
+    number, power, functions = arithmetic.number, arithmetic.power, arithmetic.functions
+    done = {}
+    for node in reachable(nodes):
+        if node.op == "sum":
+            parts = [done[part] if c == 1 else number(c) * done[part] for part, c in node.args]
+            total = parts[0] + number(node.coefficient) if node.coefficient else parts[0]
+            for part in parts[1:]:
+                total = total + part
+            done[node] = total
+        elif node.op == "product":
+            total = None if node.coefficient == 1 else number(node.coefficient)
+            for base, exponent in node.args:
+                factor = done[base] if exponent == 1 else power(done[base], exponent)
+                total = factor if total is None else total * factor
+            done[node] = total
+        elif node.op == "symbol":
+            done[node] = values[node.name]
+        elif node.op == "number":
+            done[node] = number(node.coefficient)
+        elif node.op == "pi":
+            done[node] = arithmetic.pi
+        elif node.name in node.table.records:
+            done[node] = _recorded(node, arithmetic, done[node.args[0]])
+        else:
+            done[node] = functions[node.name](*[done[arg] for arg in node.args])
+    return [done[node] for node in nodes]
+
+
+def _recorded(node, arithmetic, u):
+    """The value of a record, or of a rate of it."""
+    order = node.args[1].coefficient if len(node.args) > 1 else 0
+    return arithmetic.record(node.name, node.table.records[node.name])(u, order)
+
+
+def _sign(x):
+    return 1 if x > 0 else -1 if x < 0 else 0       # truths of NumPy cannot be subtracted
+
+
+class Floats:
+    """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
+    refuse."""
+
+    pi, ordered = math.pi, True
+
+    @staticmethod
+    def number(value):
+        try:
+            found = value.numerator / value.denominator
+        except OverflowError:
+            return math.nan
+        return found if found or not value else math.nan
+
+    @staticmethod
+    def power(base, exponent):
+        try:
+            if exponent.denominator == 1:
+                return base**exponent.numerator
+            if exponent == HALF:
+                return math.sqrt(base)
+            return base ** (exponent.numerator / exponent.denominator) if base >= 0 else math.nan
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return math.nan
+
+    @staticmethod
+    def isfinite(value):
+        return math.isfinite(value)
+
+    @staticmethod
+    def record(name, samples):
+        return samples.at
+
+
+def _guarded(function):
+    def call(*args):
+        try:
+            value = function(*args)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return math.nan
+        return math.nan if isinstance(value, complex) else value
+    return call
+
+
+Floats.functions = {name: _guarded(getattr(math, name)) for name in ELEMENTARY}
+Floats.functions.update(abs=abs, sign=_sign, min=min, max=max, power=_guarded(lambda b, e: b**e),
+                        **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()})
+
+
+class Rationals:
+    """Exact rationals; whatever is irrational raises Irrational."""
+
+    class Irrational(ArithmeticError):
+        pass
+
+    functions, ordered = {"abs": abs, "sign": _sign, "min": min, "max": max}, True
+
+    @property
+    def pi(self):
+        raise self.Irrational
+
+    number = Fraction
+
+    @classmethod
+    def record(cls, name, samples):
+        raise cls.Irrational
+
+    @classmethod
+    def power(cls, base, exponent):
+        if bits(base) * abs(exponent.numerator) > 10**5:
+            raise cls.Irrational
+        if exponent.denominator == 1:
+            return Fraction(base) ** exponent.numerator
+        up, down = math.isqrt(abs(base.numerator)), math.isqrt(base.denominator)
+        if exponent.denominator == 2 and base >= 0 and up * up == base.numerator and down * down == base.denominator:
+            return Fraction(up, down) ** exponent.numerator
+        raise cls.Irrational
+
+
+def evaluate_rational(nodes, values):
+    """As `evaluate` in exact rationals; None where a part of it is irrational or undefined."""
+    try:
+        return evaluate(nodes, Rationals(), values)
+    except (Rationals.Irrational, KeyError, ZeroDivisionError):
+        return None
+
+
+def multiprecision():
+    """mpmath numbers at the working precision of mpmath.mp."""
+    import mpmath
+
+    class Multiprecision:
+        pi, ordered = +mpmath.mp.pi, True
+        isfinite = staticmethod(mpmath.isfinite)
+
+        record = staticmethod(Floats.record)
+
+        @staticmethod
+        def number(value):
+            return mpmath.mpf(value.numerator) / value.denominator
+
+        @staticmethod
+        def power(base, exponent):
+            if exponent.denominator == 1:
+                return base**exponent.numerator
+            if exponent == HALF:
+                return mpmath.sqrt(base)
+            return mpmath.power(base, mpmath.mpf(exponent.numerator) / exponent.denominator)
+
+        functions = {name: getattr(mpmath, name) for name in (*ELEMENTARY, "sign")}
+    Multiprecision.functions.update(abs=abs, min=min, max=max, power=mpmath.power,
+                                    **discontinuous_functions.on(Multiprecision.pi, mpmath.floor))
+    return Multiprecision()
+
+
+def sympy_arithmetic():
+    """SymPy expressions; used for closed forms and simplification only."""
+    import sympy
+
+    class Symbolic:
+        pi = sympy.pi
+
+        @staticmethod
+        def number(value):
+            return sympy.Rational(value.numerator, value.denominator)
+
+        @staticmethod
+        def record(name, samples):
+            return sympy.Function(name, real=True)
+
+        @staticmethod
+        def power(base, exponent):
+            return sympy.Pow(base, sympy.Rational(exponent.numerator, exponent.denominator))
+
+        functions = {name: getattr(sympy, name) for name in (*ELEMENTARY, "sign")}
+    Symbolic.functions.update(abs=sympy.Abs, min=sympy.Min, max=sympy.Max, power=sympy.Pow,
+                              **{name: sympy.Function(name, real=True) for name in discontinuous_functions.PULSES})
+    return Symbolic()
+
+
+def from_sympy(table, expression, symbols):
+    """A SymPy expression as a node; `symbols` maps SymPy symbols to nodes. ValueError where it cannot be said."""
+    if expression in symbols:
+        return symbols[expression]
+    if expression.is_Rational:
+        return table.number(Fraction(int(expression.p), int(expression.q)))
+    if expression.is_Add:
+        return table.sum(*((from_sympy(table, part, symbols), ONE) for part in expression.args))
+    if expression.is_Mul:
+        return table.product(*((from_sympy(table, part, symbols), ONE) for part in expression.args))
+    if expression.is_Pow:
+        base, exponent = (from_sympy(table, part, symbols) for part in expression.args)
+        return table.power(base, exponent)
+    if expression.is_NumberSymbol and str(expression) == "pi":
+        return table.pi
+    name = {"Abs": "abs", "Min": "min", "Max": "max"}.get(expression.func.__name__, expression.func.__name__)
+    if name not in Floats.functions and name not in table.records:
+        raise ValueError(f"no {name} here")
+    return table.call(name, *(from_sympy(table, part, symbols) for part in expression.args))

@@ -1,0 +1,335 @@
+"""Hash-consed expressions: equal expressions are one object, so shared parts are differentiated and evaluated once.
+
+A node is one of
+
+    number   an exact rational                     symbol   a parameter or a variable (coordinate, velocity)
+    sum      c₀ + Σ cᵢ·nodeᵢ                        product  c·Π nodeᵢ^eᵢ, rational cᵢ, c, eᵢ
+    call     a function of nodes                   pi
+
+Rationals are ints where they are whole, else Fractions. Only rational literals fold, and only while the result stays
+within BITS; parameters are leaves. Every walk is iterative, because a node is always made after its parts: ascending
+`index` is an order of evaluation.
+"""
+
+from fractions import Fraction
+from operator import attrgetter
+
+from vibcli.symbolic.exact_values import folded
+from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, rational_power, square_part
+
+
+class Node:
+    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on."""
+
+    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
+
+    def __add__(self, other):
+        return self.table.sum((self, ONE), (self.table.node(other), ONE))
+
+    def __sub__(self, other):
+        return self.table.sum((self, ONE), (self.table.node(other), -ONE))
+
+    def __mul__(self, other):
+        return self.table.product((self, ONE), (self.table.node(other), ONE))
+
+    def __truediv__(self, other):
+        return self.table.product((self, ONE), (self.table.node(other), -ONE))
+
+    def __pow__(self, exponent):
+        return self.table.power(self, exponent)
+
+    def __neg__(self):
+        return self.table.scaled(self, -ONE)
+
+    def __rsub__(self, other):
+        return self.table.node(other) - self
+
+    def __rtruediv__(self, other):
+        return self.table.node(other) / self
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    @property
+    def is_zero(self):
+        return self.op == "number" and not self.coefficient
+
+    def __repr__(self):
+        if self.op in ("sum", "product"):
+            return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
+        return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
+
+
+class Table:
+    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators.
+
+    `sample`: float values of the parameters, once they are known; they decide only how R − r is written, and with
+    `squares_at_sample` how (R − r)² is.
+    """
+
+    def __init__(self):
+        self._nodes = {}
+        self._count = 0
+        self.variables, self.called = [], set()
+        self.sample, self._signs, self.squares_at_sample = None, {}, False
+        self.time, self.records = None, {}      # the variable that is the time; sampled functions of it by name
+        self.positive = set()
+        self.zero, self.one = self.number(ZERO), self.number(ONE)
+        self.pi = self._make("pi", (), ONE, 0, "pi")
+        self.positive.add(self.pi)
+
+    def __len__(self):
+        return self._count
+
+    def _make(self, op, args, coefficient, mask, name=None):
+        key = (op, name, coefficient, args)
+        node = self._nodes.get(key)
+        if node is None:
+            node = self._nodes[key] = Node()
+            node.table, node.op, node.args, node.coefficient = self, op, args, coefficient
+            node.mask, node.name, node.index, node.gradient = mask, name, self._count, None
+            self._count += 1
+        return node
+
+    def number(self, value):
+        return self._make("number", (), value if value.__class__ is int else exact(value), 0)
+
+    def node(self, value):
+        return value if isinstance(value, Node) else self.number(value)
+
+    def parameter(self, name, positive=True):
+        node = self._make("symbol", (), ONE, 0, name)
+        if positive:
+            self.positive.add(node)
+        return node
+
+    def variable(self, name):
+        """A symbol to differentiate by."""
+        known = self._nodes.get(("symbol", name, ONE, ()))
+        if known is not None:
+            return known
+        node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
+        self.variables.append(node)
+        return node
+
+    def dependent(self, name, mask, at_rest=False):
+        """A symbol that depends on variables through an equation: its `gradient` is set where that is solved.
+        `at_rest`: that of this name in the scene at rest, which has another gradient."""
+        return self._make("symbol", (self.zero if at_rest else self.one,), ONE, mask, name)
+
+    def scaled(self, node, factor):
+        """factor·node, the factor rational; over a sum it is distributed."""
+        if factor == 1:
+            return node
+        return self.sum((node, factor))
+
+    def sum(self, *terms):
+        """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
+        constant, collected = ZERO, {}
+        for node, factor in terms:
+            if factor.__class__ is not int:
+                factor = exact(factor)
+            if node.op == "sum":
+                constant += factor * node.coefficient
+                for part, c in node.args:
+                    collected[part] = collected.get(part, ZERO) + factor * c
+                continue
+            if node.op == "number" and bits(node.coefficient) <= BITS:
+                constant += factor * node.coefficient
+                continue
+            if node.op == "product" and node.coefficient != 1:
+                factor = factor * node.coefficient
+                node = self._bare(node)
+            collected[node] = collected.get(node, ZERO) + factor
+        return self._sum(constant, collected)
+
+    def _bare(self, product):
+        """A product without its rational coefficient."""
+        args = product.args
+        if len(args) == 1 and args[0][1] == 1:
+            return args[0][0]
+        return self._make("product", args, ONE, product.mask)
+
+    def _sum(self, constant, collected):
+        if bits(constant) > BITS:
+            collected[self.number(constant)] = ONE
+            constant = ZERO
+        args = [(node, c if c.__class__ is int else exact(c)) for node, c in collected.items() if c]
+        if not args:
+            return self.number(constant)
+        if len(args) == 1 and not constant:
+            node, c = args[0]
+            if c == 1:
+                return node
+            if node.op == "product":
+                return self._make("product", node.args, c, node.mask)
+            return self._make("product", ((node, ONE),), c, node.mask)
+        args.sort(key=_index_of_first)
+        mask = 0
+        for node, _ in args:
+            mask |= node.mask
+        return self._make("sum", tuple(args), exact(constant), mask)
+
+    def product(self, *factors):
+        """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
+        coefficient, collected = ONE, {}
+        for node, exponent in factors:
+            if exponent.__class__ is not int:
+                exponent = exact(exponent)
+            if node.op in ("symbol", "call"):
+                collected[node] = collected.get(node, ZERO) + exponent
+            else:
+                coefficient = self._gather(node, exponent, coefficient, collected)
+        args = [(base, e if e.__class__ is int else exact(e)) for base, e in collected.items() if e]
+        if not coefficient:
+            return self.zero
+        if bits(coefficient) > BITS:
+            args.append((self.number(coefficient), ONE))
+            coefficient = ONE
+        if not args:
+            return self.number(coefficient)
+        if len(args) == 1 and args[0][1] == 1:
+            base = args[0][0]
+            if coefficient == 1:
+                return base
+            if base.op == "sum":
+                return self.sum((base, coefficient))
+        args.sort(key=_index_of_first)
+        mask = 0
+        for base, _ in args:
+            mask |= base.mask
+        return self._make("product", tuple(args), exact(coefficient), mask)
+
+    def _gather(self, node, exponent, coefficient, collected):
+        """Multiply node^exponent into (coefficient, {base: exponent}); returns the new coefficient."""
+        pending = [(node, exponent)]
+        while pending:
+            base, e = pending.pop()
+            if base.op == "number":
+                coefficient = self._gather_number(base.coefficient, e, coefficient, collected)
+                continue
+            if base.op == "product" and (e.denominator == 1 or self._splits(base)):
+                value = rational_power(base.coefficient, e)
+                if value is None:
+                    pending.append((self.number(base.coefficient), e))
+                else:
+                    coefficient *= value
+                pending.extend((part, power * e) for part, power in base.args)
+                continue
+            if base.op == "sum" and e.denominator == 1 and self._leads_negative(base):
+                base = self.scaled(base, -ONE)
+                coefficient = coefficient if e.numerator % 2 == 0 else -coefficient
+            e += collected.pop(base, ZERO)
+            if base.op == "product" and e.denominator == 1:
+                pending.append((base, e))
+            else:
+                collected[base] = e
+        return coefficient
+
+    def _gather_number(self, value, e, coefficient, collected):
+        """value^e into the coefficient as far as that is rational and short; of √8 = 2√2 the root stays."""
+        if not value:
+            return coefficient * rational_power(value, exact(e) if e <= 0 else ONE)
+        if e.denominator == 2:
+            outside, value = square_part(value)
+            coefficient = exact(coefficient * Fraction(outside) ** e.numerator)
+        if value == 1:
+            return coefficient
+        base = self.number(value)
+        e = exact(e + collected.pop(base, ZERO))
+        whole = e.numerator // e.denominator
+        factor = rational_power(value, whole)
+        if factor is not None and bits(factor) + bits(coefficient) <= BITS:
+            coefficient, e = exact(coefficient * factor), exact(e - whole)
+        if e:
+            collected[base] = e
+        return coefficient
+
+    def _leads_negative(self, total):
+        """Of a sum and its negative only one stands in products, so that R − r and r − R cancel: of parameters the
+        one that is positive at the sample values."""
+        if self.sample is not None and not total.mask:
+            if total not in self._signs:
+                self._signs[total] = self._sample_sign(total)
+            return self._signs[total]
+        return (total.coefficient or total.args[0][1]) < 0
+
+    def resample(self, sample):
+        """Decide by other values of the parameters from now on how R − r is written."""
+        self.sample, self._signs = sample, {}
+
+    def _sample_sign(self, total):
+        from vibcli.symbolic.evaluation import Floats, evaluate
+
+        try:
+            return evaluate([total], Floats, self.sample)[0] < 0
+        except KeyError:  # a symbol that is no parameter of the scene
+            return (total.coefficient or total.args[0][1]) < 0
+
+    def _splits(self, product):
+        """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
+        return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
+
+    def is_positive(self, node, depth=4):
+        """Is a node positive whatever the values of the variables? Sums and products of what is, to some depth."""
+        if node.op == "number":
+            return node.coefficient > 0
+        if node in self.positive or node.name in ("exp", "cosh"):
+            return True
+        if node.mask or not depth or node.op not in ("sum", "product") or node.coefficient < 0:
+            return False
+        found = all(self.is_positive(part, depth - 1) and (c > 0 or node.op == "product") for part, c in node.args)
+        if found:
+            self.positive.add(node)
+        return found
+
+    def power(self, base, exponent):
+        """base^exponent, the exponent a rational or a node."""
+        if isinstance(exponent, Node):
+            if exponent.op != "number":
+                return self.call("power", base, exponent)
+            exponent = exponent.coefficient
+        exponent = exact(exponent)
+        if abs(exponent.numerator) > 1000 or exponent.denominator > 1000:
+            return self.call("power", base, self.number(exponent))
+        if base.op == "number" and not base.coefficient and exponent <= 0:
+            if exponent == 0:
+                return self.one
+            raise ZeroDivisionError("division by zero")
+        return self.product((base, exponent))
+
+    def sqrt(self, node):
+        return self.power(node, HALF)
+
+    def call(self, name, *args):
+        """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
+        value = folded(self, name, args)
+        if value is not None:
+            return value
+        mask = 0
+        for arg in args:
+            mask |= arg.mask
+        self.called.add(name)
+        return self._make("call", tuple(args), ONE, mask, name)
+
+
+_index = attrgetter("index")
+
+
+def _index_of_first(pair):
+    return pair[0].index
+
+
+def reachable(nodes, known=()):
+    """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need."""
+    seen, pending = set(), list(nodes)
+    while pending:
+        node = pending.pop()
+        if node not in seen:
+            seen.add(node)
+            if node in known:
+                continue
+            if node.op in ("sum", "product"):
+                pending.extend(arg for arg, _ in node.args if arg not in seen)
+            elif node.op == "call":
+                pending.extend(node.args)
+    return sorted(seen, key=_index)

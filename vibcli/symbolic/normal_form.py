@@ -1,0 +1,291 @@
+"""Expanded form: expressions as polynomials in their atoms, brought into the shape a textbook prints.
+
+The rules are few: expand, sin² + cos² = 1, the addition theorems for products of sines and cosines, and common
+factors taken out. Work is bounded; what grows beyond MOST terms is left as it is.
+"""
+
+from fractions import Fraction
+from functools import reduce
+from math import gcd, isqrt
+
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.rationals import HALF, ONE, ZERO
+
+MOST = 300
+
+
+class TooLong(ArithmeticError):
+    """More than MOST terms."""
+
+
+def expanded(node, kept=None):
+    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices.
+
+    Sums that stand in a denominator are atoms, above as well as below the line, so that they cancel.
+    """
+    kept = _denominators(node) if kept is None else kept
+    if node.op == "number":
+        return {(): node.coefficient} if node.coefficient else {}
+    if node.op == "sum":
+        found = {(): node.coefficient} if node.coefficient else {}
+        for part, c in node.args:
+            for monomial, value in expanded(part, kept).items():
+                add(found, monomial, c * value)
+        return found
+    if node.op == "product":
+        found = {(): node.coefficient}
+        for base, exponent in node.args:
+            found = multiplied(found, _expanded_power(base, exponent, kept))
+        return found
+    return {((node, ONE),): ONE}
+
+
+def _denominators(node):
+    """The sums of parameters in denominators below a node, which stay whole."""
+    return {base for part in reachable([node]) if part.op == "product" for base, e in part.args
+            if base.op == "sum" and e < 0 and e.denominator == 1 and not base.mask}
+
+
+def _expanded_power(base, exponent, kept):
+    if base.op == "sum" and base not in kept:
+        if exponent.denominator == 1 and 0 < exponent <= 6:
+            return reduce(multiplied, [expanded(base, kept)] * int(exponent))
+        base = textbook(base)
+        if base.op != "sum":
+            return expanded(base.table.power(base, exponent), kept)
+    return {((base, exponent),): ONE}
+
+
+def add(found, monomial, value):
+    total = found.get(monomial, ZERO) + value
+    if total:
+        found[monomial] = total
+    else:
+        found.pop(monomial, None)
+    if len(found) > MOST:
+        raise TooLong
+
+
+def multiplied(left, right):
+    found = {}
+    if len(left) * len(right) > 20 * MOST:
+        raise TooLong
+    for a, x in left.items():
+        for b, y in right.items():
+            monomial, value = times(a, b), x * y
+            if any(e.denominator == 1 and atom.op in ("number", "product") for atom, e in monomial):
+                product = monomial[0][0].table.product(*monomial)  # a number too long to fold stays an atom
+                parts = {monomial: product.coefficient} if product.args == monomial else expanded(product, ())
+                for part, c in parts.items():
+                    add(found, part, c * value)
+            else:
+                add(found, monomial, value)
+    return found
+
+
+def times(a, b, power=1):
+    """The monomial a·b^power."""
+    exponents = dict(a)
+    for atom, e in b:
+        total = exponents.get(atom, ZERO) + e * power
+        if total:
+            exponents[atom] = total
+        else:
+            exponents.pop(atom, None)
+    return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))
+
+
+def reduced(terms):
+    """The same polynomial with the trigonometric identities applied wherever they shorten it."""
+    changed = True
+    while changed:
+        changed = False
+        for monomial in list(terms):
+            if monomial in terms and _shorten(terms, monomial):
+                changed = True
+    return terms
+
+
+def _shorten(terms, monomial):
+    """Apply one identity that starts from `monomial`; True if one was found."""
+    sines = [(atom, e) for atom, e in monomial if atom.name in ("sin", "cos") and e >= 1 and e.denominator == 1]
+    for atom, e in sines:
+        if e >= 2 and _square(terms, monomial, atom):
+            return True
+    for i, (a, _) in enumerate(sines):
+        for b, _ in sines[i + 1:]:
+            if a.args != b.args and _addition(terms, monomial, a, b):
+                return True
+    return False
+
+
+def _square(terms, monomial, atom):
+    """c·R·f² + c·R·g² = c·R for f, g = sin u, cos u; and c·R − c·R·f² = c·R·g²."""
+    value = terms[monomial]
+    rest = times(monomial, ((atom, Fraction(2)),), -1)
+    other = atom.table.call("cos" if atom.name == "sin" else "sin", *atom.args)
+    partner = times(rest, ((other, Fraction(2)),))
+    if terms.get(partner) == value:
+        _move(terms, (monomial, partner), rest, value)
+        return True
+    if terms.get(rest) == -value:
+        _move(terms, (monomial, rest), partner, -value)
+        return True
+    return False
+
+
+def _addition(terms, monomial, a, b):
+    """cos a cos b ± sin a sin b = cos(a ∓ b) and sin a cos b ± cos a sin b = sin(a ± b)."""
+    table, value = a.table, terms[monomial]
+    swap = {"sin": "cos", "cos": "sin"}
+    rest = times(monomial, ((a, ONE), (b, ONE)), -1)
+    partner = times(rest, ((table.call(swap[a.name], *a.args), ONE), (table.call(swap[b.name], *b.args), ONE)))
+    other = terms.get(partner)
+    if other is None or abs(other) != abs(value):
+        return False
+    u, w = a.args[0], b.args[0]
+    if a.name == b.name:
+        cosine, sine = (value, other) if a.name == "cos" else (other, value)
+        new, factor = table.call("cos", u - w if sine == cosine else u + w), cosine
+    else:
+        sine_first = value if a.name == "sin" else other
+        cosine_first = other if a.name == "sin" else value
+        new, factor = table.call("sin", u + w if sine_first == cosine_first else u - w), sine_first
+    polynomial = multiplied({rest: ONE}, expanded(new))
+    _move(terms, (monomial, partner), None, None)
+    for extra, c in polynomial.items():
+        add(terms, extra, c * factor)
+    return True
+
+
+def _move(terms, old, new, value):
+    for monomial in old:
+        terms.pop(monomial)
+    if new is not None:
+        add(terms, new, value)
+
+
+def is_zero(node):
+    """Is the expression zero by expansion and the identities? False where that does not show it."""
+    try:
+        return node.is_zero or not reduced(_cleared(expanded(node)))
+    except (TooLong, ZeroDivisionError):
+        return False
+
+
+def _cleared(terms):
+    """The polynomial times its denominators, expanded: zero if and only if the quotient is."""
+    lowest = {}
+    for monomial in terms:
+        for atom, e in monomial:
+            if atom.op == "sum" and e.denominator == 1:
+                lowest[atom] = min(lowest.get(atom, ZERO), e)
+    found = {}
+    for monomial, value in terms.items():
+        above = times(monomial, tuple(lowest.items()), -1)
+        whole = {tuple(pair for pair in above if pair[0] not in lowest): value}
+        for atom, e in above:
+            if atom in lowest:
+                whole = reduce(multiplied, [expanded(atom, ())] * int(e), whole)
+        for part, c in whole.items():
+            add(found, part, c)
+    return found
+
+
+def textbook(node):
+    """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
+    try:
+        terms = reduced(expanded(_unnested(node)))
+    except (TooLong, ZeroDivisionError):
+        return node
+    return collected(node.table, terms)
+
+
+def _unnested(node):
+    """The node with 1/(a/b + 1) written as b/(a + b), and 1/((a − b)² + 2ab) as 1/(a² + b²)."""
+    table, simpler = node.table, {}
+    for base in _denominators(node):
+        shorter = table.product(*factors_of(table, reduced(expanded(base, ()))))
+        if shorter is not base:
+            simpler[base] = shorter
+    return substitute([node], simpler)[0] if simpler else node
+
+
+def collected(table, terms):
+    """A polynomial as a node: Σ (factored coefficient of parameters)·(part that holds variables)."""
+    groups = {}
+    for monomial, value in terms.items():
+        variable = tuple(pair for pair in monomial if pair[0].mask)
+        fixed = tuple(pair for pair in monomial if not pair[0].mask)
+        groups.setdefault(variable, {})[fixed] = value
+    parts = [table.product(*factors_of(table, fixed), *variable) for variable, fixed in groups.items()]
+    return table.sum(*((part, ONE) for part in parts))
+
+
+def factors_of(table, terms):
+    """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
+    monomials = list(terms)
+    if not monomials:
+        return ((table.zero, ONE),)
+    if len(monomials) == 1:
+        return ((table.number(terms[monomials[0]]), ONE), *monomials[0])
+    common = {}
+    for atom in {atom for monomial in monomials for atom, _ in monomial}:
+        least = min(dict(monomial).get(atom, ZERO) for monomial in monomials)
+        if least:
+            common[atom] = least
+    content = tuple(sorted(common.items(), key=lambda pair: pair[0].index))
+    scale = _scale(list(terms.values()))
+    inner = {times(monomial, content, -1): value / scale for monomial, value in terms.items()}
+    root = square_root(inner)
+    node = _node(table, inner if root is None else reduced(root))
+    return ((table.number(scale), ONE), (node, ONE if root is None else Fraction(2)), *content)
+
+
+def _node(table, terms):
+    return table.sum(*((table.product(*monomial), value) for monomial, value in terms.items()))
+
+
+def _scale(values):
+    """The rational factor to take out: the common divisor, over the denominator where all share it."""
+    below = {v.denominator for v in values}
+    scale = Fraction(reduce(gcd, [v.numerator for v in values]), below.pop() if len(below) == 1 else 1)
+    return -scale if all(v < 0 for v in values) else scale
+
+
+def square_root(terms):
+    """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
+    squares = {monomial: _exact_root(value) for monomial, value in terms.items()
+               if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
+    roots = [(tuple((atom, e * HALF) for atom, e in monomial), value) for monomial, value in squares.items() if value]
+    k = len(roots)
+    if not 2 <= k <= 4 or len(terms) != k * (k + 1) // 2:
+        return None
+    for signs in range(2 ** (k - 1)):
+        candidate = {monomial: -value if signs >> i & 1 else value
+                     for i, (monomial, value) in enumerate(roots[::-1])}
+        if multiplied(candidate, candidate) == terms:
+            return candidate if candidate[roots[0][0]] > 0 else {m: -v for m, v in candidate.items()}
+    return None
+
+
+def _exact_root(value):
+    up, down = isqrt(value.numerator), isqrt(value.denominator)
+    return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None
+
+
+def root_of_square(node):
+    """√node up to sign as a node where that needs no root, else None."""
+    try:
+        terms = reduced(expanded(node))
+    except (TooLong, ZeroDivisionError):
+        return None
+    if len(terms) == 1:
+        (monomial, value), = terms.items()
+        root = _exact_root(value) if value > 0 else None
+        if root is None or any((e * HALF).denominator > 1 for _, e in monomial):
+            return None
+        return node.table.product((node.table.number(root), ONE), *((atom, e * HALF) for atom, e in monomial))
+    root = square_root(terms)
+    return None if root is None else _node(node.table, root)

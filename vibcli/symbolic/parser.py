@@ -1,0 +1,330 @@
+"""Text to syntax tree: a Pratt parser over numbers with units, names, + - * / ^ and a closed list of functions.
+
+Trees are tuples (kind, start, end, …), the offsets being those of the text:
+
+    ("number", …, value, chain)        chain: [(unit, power, start, end)], empty for a plain number
+    ("name", …, name, primes)          primes: 1 for x', 2 for x''
+    ("quantity", …, text, head, indices, attribute, args)
+                                       omega[1], J[disc, O], centre[rod].x; args: the trees in round brackets, of
+                                       frf[x, F](5 Hz), amplitude(x); of x(2 s) the head is VALUE, the first of them x
+    ("sum", …, [(sign, tree)])         ("product", …, [(±1, tree)])
+    ("power", …, base, exponent)       ("call", …, name, trees)       ("equation", …, left, right)
+
+A name may have parts, as in `tip.x`. Sums and products are flat, so depth is that of the parentheses, and bounded.
+Nothing is ever evaluated as code.
+"""
+
+import re
+from fractions import Fraction
+
+from vibcli.base.diagnostics import quoted
+from vibcli.base.unit_suggestions import TAKEN, unit_meant
+from vibcli.base.units import UNITS
+
+LONGEST, DEEPEST, PARTS = 2000, 64, 400
+SMALLEST, LARGEST = 1e-60, 1e60
+RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
+FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
+             "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
+             "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
+OF_SIGNALS = ("abs", "amplitude", "arg", "argmax", "argmin", "beat_period", "decrement", "envelope", "final", "im",
+              "max", "mean", "min", "overshoot", "period", "phase", "re", "rms", "steady", "transient")
+VALUE = "value"         # the head of x(2 s), and of what is written like a function and is none
+GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
+    "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
+
+_NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
+_WHOLE = re.compile(r"[0-9]{1,15}")
+_NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
+_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
+                   r"(-?\d+(?:\.\d+)?)(?!\d)|\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\))|([²³⁴]))?(?![\w.(\[])")
+_PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
+_PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
+_INDEX = re.compile(r"\[([^][]{1,80})\]")
+_SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
+_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
+_SPACE = re.compile(r"[ \t\n]*")
+
+
+class ExpressionError(Exception):
+    """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
+
+    def __init__(self, offset, width, message, hint=None):
+        super().__init__(message)
+        self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
+
+
+def plain_name(text):
+    """A name with Greek letters spelt out: φ1 is phi1."""
+    return text if text.isascii() else "".join(GREEK.get(letter, letter) for letter in text)
+
+
+def parse(text, equation=None):
+    """The syntax tree of `text`; of `left = right` where `equation` gives an example of one."""
+    if len(text) > LONGEST:
+        raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
+                              "give parts of it names under parameters")
+    if _WHOLE.fullmatch(text) and not equation:
+        return ("number", 0, len(text), Fraction(int(text)), [])
+    parser = _Parser(text)
+    tree = parser.expression(0)
+    if equation:
+        parser.skip()
+        if not parser.take("="):
+            raise ExpressionError(parser.at, 1, "expected an equation, found an expression",
+                                  "write it as left = right, for example " + equation)
+        if parser.text.startswith("=", parser.at):
+            raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
+        right = parser.expression(0)
+        parser.skip()
+        if parser.text.startswith("=", parser.at):
+            raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
+        tree = ("equation", 0, len(text), tree, right)
+    parser.finish()
+    return tree
+
+
+class _Parser:
+    def __init__(self, text):
+        self.text, self.at, self.depth = text, 0, 0
+
+    def skip(self):
+        self.at = _SPACE.match(self.text, self.at).end()
+
+    def take(self, token):
+        self.skip()
+        if self.text.startswith(token, self.at):
+            self.at += len(token)
+            return True
+        return False
+
+    def finish(self):
+        self.skip()
+        if self.at < len(self.text):
+            self.fail_after()
+
+    def fail_after(self):
+        """Something stands where an operator or the end was expected."""
+        found = self.text[self.at]
+        word = _NAME.match(self.text, self.at)
+        if found == "=":
+            raise ExpressionError(self.at, 1, "expected an expression, found an equation", "write what one side is")
+        if found == ",":
+            raise ExpressionError(self.at, 1, "found ',' where the expression should go on or end",
+                                  "decimals are written with a point: 0.5")
+        if word or found in "(" or found.isdigit():
+            what = word.group() if word else found
+            raise ExpressionError(self.at, len(what), f"expected an operator before {quoted(what)}", self._joined(what))
+        raise ExpressionError(self.at, 1, f"found {quoted(found)} where the expression should go on or end",
+                              "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
+
+    def _joined(self, what):
+        """What to write where a number or name is followed by another."""
+        if _PER_UNIT.match(self.text, self.at):
+            return "the unit 1/s is written s^-1: 3 s^-1"
+        if self.text[self.at - 1].isdigit() and what[0] in "_xXob":
+            return "numbers are written in decimal digits alone: 1000"
+        return "there is no implicit multiplication: write a * between factors"
+
+    def expression(self, depth):
+        """A sum of products."""
+        if depth > DEEPEST:
+            raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
+        self.skip()
+        start, terms = self.at, []
+        sign = -1 if self.take("-") else 1
+        if sign == 1:
+            self.take("+")
+        while True:
+            terms.append((sign, self.product(depth)))
+            if len(terms) > PARTS:
+                raise ExpressionError(start, 1, f"more than {PARTS} terms in one sum", "name parts of it")
+            if self.take("+"):
+                sign = 1
+            elif self.take("-"):
+                sign = -1
+            else:
+                break
+        if len(terms) == 1 and terms[0][0] == 1:
+            return terms[0][1]
+        return ("sum", start, self.at, terms)
+
+    def product(self, depth):
+        self.skip()
+        start, factors, power = self.at, [], 1
+        while True:
+            factors.append((power, self.power(depth)))
+            if len(factors) > PARTS:
+                raise ExpressionError(start, 1, f"more than {PARTS} factors in one product", "name parts of it")
+            self.skip()
+            if self.text.startswith("**", self.at):
+                break
+            if self.take("*") or self.take("·"):
+                power = 1
+            elif self.take("/"):
+                power = -1
+            else:
+                break
+        return factors[0][1] if len(factors) == 1 else ("product", start, self.at, factors)
+
+    def power(self, depth):
+        self.skip()
+        start = self.at
+        base = self.atom(depth)
+        if self.take("^") or self.take("**"):
+            if depth > DEEPEST:
+                raise ExpressionError(self.at, 1, f"more than {DEEPEST} powers of powers", "name the inner parts")
+            self.skip()
+            inner = self.at
+            negative = self.take("-")
+            exponent = self.power(depth + 1)
+            if negative:
+                exponent = ("sum", inner, self.at, [(-1, exponent)])
+            return ("power", start, self.at, base, exponent)
+        return base
+
+    def atom(self, depth):
+        self.skip()
+        start = self.at
+        number = _NUMBER.match(self.text, start)
+        if number:
+            return self.number(number)
+        word = _NAME.match(self.text, start)
+        if word:
+            return self.applied(self.word(word, depth), start, depth)
+        if self.take("("):
+            inner = self.expression(depth + 1)
+            self.close(start, ")")
+            return self.applied(inner, start, depth)
+        if start >= len(self.text):
+            raise ExpressionError(max(start - 1, 0), 1, "the expression ends too early",
+                                  "a number, a name or a bracket is missing at its end")
+        if self.text[start] in "+-":
+            raise ExpressionError(start, 1, "two operators in a row", "put the signed factor in parentheses")
+        raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
+                              "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
+
+    def applied(self, tree, start, depth):
+        """x(2 s) of a tree x that is no function; `start` is where its text starts."""
+        while self.text.startswith("(", self.at):
+            if depth > DEEPEST:
+                raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
+            depth += 1
+            args = self.arguments(depth)
+            attribute = self.attribute()
+            tree = ("quantity", start, self.at, self.text[start:self.at], VALUE, (), attribute, (tree, *args))
+        return tree
+
+    def arguments(self, depth):
+        """The trees within round brackets."""
+        start, self.at = self.at, self.at + 1
+        args = [self.expression(depth + 1)]
+        while self.take(","):
+            args.append(self.expression(depth + 1))
+        self.close(start, ")")
+        return args
+
+    def close(self, start, bracket):
+        if not self.take(bracket):
+            self.skip()
+            if self.at >= len(self.text):
+                raise ExpressionError(start, 1, "this bracket is never closed", f"write '{bracket}' where it ends")
+            self.fail_after()
+
+    def number(self, match):
+        start, self.at = match.start(), match.end()
+        text = match.group()
+        digits, _, exponent = text.lower().partition("e")
+        if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
+            raise ExpressionError(start, len(text), "this number is out of range", RANGE)
+        chain = self.units(start)
+        return ("number", start, self.at, Fraction(text), chain)
+
+    def units(self, start):
+        """The longest chain of units after a number."""
+        chain = []
+        while True:
+            match = _UNIT.match(self.text, self.at)
+            if not match or bool(match.group(1)) != bool(chain):
+                return chain
+            word = match.group(2).replace("μ", "µ")
+            if word not in UNITS:
+                if not chain:
+                    self.unknown_unit(match, start)
+                return chain
+            power = self.unit_power(match)
+            chain.append((word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
+            self.at = match.end()
+            if _POWER_SIGN.match(self.text, self.at):
+                raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
+                                      f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
+
+    def unit_power(self, match):
+        """The power of a unit: 2, -1, 0.5 or (3/2)."""
+        text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
+        above, _, below = text.partition("/")
+        if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
+            raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",
+                                  "units have powers such as -2, 1/2 or 1.5, at most 12")
+        return int(power) if power.denominator == 1 else power
+
+    def unknown_unit(self, match, start):
+        word = match.group(2)
+        meant = None if word == "pi" else unit_meant(word)
+        product = f"a product is written with *: {self.text[start:self.at]}*{word}"
+        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
+                              f"write {meant}; {product}" if word in TAKEN else
+                              f"did you mean '{meant}'?" if meant else product)
+
+    def word(self, match, depth):
+        start, self.at = match.start(), match.end()
+        name = match.group()
+        if len(name) > 32:
+            raise ExpressionError(start, len(name), "a name has at most 32 characters", "shorten it")
+        if self.text.startswith("(", self.at) and (name in FUNCTIONS or name in OF_SIGNALS):
+            return self.call(start, name, depth)
+        if self.text.startswith("[", self.at):
+            return self.quantity(start, name, depth)
+        while part := _PART.match(self.text, self.at):
+            self.at = part.end()
+        name = self.text[start:self.at]
+        primes = 0
+        while primes < 3 and self.text.startswith("'", self.at):
+            primes, self.at = primes + 1, self.at + 1
+        if primes > 2:
+            raise ExpressionError(start, self.at - start, "derivatives go up to the second", "write x' or x''")
+        if primes and plain_name(name) == "pi":
+            raise ExpressionError(start, self.at - start, "pi has no derivative", "only coordinates move")
+        return ("name", start, self.at, plain_name(name), primes)
+
+    def call(self, start, name, depth):
+        args = self.arguments(depth)
+        wanted = FUNCTIONS.get(name, 1)
+        if len(args) == 1 and name in OF_SIGNALS and (wanted != 1 or name not in FUNCTIONS):
+            return ("quantity", start, self.at, self.text[start:self.at], name, (), "", tuple(args))
+        if len(args) != wanted:
+            raise ExpressionError(start, self.at - start, f"{name} takes {wanted} argument"
+                                  + ("s" if wanted > 1 else "") + f", found {len(args)}",
+                                  f"write {name}(" + ", ".join("xy"[:wanted]) + ")")
+        return ("call", start, self.at, name, args)
+
+    def quantity(self, start, head, depth):
+        if head in FUNCTIONS:
+            raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
+        indices = []
+        while match := _INDEX.match(self.text, self.at):
+            indices.extend(plain_name(part.strip()) for part in match.group(1).split(","))
+            self.at = match.end()
+        if self.text.startswith("[", self.at):
+            raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
+        args = self.arguments(depth) if self.text.startswith("(", self.at) else ()
+        attribute = self.attribute()
+        return ("quantity", start, self.at, self.text[start:self.at], head, tuple(indices), attribute, tuple(args))
+
+    def attribute(self):
+        """The word after a dot, such as x of centre[rod].x, or nothing."""
+        if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
+            self.at = word.end()
+            return word.group()
+        return ""

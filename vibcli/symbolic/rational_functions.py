@@ -1,0 +1,145 @@
+"""Expressions as quotients of polynomials over ℚ in their atoms, by SymPy's sparse rings: cancelled and factored.
+
+Atoms are symbols, functions and roots. Squares of roots and of sines are replaced by what they are (`settled`).
+"""
+
+from fractions import Fraction
+
+from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.nested_form import grouped, letters
+from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.time_limit import within
+
+CALLS = 4_000_000       # for one factorisation
+LONG = 100          # terms of a polynomial that is not written in factors
+
+
+class Quotients:
+    """The field of quotients in the atoms of some nodes, and one unknown more."""
+
+    def __init__(self, table, nodes, unknown="λ"):
+        from sympy import QQ
+        from sympy.polys.rings import PolyRing
+
+        self.table, self.symbol = table, table.variable(unknown)
+        self.atoms = sorted(_atoms(nodes), key=lambda pair: (pair[0].index, pair[1]))
+        self.ring = PolyRing([f"a{i}" for i in range(len(self.atoms))] + ["unknown"], QQ, "lex")
+        self.field = self.ring.to_field()
+        *gens, self.unknown = self.field.gens
+        self._gens = dict(zip(self.atoms, gens, strict=True)) | {(self.symbol, ONE): self.unknown}
+
+    def number(self, value):
+        return self.field(self.ring.domain(value.numerator, value.denominator))
+
+    def __call__(self, node):
+        """A node as an element of the field."""
+        done = {}
+        for part in reachable([node]):
+            if part.op == "sum":
+                done[part] = sum((done[arg] * self.number(c) for arg, c in part.args), self.number(part.coefficient))
+            elif part.op == "product":
+                done[part] = self._product(part, done)
+            else:
+                done[part] = self.number(part.coefficient) if part.op == "number" else self._gens.get((part, ONE))
+        return self.settled(done[node])
+
+    def settled(self, element):
+        """The element with what stands under a root in place of the root's square, and 1 − cos² in place of sin²."""
+        for (base, e), gen in self._gens.items():
+            if (e == HALF or base.name == "sin") and max(
+                    part.degree(gen.numer) for part in (element.numer, element.denom)) > 1:
+                inner = self(base) if e == HALF else 1 - self(base.table.call("cos", *base.args)) ** 2
+                element = self._reduced(element.numer, gen, inner) / self._reduced(element.denom, gen, inner)
+        return element
+
+    def _reduced(self, polynomial, gen, inner):
+        i, found = self.ring.gens.index(gen.numer), {}
+        for powers, value in polynomial.terms():
+            found.setdefault(powers[i] // 2, {})[(*powers[:i], powers[i] % 2, *powers[i + 1:])] = value
+        return sum((self.field(self.ring.from_dict(terms)) * inner ** half for half, terms in found.items()),
+                   self.field(0))
+
+    def _product(self, node, done):
+        total = self.number(node.coefficient)
+        for base, e in node.args:
+            factor = done[base] if e.denominator == 1 else self._gens[base, Fraction(1, e.denominator)]
+            total *= factor ** e.numerator
+        return total
+
+    def polynomial(self, element):
+        """A polynomial of the ring as a node: nested, not factored."""
+        factors = [*self.atoms, (self.symbol, ONE)]
+        return grouped(self.table.sum(*(self._term(powers, value, factors) for powers, value in element.terms())))
+
+    def _term(self, powers, value, factors):
+        product = self.table.product(*((base, e * power) for (base, e), power in zip(factors, powers, strict=True)))
+        return product, self.rational(value)
+
+    @staticmethod
+    def rational(value):
+        """A number of the ring's domain as a Fraction."""
+        return Fraction(int(value.numerator), int(value.denominator))
+
+    def factors(self, polynomial):
+        """(rational, [(irreducible factor, multiplicity)]) of a polynomial of the ring."""
+        whole = polynomial.ring.domain(1), [(polynomial, 1)]
+        return within(CALLS, polynomial.factor_list, whole)
+
+    def generator(self, atom, exponent=ONE):
+        """The element that stands for an atom."""
+        return self._gens[atom, exponent]
+
+    def cleared(self, elements):
+        """(polynomials, denominator): elements of the field over a common denominator."""
+        below = self.ring(1)
+        for element in elements:
+            below = below.lcm(element.denom)
+        whole = [element * self.field(below) for element in elements]
+        return [element.numer.quo_ground(element.denom.LC) for element in whole], below
+
+    def coefficients(self, polynomial):
+        """The coefficients of a polynomial in the unknown, from the lowest, as elements of the field."""
+        found = {}
+        for powers, value in polynomial.terms():
+            found.setdefault(powers[-1], {})[(*powers[:-1], 0)] = value
+        return [self.field(self.ring.from_dict(found.get(i, {}))) for i in range(max(found, default=0) + 1)]
+
+    def node(self, element):
+        """An element of the field as a node: one fraction, above and below the line factored."""
+        parts = []
+        for polynomial, sign in ((element.numer, ONE), (element.denom, -ONE)):
+            content, rest = polynomial.primitive()
+            parts += [(self.table.number(self.rational(content)), sign), (self._shortest(rest), sign)]
+        return self.table.product(*parts)
+
+    def _shortest(self, polynomial):
+        """A polynomial as the product of its factors or as a whole, long ones as they are."""
+        if len(polynomial) > LONG:
+            return self.polynomial(polynomial)
+        value, factors = self.factors(polynomial)
+        parts = ((self.polynomial(factor), power) for factor, power in factors)
+        product = self.table.product((self.table.number(self.rational(value)), ONE), *parts)
+        return product if len(factors) == 1 else min((self.polynomial(polynomial), product), key=letters)
+
+
+def _atoms(nodes):
+    """{(base, e)}: symbols and functions with e = 1, bases of roots with e = 1/2 and the like."""
+    found = set()
+    cosines = [part.table.call("cos", *part.args) for part in reachable(nodes) if part.name == "sin"]
+    for part in reachable([*nodes, *cosines]):
+        if part.op in ("symbol", "call", "pi"):
+            found.add((part, ONE))
+        elif part.op == "product":
+            found |= {(base, Fraction(1, e.denominator)) for base, e in part.args if e.denominator > 1}
+    return found
+
+
+def factored(node):
+    """A quotient of polynomials cancelled and factored; the node itself where that takes too long."""
+    return within(2 * CALLS, lambda: _factored(textbook(node)), node)
+
+
+def _factored(node):
+    quotients = Quotients(node.table, [node])
+    return quotients.node(quotients(node))

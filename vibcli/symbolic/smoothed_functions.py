@@ -1,0 +1,56 @@
+"""Smooth functions in place of those that jump, where expressions are compared at random instants.
+
+A pulse of 5 ms is zero at most instants, and so is the difference of a scene with it and one without. The stand-ins
+differ everywhere, and keep the symmetries that rewriting uses: ramp u = u·step u, step(−u) = 1 − step u, δ(−u) = δ(u),
+square(u + π) = −square u.
+"""
+
+from functools import partial
+from math import pi, sin
+
+from vibcli.symbolic.evaluation import Floats
+
+
+def _stand_ins(sin):
+    def step(u):
+        return (1 + sin(1.7 * u)) / 2
+
+    def ramp(u):
+        return u * step(u)
+
+    def impulse(u, order=0):
+        return sin(1.3 * u + (order + 1) * pi / 2)
+
+    def square(u, order=0):
+        return sum(k ** (order - 1) * sin(k * u + order * pi / 2) for k in (1.0, 3.0))
+
+    def sawtooth(u, order=0):
+        return -sum(k ** (order - 1) * sin(k * u + order * pi / 2) for k in (1.0, 2.0, 3.0))
+
+    return {"step": step, "ramp": ramp, "impulse": impulse, "square": square, "sawtooth": sawtooth}
+
+
+def _record(sin, name, samples):
+    """A record as a wave of its own; of one name, one wave."""
+    phase = sum(map(ord, name))
+    return lambda u, order: sin(1.1 * u + phase + order * pi / 2)
+
+
+class SmoothFloats(Floats):
+    """Floats with the stand-ins."""
+
+    functions = {**Floats.functions, **_stand_ins(sin)}
+    record = staticmethod(partial(_record, sin))
+
+
+def smooth_arrays():
+    """NumPy arrays with the stand-ins."""
+    import numpy as np
+
+    from vibcli.symbolic.array_arithmetic import Arrays
+
+    class SmoothArrays(Arrays):
+        functions = {**Arrays.functions, **_stand_ins(np.sin)}
+        record = staticmethod(partial(_record, np.sin))
+
+    return SmoothArrays

@@ -1,0 +1,81 @@
+"""The two roots of a quadratic equation with letters for coefficients: rational ± factor·√D as one fraction."""
+
+from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.nested_form import letters
+from vibcli.symbolic.radicals import root
+from vibcli.symbolic.rationals import ONE, square_part
+
+
+class Pair:
+    """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
+
+    `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter.
+    """
+
+    def __init__(self, quotients, modulus, sample):
+        c, b, a = quotients.cleared(modulus)[0]
+        self.quotients, self.sample, field = quotients, sample, quotients.field
+        self.parts = [field(part) for part in (a, b, c)]
+        outside, inside = _square_and_rest(quotients, quotients.settled(field(b * b - 4 * a * c)).numer)
+        self.rational, self.factor = field(-b) / field(2 * a), field(outside) / field(2 * a)
+        if self._negative(quotients.node(self.factor)):
+            self.factor = -self.factor
+        self.inside = self._shortest(inside, outside)
+        self.root, self.in_letters = self._root(), not inside.is_ground
+
+    def _shortest(self, inside, outside):
+        """D factored, or as b² − 4ac, whichever is shorter."""
+        quotients, table = self.quotients, self.quotients.table
+        node = quotients.node(quotients.field(inside))
+        a, b, c = (part / quotients.field(outside) for part in self.parts)
+        if not all(part.denom.is_ground for part in (b, a * c)):
+            return node
+        whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
+        return min((node, whole), key=letters)
+
+    def _root(self):
+        turned = self.inside.op == "product" and self.inside.coefficient < 0
+        return root(self.inside) if turned else self.quotients.table.sqrt(self.inside)
+
+    def equation(self):
+        """The coefficients as nodes, from the highest, which is positive."""
+        found = [self.quotients.node(part) for part in self.parts]
+        return [-node for node in found] if self._negative(found[0]) else found
+
+    def both(self, surd):
+        """The root with `surd` in place of √D."""
+        front, rest = self.written(self.rational, self.factor, surd)
+        return front * rest
+
+    def written(self, rational, factor, surd=None):
+        """(front, rest): rational + factor·√D as front·rest, rest a sum that holds the root; `surd` stands for it."""
+        quotients, table = self.quotients, self.quotients.table
+        if not factor:
+            return quotients.node(rational), table.one
+        above, below = quotients.cleared([rational, factor])
+        common = above[0].gcd(above[1])
+        x, y = (quotients.node(quotients.field(part.quo(common))) for part in above)
+        front = quotients.node(quotients.field(common) / quotients.field(below))
+        if self._negative(front):
+            x, y, front = -x, -y, -front
+        if self._negative(x) and self._negative(y):
+            x, y, front = -x, -y, -front
+        surd = self.root if surd is None else surd
+        whole = front, table.sum((x, ONE), (y * surd, ONE))
+        apart = table.one, table.sum((quotients.node(rational), ONE), (quotients.node(factor) * surd, ONE))
+        return min((whole, apart), key=lambda pair: letters(pair[0] * pair[1]))
+
+    def _negative(self, node):
+        return evaluate([node], Floats, self.sample)[0] < 0
+
+
+def _square_and_rest(quotients, polynomial):
+    """(S, D) with S²·D the polynomial, D without square factors."""
+    value, factors = quotients.factors(polynomial)
+    out, rest = square_part(quotients.rational(value))
+    outside, inside = quotients.number(out).numer, quotients.number(rest).numer
+    scale = quotients.number(out).denom
+    for factor, power in factors:
+        outside *= factor ** (power // 2)
+        inside *= factor ** (power % 2)
+    return outside.quo_ground(scale.LC), inside

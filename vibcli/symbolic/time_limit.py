@@ -1,0 +1,47 @@
+"""Work of computer algebra, some steps of which have no bound of their own, within a number of calls.
+
+Calls of functions written in Python are counted, not seconds, so that every machine gives up the same work.
+"""
+
+import sys
+
+from vibcli.base.work import under_way
+
+OFTEN = 100_000     # calls from one telling of progress to the next
+
+
+class Spent(BaseException):
+    """The calls are used up. No Exception, so that nothing on the way catches it by mistake."""
+
+
+def within(calls, work, otherwise):
+    """What `work()` gives, or `otherwise` where it takes more calls, times the patience of the task that is under way.
+
+    Within another call the nearer of the two ends counts. What the work imports is imported before: an import that is
+    broken off leaves modules half made.
+    """
+    import sympy  # noqa: F401
+
+    task = under_way()
+    outer, left, spent = sys.gettrace(), calls * (task.work.patience if task else 1), Spent()
+
+    def count(frame, event, arg):
+        nonlocal left
+        left -= 1
+        if left < 0:
+            raise spent
+        if task and not left % OFTEN:
+            task.tell()
+        return outer and outer(frame, event, arg)
+
+    sys.settrace(count)
+    try:
+        return work()
+    except Spent as error:
+        if error is not spent:
+            raise
+        if task:
+            task.work.cut = True
+        return otherwise
+    finally:
+        sys.settrace(outer)
