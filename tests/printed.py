@@ -26,7 +26,7 @@ from vibcli.report.blocks import Either, Line, Maths, Name, Picture, Terms, Word
 from vibcli.report.formats.formula import formula
 from vibcli.report.formats.markdown import latex as write_protected
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 NOTATIONS = {"text": (write_plain, plain), "LaTeX": (write_latex, latex), "Markdown": (write_protected, latex),
              "MathML": (write_mathml, mathml)}

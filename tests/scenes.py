@@ -4,7 +4,7 @@ import math
 from textwrap import dedent
 
 from vibcli.language.document.document import read, read_file
-from vibcli.quantities.modal import measure
+from vibcli.quantities.expression import measure
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import parse

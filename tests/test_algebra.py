@@ -12,7 +12,8 @@ from trees import NAMES, SYMBOLS, new_table, real, symbol, trees, values
 from vibcli.notation.scene_language import language
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
-from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import expanded, is_zero, textbook
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.radicals import root

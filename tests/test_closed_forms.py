@@ -10,11 +10,11 @@ from scenes import number, problem
 
 from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.base.errors import PhysicsError
+from vibcli.check.instances import Draws
 from vibcli.check.verdicts import check
 from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
 from vibcli.report.sections.data import frequencies_data
-from vibcli.results.random_states import Draws
 from vibcli.symbolic.parser import parse
 
 

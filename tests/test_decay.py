@@ -6,7 +6,7 @@ import pytest
 from scenes import problem, problem_of
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.quantities.modal import measure
+from vibcli.quantities.expression import measure
 from vibcli.report.sections.closed_forms import closed_data
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.parser import parse

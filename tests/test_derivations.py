@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from scenes import number, problem_of
 
+from vibcli.check.instances import Draws
 from vibcli.inverse import settled
-from vibcli.results.random_states import Draws
 
 HERE = Path(__file__).parent
 PROBLEMS = sorted((HERE.parent / "problems").rglob("*.yaml"))

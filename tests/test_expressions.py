@@ -9,7 +9,8 @@ from trees import new_table, trees, values
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, Rationals, evaluate, evaluate_rational
-from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.rationals import BITS, bits

@@ -14,7 +14,7 @@ from vibcli.analyses.modal.damped import damped
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
 from vibcli.analyses.modal.undamped import Mode
 from vibcli.mechanics.factored_system import OscillatorElements
-from vibcli.quantities.modal import is_stable
+from vibcli.quantities.equilibrium import is_stable
 from vibcli.report.sections.mode_tables import damped_row, mode_row, repeated
 
 ULP = 2.0 ** -53

@@ -7,8 +7,8 @@ import pytest
 from scenes import problem_of
 
 from vibcli.base.errors import PhysicsError
+from vibcli.check.instances import Draws
 from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
-from vibcli.results.random_states import Draws
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 ROOT = Path(__file__).parent.parent

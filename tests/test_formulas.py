@@ -17,7 +17,8 @@ from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.sections.data import equations_data
 from vibcli.report.sections.symbolic_modes import turned
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.expression_graph import reachable
 
 WAYS = {**printed.NOTATIONS, "language": (language, formulas.plain)}
 LETTERS = ("m", "k", "l1", "L2", "phi", "kf", "m_rot", "x'", "theta2''", "beta", "R")

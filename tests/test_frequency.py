@@ -10,7 +10,8 @@ from scenes import problem
 
 from vibcli.analyses.closed_form.frequency_response import formula
 from vibcli.analyses.frequency_response import large_systems
-from vibcli.analyses.frequency_response.evaluate import direct, frf, phase_lag, sampled, scales, sloped
+from vibcli.analyses.frequency_response.direct import direct, scales
+from vibcli.analyses.frequency_response.evaluate import frf, phase_lag, sampled, sloped
 from vibcli.analyses.frequency_response.extremes import extremes
 from vibcli.analyses.frequency_response.fixed_points import fixed_points
 from vibcli.analyses.frequency_response.frequency_grid import adaptive

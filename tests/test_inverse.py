@@ -13,7 +13,7 @@ from vibcli.inverse import search, settled
 from vibcli.inverse.admissible_ranges import admissible, natural_scale
 from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
-from vibcli.quantities.modal import value_of
+from vibcli.quantities.expression import value_of
 from vibcli.symbolic.parser import parse
 
 BLOCK = """

@@ -16,8 +16,9 @@ import sympy
 from scenes import problem_of
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
+from vibcli.check.instances import Draws
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.results.random_states import Draws, reach
+from vibcli.results.random_states import reach
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
 PROBLEMS = {path.stem: path for path in (Path(__file__).parent.parent / "problems").rglob("*.yaml")}

@@ -12,10 +12,10 @@ import pytest
 from scenes import problem_of
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.check.instances import Draws
 from vibcli.mechanics.autonomous import without_time
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.results.random_states import Draws
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 

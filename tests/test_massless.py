@@ -15,7 +15,8 @@ from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.quantities.modal import is_stable, measure
+from vibcli.quantities.equilibrium import is_stable
+from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 
 # of each coordinate: m with inertia, z held back by a damper of its own, s by springs alone

@@ -16,7 +16,8 @@ from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.analyses.transient.linear_response import linear_motion
-from vibcli.results.random_states import Draws, reach
+from vibcli.check.instances import Draws
+from vibcli.results.random_states import reach
 from vibcli.symbolic.parser import parse
 
 ROOT = Path(__file__).parent.parent

@@ -32,8 +32,9 @@ from mjcf import (
 )
 from scenes import problem_of
 
+from vibcli.check.instances import Draws
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.results.random_states import Draws, at_states, states
+from vibcli.results.random_states import at_states, states
 from vibcli.symbolic.derivatives import gradient
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install -e '.[test]'")

@@ -6,7 +6,7 @@ import pytest
 from motions import problem
 
 from vibcli.analyses.time_integration.period import _of_forces, _scale, exact_period
-from vibcli.quantities.modal import value_of
+from vibcli.quantities.expression import value_of
 
 PENDULUM = """
 coordinates: [u]

@@ -10,7 +10,7 @@ import yaml
 
 from vibcli.language.document.document import read
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
-from vibcli.mechanics.signals import displacement
+from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.reader.read import read_spec
 from vibcli.scene.build import build_scene
 from vibcli.symbolic.evaluation import Floats, evaluate

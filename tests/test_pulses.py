@@ -12,7 +12,7 @@ from vibcli.check.verdicts import check
 from vibcli.language.document.document import read
 from vibcli.notation.latex import latex
 from vibcli.notation.plain import plain
-from vibcli.quantities.modal import measure
+from vibcli.quantities.expression import measure
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 from vibcli.scene.bounded_motion import stays_bounded
@@ -132,7 +132,7 @@ def test_how_they_are_written():
 def nodes_and_symbols(node):
     import sympy
 
-    from vibcli.symbolic.expression import reachable
+    from vibcli.symbolic.expression_graph import reachable
 
     return [(part, sympy.Symbol(part.name, positive=True)) for part in reachable([node]) if part.op == "symbol"]
 

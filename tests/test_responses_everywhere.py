@@ -10,13 +10,13 @@ import pytest
 from scenes import problem_of
 
 from vibcli.base.errors import PhysicsError
+from vibcli.check.instances import Draws
 from vibcli.plots.braille import braille
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
 from vibcli.report.sections.response_data import frequency_response_data, response_data
 from vibcli.report.sections.sampled_series import frequency_figure, response_figure, sampled, sampled_curves
 from vibcli.report.wanted import Wanted
-from vibcli.results.random_states import Draws
 
 ROOT = Path(__file__).parent.parent
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])

@@ -12,7 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
 from vibcli.mechanics.equations_of_motion import dynamics
 from vibcli.mechanics.equilibrium.redundant_friction import Redundancy
-from vibcli.quantities.modal import measure
+from vibcli.quantities.expression import measure
 from vibcli.symbolic.parser import parse
 
 HELD = """

@@ -15,7 +15,7 @@ from scenes import problem
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.quantities.modal import measure
+from vibcli.quantities.expression import measure
 from vibcli.quantities.quantity import IN_TIME, PARTS
 from vibcli.symbolic.parser import parse
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from scenes import problem, problem_of
 
-from vibcli.quantities.modal import is_stable
+from vibcli.quantities.equilibrium import is_stable
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 PROBLEMS = Path(__file__).parent.parent / "problems"

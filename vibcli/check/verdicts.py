@@ -9,12 +9,13 @@ import re
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.base.units import LENGTH
-from vibcli.language.signals import signal_dimension
+from vibcli.check.instances import Draws
+from vibcli.language.signals import coordinate_name, signal_dimension
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.virtual_work import generalised_force_at_rest
-from vibcli.quantities.modal import lowered, measure, number_of, value_of
-from vibcli.reader.quantity_check import coordinate_name
-from vibcli.results.random_states import Draws, at_states, reach, states
+from vibcli.quantities.expression import lowered, measure, value_of
+from vibcli.quantities.matrices import coordinate_number
+from vibcli.results.random_states import at_states, reach, states
 from vibcli.symbolic.semantics import quantities_in, whole_literal
 
 EXACT, WIDEST, ROUNDING, EPSILON = 1e-9, 0.005, 1e-13, 2.0**-52
@@ -128,7 +129,7 @@ def _small(problem, answer):
     tree = answer.asked.tree
     head = tree[4] if tree[0] == "quantity" else None
     if head is not None and tree[7]:
-        from vibcli.quantities.response import size_of
+        from vibcli.quantities.size import size_of
 
         return EXACT * size_of(problem, tree)
     if head in ("M", "C", "G", "K"):
@@ -171,7 +172,7 @@ def _expected_node(problem, expression):
 def _compare_energy(problem, answer, head):
     scene = problem.scene
     if head == "Q":
-        ours = generalised_force_at_rest(problem, number_of(problem, answer.asked.tree[5][0]))
+        ours = generalised_force_at_rest(problem, coordinate_number(problem, answer.asked.tree[5][0]))
     else:
         ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     verdict = _at_states(problem, answer, head, ours)
@@ -201,7 +202,7 @@ def _at_states(problem, answer, head, ours):
 def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
-    i = number_of(problem, answer.asked.tree[5][0])
+    i = coordinate_number(problem, answer.asked.tree[5][0])
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":

@@ -6,9 +6,9 @@ from typing import NamedTuple
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
 from vibcli.language.reader import Expression, Record
-from vibcli.quantities.modal import lowered
+from vibcli.quantities.expression import lowered
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import literal_unit, literals_in
 
 DECADES, DENSE, FINE, COARSE, EVEN = 9, 3, 6, 2, 48

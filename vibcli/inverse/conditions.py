@@ -12,10 +12,10 @@ from math import isfinite
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
 from vibcli.inverse.stability_margin import free_roots, margin
-from vibcli.quantities.modal import value_of
+from vibcli.quantities.expression import value_of
 from vibcli.reader.sections.choose import BALANCE
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
 HOLDS = 1e-8

@@ -11,7 +11,7 @@ from vibcli.language.reader import Expression, Record
 from vibcli.notation.scene_language import language
 from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LONGEST, ExpressionError, parse
 
 DIGITS, READABLE, TRACE = 60, 70, 1e-20

@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
-from vibcli.quantities.modal import lowered
+from vibcli.quantities.expression import lowered
 from vibcli.scene.build import sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 MANY, SPREADS, DIGITS = 400, (0.0, 0.5, 1.5, 3.0), 6
 

@@ -2,11 +2,12 @@
 
 from vibcli.base.errors import NotInLetters
 from vibcli.inverse.symbolic_response_conditions import response_of, size_of
+from vibcli.language.signals import coordinate_name
+from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.outputs import tension
-from vibcli.mechanics.signals import displacement
 from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-from vibcli.quantities.modal import centre_node, inertia_node, lowered
-from vibcli.reader.quantity_check import coordinate_name
+from vibcli.quantities.expression import lowered
+from vibcli.quantities.matrices import centre_node, inertia_node
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root

@@ -3,7 +3,7 @@
 from vibcli.analyses.closed_form.frequency_response import formula
 from vibcli.analyses.closed_form.steady_state import steady_state
 from vibcli.base.errors import NotInLetters
-from vibcli.reader.cycle_check import counts_cycles
+from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.symbolic.equations.univariate import polynomial
 from vibcli.symbolic.semantics import lower, quantities_in
 from vibcli.symbolic.transfer_between_tables import copied

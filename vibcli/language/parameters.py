@@ -3,7 +3,7 @@
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.language.document.document import Scalar
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LARGEST, RANGE, SMALLEST, ExpressionError, parse
 from vibcli.symbolic.rationals import bits
 from vibcli.symbolic.semantics import lower, names_in, whole_literal

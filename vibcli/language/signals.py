@@ -111,3 +111,11 @@ def near_signals(spec, text):
     if record is not None:
         return [f"{name}.{part}" for kind, parts in FORCES.items() if kind in record for part in parts]
     return list(spec.coordinates)
+
+
+def coordinate_name(spec, index):
+    """A coordinate by its name or its number from 1; None where there is none."""
+    names = list(spec.coordinates)
+    if index.isdecimal() and index.isascii():
+        return names[int(index) - 1] if 1 <= int(index) <= len(names) else None
+    return index if index in spec.coordinates else None

@@ -11,7 +11,7 @@ from vibcli.mechanics.linearisation import Linearisation, at_position, residual_
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.delta_functions import at_impulses
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats

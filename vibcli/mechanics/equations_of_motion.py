@@ -8,7 +8,7 @@ From the scalar functions s(q, t) of the scene, with s̈ = Σ sⱼ q̈ⱼ + b:
 from vibcli.mechanics.energies import dissipation, potential
 from vibcli.mechanics.lagrange import gyroscopic
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE
 

@@ -103,33 +103,6 @@ def _require_slope(problem):
         require_smooth(problem)
 
 
-def matrices_in_letters(form):
-    """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
-    M = _assembled(form.table, form.inertias, [form.M])
-    C = _assembled(form.table, form.dampers, [form.C, form.drag])
-    geometric = [{pair: force * second for pair, second in curvature.items()} for force, curvature, _ in form.curved]
-    K = _assembled(form.table, form.springs, geometric + form.K)
-    return M, C, _simplified({pair: [node] for pair, node in form.G.items()}, form.table), K
-
-
-def _assembled(table, terms, parts):
-    """Σ weight·rowᵢ·rowⱼ + parts."""
-    found = {}
-    for weight, row in terms:
-        for i, x in row.items():
-            for j, y in row.items():
-                found.setdefault((i, j), []).append(weight * x * y)
-    for part in parts:
-        for pair, node in part.items():
-            found.setdefault(pair, []).append(node)
-    return _simplified(found, table)
-
-
-def _simplified(found, table):
-    entries = {pair: textbook(table.sum(*((node, ONE) for node in nodes))) for pair, nodes in found.items()}
-    return {pair: node for pair, node in entries.items() if not node.is_zero}
-
-
 def _left_side(scene, found, i):
     terms = []
     for matrices, symbols in (((found.M,), scene.a), ((found.C, found.G), scene.v), ((found.K,), scene.q)):

@@ -3,7 +3,7 @@
 from vibcli.base.errors import Kinked
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 SIDES = {"sign": (-1, 1), "step": (0, 1)}     # values on both sides of a vanishing argument
 KINKED = ("abs", "min", "max", "ramp", *SIDES)

@@ -1,50 +1,12 @@
 """Signals as functions of the coordinates, and the forces in equilibrium (vibcli/language/signals.py lists them)."""
 
 from vibcli.base.errors import NotFixed, PhysicsError
-from vibcli.language.reader import Name
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
+from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import HALF, ONE
-
-
-def displacement(scene, text):
-    """The node of a coordinate, or of a place, turn or stretch as displaced from where it is drawn; None of a force."""
-    if text in scene.spec.coordinates:
-        return scene.symbol(text)
-    name, _, part = text.partition(".")
-    if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
-        return _lumped(scene.bodies[name], part)
-    if part in ("x", "y"):
-        drawn, place, _ = scene.place(Name(name, None))
-        return place["xy".index(part)] - drawn["xy".index(part)]
-    if part == "angle":
-        return scene.bodies[name].frame.angle
-    if part == "stretch":
-        kinds = "springs", "dampers", "laws"
-        drawn, = scene.at_drawn(_stretch(scene, name, map(scene.undriven, kinds)))
-        return _stretch(scene, name, (getattr(scene, kind) for kind in kinds)) - drawn
-    return None
-
-
-def _lumped(body, part):
-    """The displacement of a body without a place along its axis, or its turn about it."""
-    kind, node = body.lumped
-    if kind == "turn" and part != "angle":
-        raise PhysicsError(f"'{body.name}' turns and has no place", f"ask for {body.name}.angle")
-    if kind != "turn" and part != "x":
-        raise PhysicsError(f"'{body.name}' moves along one axis and has no place: it has no {part}",
-                           f"ask for {body.name}.x, or say where it is drawn with `at: [x, y]`")
-    return node
-
-
-def _stretch(scene, name, kinds):
-    terms = [term for kind in kinds for term in kind if term.owner == name]
-    if len(terms) == 1:
-        return terms[0].s
-    square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length
-    return scene.table.sqrt(square)
 
 
 def moving(problem, text, primes=0):

@@ -16,7 +16,7 @@ from vibcli.symbolic.angle_addition import opened, openings
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.one_unknown import Solution, solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE
 

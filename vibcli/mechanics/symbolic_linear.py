@@ -1,12 +1,12 @@
 """Inputs and outputs of the small oscillations in letters."""
 
 from vibcli.base.errors import NotInLetters
+from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
 from vibcli.mechanics.inputs_outputs.outputs import tension
-from vibcli.mechanics.lagrange import matrices_in_letters
 from vibcli.mechanics.linearisation import at_position
-from vibcli.mechanics.signals import displacement
 from vibcli.mechanics.support_forces import PARTS, along_the_axis
+from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied

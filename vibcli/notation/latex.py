@@ -1,10 +1,9 @@
 """Expressions as LaTeX, for math mode."""
 
+from vibcli.notation.latex_names import COMMANDS, NAMES
 from vibcli.notation.plain import GREEK
 from vibcli.notation.typeset import Stacked
 
-COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}
-NAMES = {letter: name for name, letter in GREEK.items()}
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}
 OPERATORS = {"−": "-", "≤": r"\le", "≥": r"\ge", "∓": r"\mp", "±": r"\pm", "∞": r"\infty", "Σ": r"\sum",
              "…": r"\ldots", "∠": r"\angle"}

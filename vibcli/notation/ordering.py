@@ -3,7 +3,7 @@
 from operator import itemgetter
 
 from vibcli.notation.radicals import is_constant
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, square_part
 
 LARGEST = 48        # denominators up to here are written as fractions

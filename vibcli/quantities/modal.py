@@ -1,83 +1,13 @@
-"""The value of a quantity — omega[1], J[disc, O], K[x, phi] — of a numeric problem, with its error bound."""
+"""Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
-from math import isfinite, pi, sqrt
+from math import pi, sqrt, tau
 
-from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.mechanics.signals import displacement, force
-from vibcli.quantities.quantity import ASKED, IN_FREQUENCY, SEVERAL
-from vibcli.reader.quantity_check import coordinate_name, is_choice
+from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import coordinate_name
+from vibcli.mechanics.inputs_outputs.displacements import displacement
+from vibcli.quantities.quantity import ROUNDING
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import lower, quantities_in
-
-ROUNDING = 1e-14
-
-
-def measure(problem, tree):
-    """(value, relative error bound) of a quantity tree."""
-    head, indices, attribute = tree[4], tree[5], tree[6]
-    if tree[7] or head in IN_FREQUENCY:
-        from vibcli.quantities.response import measure_response
-
-        return measure_response(problem, tree)
-    if is_choice(problem.spec, tree) and problem.chosen is not None:
-        return problem.chosen.value(head, int(indices[0])), ROUNDING
-    if head in SEVERAL and len(indices) > len(ASKED[head].indices):
-        problem, indices = _about(problem, int(indices[-1])), indices[:-1]
-    return _MEASURES[head](problem, indices, attribute)
-
-
-def value_of(problem, expression):
-    """(value, relative error bound) of an expression of parameters and quantities."""
-    scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
-    for quantity in quantities_in(tree):
-        values[quantity[3]], error = measure(problem, quantity)
-        worst = max(worst, error)
-    table = scene.table
-
-    def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
-
-    value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
-    if isinstance(value, complex) or not isfinite(value):
-        if isinstance(value, complex) and isfinite(abs(value)):
-            raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
-                               expression.where)
-        raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
-                           expression.where)
-    return value, worst
-
-
-def lowered(expression, table, symbol):
-    """The node of a parsed expression; SpecError where it divides by zero."""
-    try:
-        return lower(expression.tree, table, symbol)
-    except ExpressionError as error:
-        place = expression.scalar.place(error.offset, error.width)
-        raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
-
-
-def _about(problem, number):
-    """The problem about one of all its equilibria."""
-    if number > _number(problem):
-        raise PhysicsError(f"there is no equilibrium {number}: {_number(problem) or 'none'} "
-                           f"{'is' if _number(problem) < 2 else 'are'} found within the bounds",
-                           "ask for one of these, or give bounds as in find: {equilibria: all, within: …}")
-    return problem.about_each[number - 1]
-
-
-def _number(problem):
-    """How many equilibria are found; refused where the search could not be finished."""
-    found = problem.equilibria
-    if found.cut:
-        raise PhysicsError("the search for all equilibria was cut short: their number is not known",
-                           "give narrower bounds, as in find: {equilibria: all, within: …}")
-    if found.missed:
-        raise PhysicsError(f"more equilibria exist than the {len(found.items)} that were found: by the forces on the "
-                           f"bounds their indices sum to {found.indices.degree}, not {found.indices.sum}",
-                           "give narrower bounds, as in find: {equilibria: all, within: …}")
-    return len(found.items)
 
 
 def _mode(problem, indices):
@@ -91,15 +21,6 @@ def _mode(problem, indices):
         raise PhysicsError(f"there is no mode {number}: this scene has {_counted(len(modes), 'mode')}",
                            "ask for one that it has")
     return modes[number - 1]
-
-
-def number_of(problem, index):
-    """The number of an independent coordinate, from 0."""
-    name = coordinate_name(problem.spec, index)
-    if name not in problem.scene.coordinates:
-        raise PhysicsError(f"'{name}' follows from the other coordinates by the constraints: it has no equation of its "
-                           "own", "ask for " + " or ".join(f"'{other}'" for other in problem.scene.coordinates[:3]))
-    return problem.scene.coordinates.index(name)
 
 
 def _counted(count, noun):
@@ -121,7 +42,7 @@ def _omega(problem, indices, attribute):
 
 def _frequency(problem, indices, attribute):
     mode = _oscillating(problem, indices, "frequency")
-    return float(mode.omega) / 6.283185307179586, mode.error
+    return float(mode.omega) / tau, mode.error
 
 
 def _period(problem, indices, attribute):
@@ -129,7 +50,7 @@ def _period(problem, indices, attribute):
     if not mode.omega:
         raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: it has no period",
                            f"ask for omega[{indices[0]}]: 0 rad/s")
-    return 6.283185307179586 / float(mode.omega), mode.error
+    return tau / float(mode.omega), mode.error
 
 
 def _growth_rate(problem, indices, attribute):
@@ -187,7 +108,7 @@ def _eigenvalue(problem, indices, attribute):
 
 
 def _decrement(problem, indices, attribute):
-    zeta, error = _MEASURES["zeta"](problem, indices, attribute)
+    zeta, error = VALUES["zeta"](problem, indices, attribute)
     if not zeta < 1:
         raise PhysicsError(f"damped mode {indices[0]} does not oscillate: it has no logarithmic decrement",
                            f"ask for decay[{indices[0]}]")
@@ -215,68 +136,9 @@ def _estimate(which):
     return value
 
 
-def _equilibrium(problem, indices, attribute):
-    signal = coordinate_name(problem.spec, indices[0]) or indices[0]
-    node = displacement(problem.scene.resting, signal)
-    if node is None:
-        return force(problem, signal), ROUNDING
-    return evaluate([node], Floats, problem.at_rest)[0], ROUNDING
-
-
-def is_stable(problem):
-    """Does nothing grow about the equilibrium? Motion that costs no energy counts as stable."""
-    from vibcli.analyses.modal.stability import stability
-
-    return stability(problem).stable
-
-
-def _stable(problem, indices, attribute):
-    return is_stable(problem), 0.0
-
-
-def _matrix(which):
-    def value(problem, indices, attribute):
-        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
-        i, j = (number_of(problem, index) for index in indices)
-        return float(matrices[which].get((i, j), 0.0)), ROUNDING
-    return value
-
-
-def inertia_node(scene, indices):
-    """J about the mass centre, or by the parallel axis theorem about a point as drawn."""
-    body = scene.bodies[indices[0]]
-    node = body.inertia if body.inertia is not None else scene.table.zero
-    if len(indices) == 2:
-        x, y = _drawn(scene, indices[1])
-        mass = body.mass if body.mass is not None else scene.table.zero
-        node = node + mass * ((x - body.centre[0]) ** 2 + (y - body.centre[1]) ** 2)
-    return scene.at_drawn(node)[0]
-
-
-def _inertia(problem, indices, attribute):
-    return evaluate([inertia_node(problem.scene, indices)], Floats, problem.floats)[0], ROUNDING
-
-
-def _drawn(scene, name):
-    if name in scene.bodies:
-        return scene.bodies[name].centre
-    return scene.pair(scene.spec.get("points")[name]["at"])
-
-
-def centre_node(scene, indices, attribute):
-    return scene.bodies[indices[0]].centre["xy".index(attribute)]
-
-
-def _centre(problem, indices, attribute):
-    return evaluate([centre_node(problem.scene, indices, attribute)], Floats, problem.floats)[0], ROUNDING
-
-
-_MEASURES = {
+VALUES = {
     "omega": _omega, "frequency": _frequency, "period": _period, "growth_rate": _growth_rate, "mode": _shape,
     "zeta": _of_damped("zeta", "damping ratio"), "omega_d": _of_damped("omega_d", "damped frequency"),
     "decay": _of_damped("decay", "decay"), "eigenvalue": _eigenvalue, "decrement": _decrement,
-    "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"),
-    "dunkerley": _estimate("dunkerley"), "equilibrium": _equilibrium, "stable": _stable,
-    "equilibria": lambda problem, indices, attribute: (_number(problem), 0.0),
-    "M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre,
+    "sensitivity": _sensitivity, "rayleigh": _estimate("rayleigh"), "dunkerley": _estimate("dunkerley"),
 }

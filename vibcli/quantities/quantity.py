@@ -19,6 +19,7 @@ class Asked:
         self.args, self.optional = args, optional
 
 
+ROUNDING = 1e-14        # relative, of what is evaluated in floats
 SIGNAL = "signal"       # the unit of a number of a signal: that of the signal
 
 
@@ -158,3 +159,13 @@ def dimension(head, indices, of):
     if head in OF_SPEED:
         return units.times(units.times(OF_SPEED[head], of(indices[0]), -1), of(indices[1]), -1)
     return None
+
+
+def is_choice(spec, tree):
+    """Does a tree ask for a chosen parameter: c, or its second solution c[2]?"""
+    choices = spec.get("choose") or ()
+    if tree[0] == "name":
+        return tree[3] in choices and not tree[4]
+    indices = tree[5]
+    return tree[4] in choices and len(indices) == 1 and indices[0].isdecimal() and (
+        tree[4] not in ASKED or len(ASKED[tree[4]].indices) != 1)

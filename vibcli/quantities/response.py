@@ -1,9 +1,10 @@
 """Numbers of responses: values in time, extremes, steady amplitudes, decrements, and frequency responses."""
 
-from math import isfinite, pi
+from math import isfinite, pi, tau
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.frequency_response import ERROR, OF_FREQUENCY, TURN, frf, number_of, wrapped
+from vibcli.quantities.frequency_response import ERROR, wrapped
+from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import PARTS
 from vibcli.results import signal_features, steady_features
 from vibcli.results.signals import LinearSignal
@@ -12,22 +13,18 @@ from vibcli.symbolic.derivatives import gradient
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
 
-def measure_response(problem, tree):
-    """(value, relative error bound) of a quantity with arguments; the value of an frf is complex."""
-    head = tree[4]
-    in_time = head in _IN_TIME and not (head == "phase" and tree[7][0][0] == "quantity" and tree[7][0][4] == "frf")
-    if not in_time:
-        return OF_FREQUENCY[head](problem, tree)
+def measure_response(problem, tree, args):
+    """(value, relative error bound) of a number of a signal; `args`: its arguments that are numbers, by their place."""
     try:
-        value = _IN_TIME[head](problem, tree)
-        return value, max(ERROR, _doubt(problem, tree, value))
+        value = VALUES[tree[4]](problem, tree, args)
+        return value, max(ERROR, _doubt(problem, tree, args, value))
     except PhysicsError as error:
         if error.hint and "(x)" in error.hint:
-            raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from error
+            error.hint = error.hint.replace("(x)", f"({_found(problem, tree)})")
         raise
 
 
-def _doubt(problem, tree, value):
+def _doubt(problem, tree, args, value):
     """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
     others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
     if problem.motion.KIND != "full":
@@ -37,9 +34,9 @@ def _doubt(problem, tree, value):
     if not problem.motion.integrated:
         return 0.0
     if tree[4] == "value":
-        instant = number_of(problem, tree[7][1])
+        instant = args[1]
     elif tree[4] in ("max", "min"):
-        instant = _extreme(1 if tree[4] == "max" else -1, 0)(problem, tree)
+        instant = _extreme(1 if tree[4] == "max" else -1, 0)(problem, tree, args)
     else:
         until = value if tree[4] in ("argmax", "argmin", "zero") else problem.motion.known
         return problem.motion.reaching(until).shared.of_state(until)
@@ -68,31 +65,30 @@ def _signal(problem, tree):
     return problem.motion.signal(tree[7][0])
 
 
-def _value(problem, tree):
+def _value(problem, tree, args):
     import numpy as np
 
-    time = number_of(problem, tree[7][1])
+    time = args[1]
     if not time >= 0 or not isfinite(time):
         raise PhysicsError(f"there is no motion at t = {time:.6g} s", "motions start at t = 0")
     return float(_signal(problem, tree).values(np.array([time]))[0])
 
 
-def _inertia(problem, tree):
+def _inertia(problem, tree, args):
     """∂²T/∂q̇ᵢ∂q̇ⱼ at an instant of the motion."""
     import numpy as np
 
     from vibcli.mechanics.energies import kinetic
-    from vibcli.quantities.modal import number_of as numbered
 
     scene = problem.scene
-    i, j = (scene.v[numbered(problem, index)] for index in tree[5])
+    i, j = (scene.v[coordinate_number(problem, index)] for index in tree[5])
     zero = scene.table.zero
     node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
-    return float(problem.motion.state_signal(node).values(np.array([number_of(problem, tree[7][0])]))[0])
+    return float(problem.motion.state_signal(node).values(np.array([args[0]]))[0])
 
 
 def _extreme(sense, which):
-    def value(problem, tree):
+    def value(problem, tree, args):
         return _signal(problem, tree).extreme(0.0, problem.motion.until, sense)[which]
     return value
 
@@ -105,7 +101,7 @@ def _linear(problem, tree):
     return signal
 
 
-def _amplitude(problem, tree):
+def _amplitude(problem, tree, args):
     """Of the steady state that loads keep up, else of the free vibration."""
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
@@ -122,7 +118,7 @@ def _signed(X):
     return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
 
 
-def _phase(problem, tree):
+def _phase(problem, tree, args):
     import cmath
 
     signal = _linear(problem, tree)
@@ -135,7 +131,7 @@ def _phase(problem, tree):
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
 
 
-def _harmonic(problem, tree):
+def _harmonic(problem, tree, args):
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
@@ -144,7 +140,7 @@ def _harmonic(problem, tree):
 
 def _over_a_period(which):
     """Of the steady state that loads keep up, else of the free vibrations that last."""
-    def value(problem, tree):
+    def value(problem, tree, args):
         signal = _linear(problem, tree)
         if not signal_features.kept_up(signal):
             return getattr(signal_features, which)(signal)
@@ -152,11 +148,11 @@ def _over_a_period(which):
     return value
 
 
-def _final(problem, tree):
+def _final(problem, tree, args):
     return _signal(problem, tree).final()
 
 
-def _overshoot(problem, tree):
+def _overshoot(problem, tree, args):
     import numpy as np
 
     signal = _signal(problem, tree)
@@ -168,7 +164,7 @@ def _overshoot(problem, tree):
     return max(0.0, float((top - final) / (final - start)))
 
 
-def _zero(problem, tree):
+def _zero(problem, tree, args):
     number, signal = int(tree[5][0]), _signal(problem, tree)
     found = signal.zeros(0.0, problem.motion.until)
     if len(found) < number:
@@ -180,48 +176,23 @@ def _zero(problem, tree):
 
 
 def _free(find, fraction=False):
-    def value(problem, tree):
+    def value(problem, tree, args):
         signal = _linear(problem, tree)
         return find(signal, float(tree[5][0])) if fraction else find(signal)
     return value
 
 
-def _period(problem, tree):
+def _period(problem, tree, args):
     """Of the steady state that loads keep up, else of the free vibration."""
     if problem.motion.KIND != "small":
         return problem.motion.period(tree[7][0])
     signal = _linear(problem, tree)
     if signal_features.kept_up(signal):
-        return TURN / steady_features.fundamental(signal)
+        return tau / steady_features.fundamental(signal)
     return signal_features.free_period(signal)
 
 
-def size_of(problem, tree):
-    """The largest value that a quantity of this kind has: what its rounding is measured by."""
-    head = tree[4]
-    if head in ("phase", "arg", "overshoot", "decrement", "cycles_to"):
-        return 1.0
-    if head in OF_FREQUENCY:
-        inner = tree if head in ("frf", "transmissibility") else tree[7][0]
-        return abs(frf(problem, inner)[0]) if inner[7] else 0.0
-    if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
-        return problem.motion.until
-    signal, end = _signal(problem, tree), _end(problem, tree)
-    return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
-
-
-def _end(problem, tree):
-    """Until when the motion is looked at; of a value whose motion has no known end, until its instant and for a
-    second."""
-    try:
-        return problem.motion.until
-    except PhysicsError:
-        if tree[4] != "value":
-            raise
-        return max(number_of(problem, tree[7][1]), 1.0)
-
-
-_IN_TIME = {
+VALUES = {
     "value": _value, "M": _inertia,
     "amplitude": _amplitude, "phase": _phase, "max": _extreme(1, 1), "min": _extreme(-1, 1),
     "argmax": _extreme(1, 0), "argmin": _extreme(-1, 0), "mean": _over_a_period("mean"), "rms": _over_a_period("rms"),

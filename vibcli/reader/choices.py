@@ -4,14 +4,9 @@ from vibcli.base import units
 from vibcli.language.dimension_check import check
 from vibcli.language.reader import Record
 from vibcli.quantities.quantity import ASKED, STATE_FUNCTIONS
-from vibcli.reader.quantity_check import (
-    as_quantity,
-    asked_dimension,
-    can_be_asked,
-    check_cycles,
-    dimension_of,
-    unit_asked,
-)
+from vibcli.reader.answer_check import as_quantity, check_cycles, dimension_of, unit_asked
+from vibcli.reader.quantity_check import can_be_asked
+from vibcli.reader.quantity_dimensions import asked_dimension
 from vibcli.symbolic.semantics import ALL_NUMBERS, names_in, quantities_in
 
 MOST_CHOSEN = 4

@@ -55,11 +55,11 @@ def settle(spec, reader):
 
         check_choices(spec, reader)
     if spec.get("find") and reader.sound and len(reader.diagnostics) == before:
-        from vibcli.reader.signal_check import check_questions
+        from vibcli.reader.quantity_check import check_questions
 
         check_questions(spec, reader, *spec.get("find").signals)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
-        from vibcli.reader.quantity_check import check_answers
+        from vibcli.reader.answer_check import check_answers
 
         check_answers(spec, reader)
 

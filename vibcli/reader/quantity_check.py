@@ -1,155 +1,30 @@
-"""Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
+"""Quantities: can they be asked of a scene, with these indices, signals, instants, inputs and frequencies?"""
+
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.language.dimension_check import check
-from vibcli.language.fields import nearest
+from vibcli.language.dimension_check import applied
 from vibcli.language.parameters import independent
-from vibcli.language.signals import near_signals, signal_dimension
+from vibcli.language.reader import nearest
+from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
+from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.quantity import (
     ALL,
     ASKED,
-    BARE,
     IN_FREQUENCY,
-    OF_SPEED,
+    OF_VALUES,
+    PARTS,
     SEVERAL,
-    SIGNAL,
-    STATE_FUNCTIONS,
     declared,
-    dimension,
+    is_choice,
 )
-from vibcli.reader.cycle_check import check_radians, check_same, check_terms, is_frequency
-from vibcli.reader.signal_check import (
-    arguments_fit,
-    input_dimension,
-    inputs,
-    output_dimension,
-    response_dimension,
-    usage_here,
-)
+from vibcli.reader.quantity_dimensions import RATE, checker, input_dimension, inputs, output_dimension, usage_here
 from vibcli.symbolic.cycles import left_over
-from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import DimensionCheck, names_in, quantities_in
+from vibcli.symbolic.parser import VALUE, ExpressionError
+from vibcli.symbolic.semantics import ALL_NUMBERS, literals_in, names_in, quantities_in
 
 MOST_COUNTED = 1000
-ANGULAR = ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
-
-
-def check_answers(spec, reader):
-    """Report whatever is wrong with the answers of a file."""
-    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
-    spec.velocities |= {id(a.expected) for a in spec.answers}
-    for answer in spec.answers:
-        _answer(spec, reader, answer)
-
-
-def asked_dimension(spec, tree):
-    if is_choice(spec, tree):
-        return spec.dimensions.of(tree[4])
-    if (tree[7] or tree[4] in IN_FREQUENCY) and tree[4] not in OF_SPEED:
-        return response_dimension(spec, tree)
-    indices = [coordinate_name(spec, index) or index for index in tree[5]]
-
-    def of(name):
-        known = name in spec.coordinates or name in spec.parameters
-        return spec.dimensions.of(name) if known else signal_dimension(spec, name)
-
-    return dimension(tree[4], indices, of)
-
-
-def is_choice(spec, tree):
-    """Does a tree ask for a chosen parameter: c, or its second solution c[2]?"""
-    choices = spec.get("choose") or ()
-    if tree[0] == "name":
-        return tree[3] in choices and not tree[4]
-    indices = tree[5]
-    return tree[4] in choices and len(indices) == 1 and indices[0].isdecimal() and (
-        tree[4] not in ASKED or len(ASKED[tree[4]].indices) != 1)
-
-
-def coordinate_name(spec, index):
-    """A coordinate by its name or its number from 1; None where there is none."""
-    names = list(spec.coordinates)
-    if index.isdecimal() and index.isascii():
-        return names[int(index) - 1] if 1 <= int(index) <= len(names) else None
-    return index if index in spec.coordinates else None
-
-
-def _is_parameter(spec, name):
-    """Is a name that can be asked for, such as T, that of a chosen parameter or of one that measures something else?"""
-    measured = spec.dimensions.of(name) if name in spec.parameters else None
-    return name in spec.choices or (measured is not None and measured != units.parse_unit(ASKED[name].unit).dimension)
-
-
-def as_quantity(spec, tree):
-    """The tree of a quantity that is written as a name alone, such as rayleigh or T; other trees as they are."""
-    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not _is_parameter(spec, tree[3]):
-        return ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
-    return tree
-
-
-def _answer(spec, reader, answer):
-    """The quantity asked for must exist, and the expected value must have its dimension."""
-    asked, expected = answer.asked, answer.expected
-    tree = asked.tree = as_quantity(spec, asked.tree)
-    whole = tree[0] == "quantity"
-    for quantity in quantities_in(tree):
-        if not can_be_asked(spec, reader, asked, quantity):
-            return
-    names = {name for name, *_ in names_in(tree)} - {"pi"}
-    of_parameters = names & set(spec.choices) or (names and names <= set(spec.parameters))
-    if not whole and not quantities_in(tree) and not of_parameters:
-        if asked.text in ASKED:
-            needs = "an index" if ASKED[asked.text].indices else "a signal"
-            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage_here(spec, asked.text)}")
-        elif at_no_time(spec, tree):
-            reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
-                          f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
-        else:
-            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED) or ALL)
-        return
-    head = tree[4] if whole else None
-    if head == "stable":
-        if expected.text not in ("true", "false"):
-            reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}",
-                          "write stable: true")
-        return
-    for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
-        for quantity in quantities_in(part.tree):
-            if not can_be_asked(spec, reader, part, quantity):
-                return
-    if head in STATE_FUNCTIONS and quantities_in(expected.tree):
-        quantity = quantities_in(expected.tree)[0]
-        reader.report(expected.scalar.place(quantity[1], quantity[2] - quantity[1]),
-                      f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
-        return
-    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
-    fits = check(spec, reader, asked, spec.parameters, None)
-    dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
-    expected.unit = unit_asked(tree) if whole and not is_choice(spec, tree) else None
-    if check(spec, reader, expected, names, dimension_asked) and fits:
-        check_cycles(spec, reader, asked, expected)
-    if answer.rtol is not None:
-        check(spec, reader, answer.rtol, spec.parameters, units.NONE)
-
-
-def at_no_time(spec, tree):
-    """Is this a signal alone, without an instant?"""
-    return tree[0] == "name" and output_dimension(spec, tree[3]) is not None
-
-
-def unit_asked(tree):
-    """The unit that the value of a quantity is expected in; None where its indices or arguments settle it."""
-    unit = declared(tree).unit
-    return None if unit == SIGNAL else unit
-
-
-def dimension_of(spec, expression):
-    try:
-        return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
-                              lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
-    except ExpressionError:
-        return None
+COMPLEX = ("eigenvalue", "mode")     # quantities that may be complex, beside frequency responses
 
 
 def can_be_asked(spec, reader, expression, tree, bare=False):
@@ -203,10 +78,10 @@ def _index(spec, reader, place, head, kind, index):
     elif kind == "input":
         good, valid = input_dimension(spec, index) is not None, inputs(spec)
     elif kind == "number":
-        return _counted(reader, place, index.isdecimal() and index.isascii() and 0 < int(index) <= MOST_COUNTED,
+        return _of_kind(reader, place, index.isdecimal() and index.isascii() and 0 < int(index) <= MOST_COUNTED,
                         f"a whole number from 1 to {MOST_COUNTED}", index)
     elif kind == "fraction":
-        return _counted(reader, place, _is_fraction(index), "a fraction between 0 and 1", index)
+        return _of_kind(reader, place, _is_fraction(index), "a fraction between 0 and 1", index)
     elif kind == "parameter":
         good, valid = index in independent(spec.parameters), independent(spec.parameters)
         if not good and index in spec.parameters:
@@ -224,7 +99,7 @@ def _index(spec, reader, place, head, kind, index):
     return good
 
 
-def _counted(reader, place, good, wants, index):
+def _of_kind(reader, place, good, wants, index):
     if not good:
         reader.report(place, f"expected {wants} in square brackets, found {quoted(index)}")
     return good
@@ -237,21 +112,168 @@ def _is_fraction(text):
         return False
 
 
-def check_cycles(spec, reader, asked, expected):
-    """Hz is not rad/s: an angular frequency refuses it, and a frequency the other; all else counts no cycles."""
-    tree = asked.tree
-    head = tree[4] if tree[0] == "quantity" and not is_choice(spec, tree) else None
-    asks_frequency = head is not None and declared(tree).unit == "Hz"
-    count = check_terms(spec, reader, expected)
-    if count is None or check_terms(spec, reader, asked) is None:
+def arguments_fit(spec, reader, expression, tree, bare=False):
+    """Are the arguments of a quantity what it takes? Reports what is wrong with them. `bare`: see can_be_asked."""
+    asked, head, args = declared(tree), tree[4], tree[7]
+    place = expression.scalar.place(tree[1], tree[2] - tree[1])
+    if not asked.args and args:
+        if ASKED.get(head) is not None and "mode" in asked.indices:
+            reader.report(place, f"'{head}' is no function of time: it takes an index alone", f"write {head}[1]")
+        else:
+            reader.report(place, f"'{head}' takes no argument in round brackets", "leave it out")
+        return False
+    if asked.optional and not args and not bare:
+        reader.report(place, f"'{tree[3]}' is a function of frequency", f"write {tree[3]}(5 Hz)")
+        return False
+    if len(args) != len(asked.args) and not bare:
+        _miscounted(spec, reader, expression, tree, place)
+        return False
+    kinds = zip(asked.args, args, strict=False)
+    return all(_argument(spec, reader, expression, tree, kind, arg) for kind, arg in kinds)
+
+
+def check_questions(spec, reader, signals, drivers):
+    """Report what is wrong with the signals and inputs of `find`."""
+    for expression in signals:
+        _signal(spec, reader, expression, (None, 0, 0, "", "", (), "", (expression.tree,)), expression.tree)
+    for expression in drivers:
+        if expression.tree[0] != "name" or input_dimension(spec, expression.text) is None:
+            reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
+                          nearest(expression.text, inputs(spec)))
+
+
+def _miscounted(spec, reader, expression, tree, place):
+    if tree[4] == VALUE:
+        applied(reader, expression, tree)
         return
-    if asks_frequency and not is_frequency(spec, expected):
-        reader.report(expected.where, f"expected a frequency (Hz) for '{head}', found an angular frequency",
-                      "divide by 2*pi, or ask for omega[i]")
-    elif head in ANGULAR and left_over(count) == 1:
-        reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
-                      "write 2*pi*f, or ask for frequency[i]")
-    elif head is None:
-        check_same(spec, reader, asked, expected)
-    elif not asks_frequency:
-        check_radians(spec, reader, expected)
+    reader.report(place, f"'{tree[4]}' takes one argument in round brackets, found {len(tree[7]) or 'none'}",
+                  f"write {usage_here(spec, tree[4])}")
+
+
+def _argument(spec, reader, expression, tree, kind, arg):
+    if kind == "signal" and tree[4] == "phase" and arg[0] == "quantity" and arg[4] == "frf":
+        kind = "frf"
+    if kind == "signal":
+        return _signal(spec, reader, expression, tree, arg)
+    if kind == "frf":
+        return _response(spec, reader, expression, tree, arg)
+    return _number(spec, reader, expression, kind, arg)
+
+
+def _signal(spec, reader, expression, tree, arg):
+    """A signal: names of coordinates and signals with at most two primes, and parameters."""
+    before = len(reader.diagnostics)
+    for name, primes, start, end in names_in(arg):
+        place = expression.scalar.place(start, end - start)
+        if name in spec.parameters and not primes:
+            spec.used.add(name)
+        elif name != "pi" and output_dimension(spec, name + "'" * primes) is None:
+            _unknown(spec, reader, expression, tree, name, place)
+    for part in quantities_in(arg):
+        if part[4] not in PARTS:
+            reader.report(expression.scalar.place(part[1], part[2] - part[1]), f"'{part[3]}' is no signal",
+                          "signals are made of coordinates, points, springs, forces and parameters")
+        elif not arguments_fit(spec, reader, expression, part):
+            return False
+    if len(reader.diagnostics) == before and not any(_moves(spec, name) for name, *_ in _all_names(arg)):
+        reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]), "this does not depend on the motion",
+                      "signals are made of coordinates, points, springs and forces")
+    if len(reader.diagnostics) > before or _dimension(spec, reader, expression, arg) is False:
+        return False
+    return _counted(reader, expression, lambda: cycles(spec, expression.text).count(arg))
+
+
+def _all_names(tree):
+    return names_in(tree) + [name for part in quantities_in(tree) for arg in part[7] for name in _all_names(arg)]
+
+
+def _moves(spec, name):
+    return name not in spec.parameters and name != "pi"
+
+
+def _unknown(spec, reader, expression, tree, name, place):
+    if name in ASKED and ASKED[name].indices:
+        reader.report(place, f"'{name}' needs an index", f"write {usage_here(spec, name)}")
+    elif tree[4] == VALUE and tree[7][0][0] == "name":
+        asked = (*ASKED, *spec.coordinates)
+        reader.report(place, f"unknown quantity or signal {quoted(name)}", _hint(spec, name, asked))
+    else:
+        reader.report(place, f"this scene has no coordinate or signal {quoted(name)}",
+                      _hint(spec, name, near_signals(spec, name)))
+
+
+def _hint(spec, name, words):
+    return nearest(name, near_signals(spec, name) if "." in name else words)
+
+
+def _dimension(spec, reader, expression, tree):
+    """The dimension of a tree; False and a report where its parts do not fit."""
+    try:
+        return checker(spec, expression.text).dimension(tree)
+    except ExpressionError as error:
+        reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+        return False
+
+
+def _response(spec, reader, expression, tree, arg):
+    """The argument of peak, arg, phase …: frf[x, F] as a function, or its value frf[x, F](5 Hz)."""
+    wants_value = tree[4] in (*OF_VALUES, "phase")
+    example = usage_here(spec, "arg" if tree[4] == "phase" else tree[4])
+    example = example.replace("arg", "phase") if tree[4] == "phase" else example
+    place = expression.scalar.place(arg[1], arg[2] - arg[1])
+    if wants_value and arg[0] == "quantity" and arg[4] in COMPLEX:
+        return can_be_asked(spec, reader, expression, arg)
+    if wants_value and arg[0] == "quantity" and declared(arg) is not None and arg[4] not in ("frf", *OF_VALUES):
+        reader.report(place, f"{quoted(arg[3])} is a real number", f"ask for {arg[3]} itself")
+        return False
+    if arg[0] != "quantity" or arg[4] not in IN_FREQUENCY or not ASKED[arg[4]].optional:
+        reader.report(place, "expected a frequency response", f"write {example}")
+        return False
+    if bool(arg[7]) != wants_value:
+        what = "its value at a frequency" if wants_value else "the response without a frequency"
+        reader.report(place, f"expected {what}", f"write {example}")
+        return False
+    return can_be_asked(spec, reader, expression, arg, bare=not wants_value)
+
+
+def _number(spec, reader, expression, kind, arg):
+    """An instant, or a frequency in rad/s or Hz."""
+    before = len(reader.diagnostics)
+    for name, primes, start, end in names_in(arg):
+        if name in spec.parameters and not primes:
+            spec.used.add(name)
+        elif name != "pi":
+            reader.report(expression.scalar.place(start, end - start), f"'{name}' is no parameter",
+                          nearest(name, spec.parameters))
+    for part in quantities_in(arg):
+        can_be_asked(spec, reader, expression, part)
+    if len(reader.diagnostics) > before:
+        return False
+    found = _dimension(spec, reader, expression, arg)
+    if found is False:
+        return False
+    wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (RATE, "a frequency (rad/s or Hz)")
+    bare = spec.free_numbers == ALL_NUMBERS or (
+        spec.free_numbers and not any(part[4] for part in literals_in(arg)))
+    if found is None or bare or spec.dimensions.equate(found, wanted):
+        return _counted(reader, expression, lambda: _counts(cycles(spec, expression.text), kind, arg))
+    reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]),
+                  f"expected {words}, found {units.name(spec.dimensions.resolve(found))}",
+                  "write for example 2.5 s" if kind == "time" else "write for example 20 rad/s or 5 Hz")
+    return False
+
+
+def _counts(counter, kind, arg):
+    """An instant is no number of cycles, and a frequency one in rad/s or Hz."""
+    if kind == "time" or left_over(counter.count(arg)) not in (0, 1):
+        counter.require_radians(arg)
+
+
+def _counted(reader, expression, count):
+    """Can the cycles be counted? Reports where they stand for radians."""
+    try:
+        count()
+    except ExpressionError as error:
+        reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+        return False
+    return True

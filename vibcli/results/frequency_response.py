@@ -1,21 +1,11 @@
 """The frequency response of a signal of a scene to an input, and what is read off its graph."""
 
-from copy import copy
 from functools import cached_property
 
 from vibcli.base.errors import PhysicsError
-from vibcli.results.problem import Problem
 
 ERROR = 1e-12
 MOST = 10_000      # steps of a million products
-
-
-def without_damper(problem, name):
-    """The problem with one damper taken out."""
-    spec = copy(problem.spec)
-    dampers = {key: record for key, record in spec.get("dampers").items() if key != name}
-    spec.sections = {**spec.sections, "dampers": dampers}
-    return Problem(spec, problem.given, problem.holding, problem.work)
 
 
 class FrequencyResponse:
@@ -82,7 +72,7 @@ class FrequencyResponse:
         if damper not in self._fixed:
             if self.signal.startswith(f"{damper}."):
                 raise PhysicsError(f"'{self.signal}' is not there without the damper", "ask for another signal")
-            free = transfer(without_damper(self.problem, damper), self.signal, self.driver)
+            free = transfer(self.problem.without(damper), self.signal, self.driver)
             with self.problem.work.task("the search for fixed points", MOST):
                 self._fixed[damper] = fixed_points(free, self.transfer)
         return self._fixed[damper]

@@ -75,7 +75,7 @@ class FullSignal(Signal):
         """The node with a symbol for each sign in it that may be held, whose value is added to `values`."""
         from vibcli.symbolic.array_arithmetic import Arrays
         from vibcli.symbolic.derivatives import substitute
-        from vibcli.symbolic.expression import reachable
+        from vibcli.symbolic.expression_graph import reachable
 
         signs = [part for part in reachable([node]) if part.name == "sign" and part.mask]
         if not signs:

@@ -6,6 +6,7 @@
 Each stage is computed on first touch, by one call to a pure function whose module is imported there.
 """
 
+from copy import copy
 from functools import cached_property
 
 from vibcli.base.errors import defined_as_drawn
@@ -33,6 +34,13 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         self.end = None         # of a motion in time [s], where it is not that of the file
         self.signed = False     # amplitudes have a sign, so that a search sees where they vanish
         self.chosen = None      # what was chosen (inverse), where this is the scene with its solution
+
+    def without(self, damper):
+        """The problem with one damper taken out."""
+        spec = copy(self.spec)
+        dampers = {name: record for name, record in spec.get("dampers").items() if name != damper}
+        spec.sections = {**spec.sections, "dampers": dampers}
+        return Problem(spec, self.given, self.holding, self.work)
 
     def with_values(self, given):
         """The same scene with values for its symbols."""

@@ -11,11 +11,10 @@ from vibcli.analyses.excitation.linear_output import Output, combined
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.signals import energy
-from vibcli.reader.sections.find import RESPONSE
 from vibcli.results.signals import Closing, ComposedSignal, LinearSignal
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import lower
 
 LONGEST = 1e12      # seconds
@@ -37,7 +36,7 @@ class Motion:
     @property
     def _asked(self):
         find = self.problem.spec.get("find")
-        return find.about(RESPONSE) if find is not None else None
+        return find.in_time if find is not None else None
 
     @cached_property
     def until(self):

@@ -202,7 +202,7 @@ class ComposedSignal(Signal):
     def transient(self):
         """It less its steady part."""
         from vibcli.symbolic.derivatives import substitute
-        from vibcli.symbolic.expression import reachable
+        from vibcli.symbolic.expression_graph import reachable
 
         table, signals, instead = self.node.table, dict(self.signals), {}
         for symbol in reachable([self.node]):

@@ -19,8 +19,8 @@ class InLetters:
     @cached_property
     def matrices_in_letters(self):
         """M, C, G, K of the small oscillations in letters."""
-        from vibcli.mechanics.lagrange import matrices_in_letters
         from vibcli.mechanics.nonsmooth import require_unheld
+        from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 
         require_unheld(self)
         if self.scene.timed:

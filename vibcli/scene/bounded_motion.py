@@ -6,7 +6,7 @@ growth from some 10⁴ s to some 10⁹ s.
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 EARLY, LATE = 1e4, 1e9
 INSTANTS = (1.0, 1.137, 1.319, 1.523, 1.689, 1.733, 1.871, 1.957)

@@ -3,7 +3,7 @@
 from vibcli.language.fields import load
 from vibcli.scene.frame import Frame
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
 from vibcli.symbolic.rationals import ONE
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from vibcli.symbolic.antiderivatives import from_zero
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 BENT = ("abs", "sign", "min", "max", "step", "ramp")
 

@@ -1,7 +1,7 @@
 """Sines and cosines of sums in those of one angle: sin(2φ − α) by the addition theorems."""
 
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 MOST = 6        # multiples of the angle that are opened
 

@@ -7,7 +7,7 @@
 """
 
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
 from vibcli.symbolic.rationals import ONE
 

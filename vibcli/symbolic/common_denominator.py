@@ -3,7 +3,7 @@
 from fractions import Fraction
 from math import gcd, lcm
 
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
 from vibcli.symbolic.normal_form import TooLong, add, expanded, factors_of, multiplied, reduced, times
 from vibcli.symbolic.rationals import ONE, ZERO

@@ -2,7 +2,8 @@
 
 from fractions import Fraction
 
-from vibcli.symbolic.expression import Node, reachable
+from vibcli.symbolic.expression import Node
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE
 
 

@@ -8,7 +8,7 @@ import math
 from fractions import Fraction
 
 from vibcli.symbolic import discontinuous_functions
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, bits
 
 ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")

@@ -317,19 +317,3 @@ _index = attrgetter("index")
 
 def _index_of_first(pair):
     return pair[0].index
-
-
-def reachable(nodes, known=()):
-    """All nodes below `nodes`, themselves included, in an order of evaluation; without what only `known` ones need."""
-    seen, pending = set(), list(nodes)
-    while pending:
-        node = pending.pop()
-        if node not in seen:
-            seen.add(node)
-            if node in known:
-                continue
-            if node.op in ("sum", "product"):
-                pending.extend(arg for arg, _ in node.args if arg not in seen)
-            elif node.op == "call":
-                pending.extend(node.args)
-    return sorted(seen, key=_index)

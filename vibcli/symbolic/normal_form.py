@@ -9,7 +9,7 @@ from functools import reduce
 from math import gcd, isqrt
 
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, ZERO
 
 MOST = 300

@@ -11,7 +11,7 @@ What bends or jumps with the motion is smooth while its switches σ stay as they
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF
 
 SWITCHED = ("abs", "sign", "min", "max", "step", "ramp")

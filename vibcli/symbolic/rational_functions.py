@@ -5,7 +5,7 @@ Atoms are symbols, functions and roots. Squares of roots and of sines are replac
 
 from fractions import Fraction
 
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import grouped, letters
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE

@@ -1,7 +1,7 @@
 """Expressions of one table written again in another."""
 
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 
 class _Nodes:

@@ -11,7 +11,8 @@ from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import coefficients
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, textbook
 from vibcli.symbolic.rationals import ONE, ZERO
 from vibcli.symbolic.transfer_between_tables import copied

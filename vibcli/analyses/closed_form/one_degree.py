@@ -6,7 +6,7 @@ from math import gcd, lcm
 from vibcli.analyses.closed_form.closed_forms import ClosedForms, ClosedMode
 from vibcli.analyses.closed_form.numeric_verification import confirmed, damping_confirmed, samples, squares
 from vibcli.symbolic.common_denominator import fraction, single
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, ZERO

@@ -12,7 +12,7 @@ from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.symbolic.common_denominator import shorter
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
 

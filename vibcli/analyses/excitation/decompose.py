@@ -8,7 +8,7 @@ from vibcli.analyses.excitation.functions_of_time import ORDERED, NotSaid, calle
 from vibcli.analyses.excitation.rounding import Floating, multiprecise
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 FULL = "`motion: full` integrates the equations as they are"
 LARGEST = 60        # whole powers that are multiplied out

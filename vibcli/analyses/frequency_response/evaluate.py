@@ -1,21 +1,14 @@
 """H(iΩ) at many frequencies, each to the rounding that the condition of K − Ω²M + iΩC allows.
 
-Few degrees of freedom, or few frequencies: LU of every matrix, rows and columns scaled by powers of two; else a method
-of many.py. A frequency at which the matrix is singular but for rounding is a pole, unless the input does not
-excite that mode or the output does not see it: then that mode is left out.
-
-With x = D⁻¹b and y = D⁻ᵀc the slope is dH/ds = c′ᵀx + yᵀ(b′ − D′x) + d′.
+Few degrees of freedom, or few frequencies: LU of every matrix (direct.py); else a method of large_systems.py.
 """
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
+from vibcli.analyses.frequency_response.direct import direct
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.fixed_point import count_floats
 
-SINGULAR = 2.0**-46     # 1/condition of the scaled matrix below which a frequency counts as one of a pole
-UNSEEN = 1e-9           # share of b or c along a mode, below which the mode takes no part
-WORK, BLOCK = 2e8, 2.0**22
+WORK = 2e8      # elimination of so many frequencies by LU is not worth a search for a faster method
 
 
 def frf(system, Omega):
@@ -70,73 +63,3 @@ def _method(system, count):
 
         system.method = chosen(system) or direct
     return system.method
-
-
-def direct(system, s, steep=False):
-    """(H, dH/ds or None, whether there is a pole) by LU, in blocks of frequencies."""
-    size = max(1, int(BLOCK / max(system.n, 1) ** 2))
-    parts = [_block(system, s[k:k + size], steep) for k in range(0, max(len(s), 1), size)]
-    return tuple(np.concatenate(part) if part[0] is not None else None for part in zip(*parts, strict=True))
-
-
-def scales(system, s):
-    """Powers of two that bring rows and columns to the size 1: (N, n)."""
-    Omega = np.abs(s)[:, None]
-    parts = [np.abs(matrix) for matrix in (system.K, system.C, system.M)]
-    size = sum(Omega**k * np.diag(part) for k, part in enumerate(parts))
-    across = sum(Omega**k * part.max(axis=1) for k, part in enumerate(parts))
-    size = np.where(size > 0, size, np.where(across > 0, across, 1.0))
-    return np.exp2(-np.round(np.log2(size) / 2))
-
-
-def probe(n):
-    """A vector with a part along every mode."""
-    return 1.0 + 0.5 * np.sin(np.arange(1, n + 1) * 2.399963)
-
-
-def _block(system, s, steep):
-    count_floats(system.n, len(s) / 10)
-    scale, at = scales(system, s), s[:, None, None]
-    D = (system.K + at * system.C + at * at * system.M) * scale[:, :, None] * scale[:, None, :]
-    b, c = polynomial(system.b, s) * scale, polynomial(system.c, s) * scale
-    right = np.stack([b, np.broadcast_to(probe(system.n), b.shape)], axis=2)
-    x = _solved(D, right)
-    suspicious = ~(np.abs(x[:, :, 1]).max(axis=1) * SINGULAR * 64 < 1)
-    x = np.where(suspicious[:, None], 0.0, x[:, :, 0])
-    values, slopes, resonant = np.einsum("ki,ki->k", c, x), None, np.zeros(len(s), bool)
-    if steep:
-        y = _solved(D.transpose(0, 2, 1), c[:, :, None])[:, :, 0]
-        slopes = along(system, s, x * scale, np.where(suspicious[:, None], 0.0, y) * scale)
-    for k in np.flatnonzero(suspicious):
-        values[k], resonant[k] = _singular(D[k], b[k], c[k])
-    return values + polynomial(system.d, s), slopes, resonant
-
-
-def _solved(D, right):
-    """D⁻¹·right of each frequency, NaN where D is singular."""
-    try:
-        return np.linalg.solve(D, right)
-    except np.linalg.LinAlgError:
-        if len(D) == 1:
-            return np.full(right.shape, np.nan + 0j)
-        half = len(D) // 2
-        return np.concatenate([_solved(D[:half], right[:half]), _solved(D[half:], right[half:])])
-
-
-def along(system, s, x, y):
-    """dH/ds from x = D⁻¹b and y = D⁻ᵀc."""
-    moved = x @ system.C.T + 2 * s[:, None] * (x @ system.M.T)
-    return (np.einsum("ki,ki->k", slope(system.c, s), x) + slope(system.d, s)
-            + np.einsum("ki,ki->k", y, slope(system.b, s) - moved))
-
-
-def _singular(D, b, c):
-    """(cᵀD⁻¹b, False), or (0, True) where D is singular along a mode that b drives and c sees."""
-    count_floats(len(D))
-    u, size, v = np.linalg.svd(D)
-    driven, seen = u.conj().T @ b, c @ v.conj().T
-    small = size <= SINGULAR * max(size[0], 1.0)
-    takes_part = (np.abs(driven) > UNSEEN * np.linalg.norm(b)) & (np.abs(seen) > UNSEEN * np.linalg.norm(c))
-    if takes_part[small].any():
-        return 0.0, True
-    return np.sum((driven * seen)[~small] / size[~small]), False

@@ -3,7 +3,7 @@ complex modes. Each method gives (H, dH/ds or None, whether there is a pole) at 
 
 import numpy as np
 
-from vibcli.analyses.frequency_response.evaluate import SINGULAR, along, direct, probe, scales
+from vibcli.analyses.frequency_response.direct import SINGULAR, along, direct, probe, scales
 from vibcli.analyses.frequency_response.transfer_function import polynomial, slope
 from vibcli.base.work import counted
 from vibcli.numerics.fixed_point import MILLION

@@ -6,7 +6,7 @@ Its work and its extremes are those of the windows, which therefore resolve it, 
 import numpy as np
 
 from vibcli.analyses.time_integration.error_scales import EPSILON
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.numeric_code import Compiled
 
 LAST = 3            # Legendre coefficients which must be small

@@ -11,7 +11,7 @@ from vibcli.analyses.excitation.forcing import TooOften
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 SAMPLES, ROUNDS = 20_001, 80
 BENT = ("abs", "sign", "min", "max", *PULSES)

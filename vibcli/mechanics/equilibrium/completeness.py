@@ -17,7 +17,7 @@ from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import Intervals, exact, inverse, outward
 from vibcli.symbolic.rationals import ONE
 

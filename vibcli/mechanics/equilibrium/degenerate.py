@@ -17,7 +17,6 @@ from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, multiprecision
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
-SAMPLES = 12
 UNSETTLED, NEAR = 1e-9, 0.1        # of the figure: a step that is no rounding; how far a place may move
 TINY = 1e-5                        # of the figure: a displacement of which floats may know less than is printed
 LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
@@ -40,7 +39,9 @@ def settled_alone(problem, position):
     """The elements of a Problem whose equilibrium is degenerate, in floats; `position`: a better one, or None."""
     if position is not None and problem.scene.loops is None:
         problem.equilibrium.values = {name: float(value) for name, value in position.items()}
-    forces = _learnt(problem)
+    from vibcli.mechanics.equilibrium.families import freedom, learnt
+
+    forces = learnt(problem)
     _blur(problem, forces, ALONG if freedom(problem, forces) else BLUR)
     return problem.elements
 
@@ -79,25 +80,6 @@ def _to_more_digits(problem):
             return equilibrium_to(problem, problem.values(arithmetic), arithmetic), False
         except Degenerate as degenerate:
             return degenerate.position, True
-
-
-def freedom(problem, forces=None):
-    """In how many directions the equilibrium can be moved and stays one."""
-    from vibcli.mechanics.equilibrium.families import free_directions
-
-    forces = forces or _learnt(problem)
-    place = forces.at(forces.vector(problem.equilibrium.values))
-    return 0 if place is None else len(free_directions(forces, place))
-
-
-def _learnt(problem):
-    """The Forces of a Problem, their size learnt near the drawn position."""
-    from vibcli.mechanics.equilibrium.scaled_forces import Forces, near_drawn
-
-    forces = Forces(problem, problem.scene.coordinates)
-    forces.learn_periods()
-    forces.learn_sizes(near_drawn(forces, SAMPLES))
-    return forces
 
 
 def at_limit(problem, position, felt):

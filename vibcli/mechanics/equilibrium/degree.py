@@ -12,7 +12,7 @@ from vibcli.mechanics.equilibrium.completeness import chunks, halved, summed
 from vibcli.mechanics.equilibrium.multistart import halton
 from vibcli.mechanics.equilibrium.scaled_forces import TURN
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import exact, outward
 
 NARROW, LEAST, SAMPLES = 1e-4, 1e-9, 12       # NARROW: of the box; LEAST: of what G is steepest along

@@ -10,7 +10,7 @@ from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.rationals import ONE
 

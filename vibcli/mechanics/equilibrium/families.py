@@ -7,8 +7,10 @@ balance across it, must not lead back.
 import numpy as np
 
 from vibcli.mechanics.equilibrium.newton import settled
+from vibcli.mechanics.equilibrium.scaled_forces import Forces, near_drawn
 
 STEP, SINGULAR, PACE = 0.05, 1e-8, 0.25
+SAMPLES = 12            # positions near the drawn one by which sizes are learnt
 REACHED, CLOSE, CORRECTIONS = 1e-6, 1e-9, 6
 
 
@@ -75,3 +77,18 @@ def _returned(forces, z):
             break
         place = forces.at(place.z + place.step(SINGULAR))
     return place
+
+
+def freedom(problem, forces=None):
+    """In how many directions the equilibrium can be moved and stays one."""
+    forces = forces or learnt(problem)
+    place = forces.at(forces.vector(problem.equilibrium.values))
+    return 0 if place is None else len(free_directions(forces, place))
+
+
+def learnt(problem):
+    """The Forces of a Problem, their size learnt near the drawn position."""
+    forces = Forces(problem, problem.scene.coordinates)
+    forces.learn_periods()
+    forces.learn_sizes(near_drawn(forces, SAMPLES))
+    return forces

@@ -10,7 +10,7 @@ from vibcli.base.errors import NotFixed
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero
 
 STEP = 0.1

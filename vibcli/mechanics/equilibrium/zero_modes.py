@@ -23,7 +23,7 @@ def zero_modes(problem):
 
 def _all_free(problem, count):
     """Do so many directions lead to other equilibria, on curved lines too?"""
-    from vibcli.mechanics.equilibrium.degenerate import freedom
+    from vibcli.mechanics.equilibrium.families import freedom
 
     return freedom(problem) == count
 

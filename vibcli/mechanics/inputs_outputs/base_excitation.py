@@ -18,7 +18,7 @@ from vibcli.scene.build import build_scene
 from vibcli.scene.closed_loops import drawn_values
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 
 class Opened:

@@ -11,9 +11,9 @@ to first order. Inertia must not carry it into M, C or K: of each s(q, u) with i
 
 from itertools import product
 
-from vibcli.mechanics.lagrange import matrices_in_letters
 from vibcli.mechanics.linearisation import at_position
 from vibcli.mechanics.symbolic_linear import place_in_letters
+from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 
 INSTANTS, SAME = (0.0, 0.173, 0.891, 2.317), 1e-12
 

@@ -7,8 +7,8 @@ of squares of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of damp
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
+from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import combined, rate
-from vibcli.mechanics.signals import displacement
 from vibcli.mechanics.support_forces import on_the_ground
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import ONE

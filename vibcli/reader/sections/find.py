@@ -106,6 +106,11 @@ class Questions(list):
         return None if record is None else record[word]
 
     @property
+    def in_time(self):
+        """The Record of what is asked of the motion in time, or None."""
+        return self.about(RESPONSE)
+
+    @property
     def signals(self):
         """The expressions of all signals asked, and the inputs."""
         records = [record for record in map(self.about, (RESPONSE, FREQUENCY_RESPONSE)) if record is not None]

@@ -167,7 +167,7 @@ def equilibrium_data(problem):
         return {"coordinates": coordinates, "dependent": dependent,
                 **dict.fromkeys(("from_start", "stable", "residual", "condition", "warning"))}
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
-    from vibcli.quantities.modal import is_stable
+    from vibcli.quantities.equilibrium import is_stable
 
     found, condition = problem.equilibrium, stiffness_condition(problem)
     values = {name: found.values[name] for name in problem.scene.coordinates}

@@ -4,7 +4,7 @@ from vibcli.notation.numbers import figure, quantity
 from vibcli.notation.scene_language import language
 from vibcli.reader.sections.choose import BALANCE, LIMIT
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import literals_in
 
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}

@@ -4,7 +4,7 @@ import math
 
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Heading, Name, Table, line, paragraph, section
+from vibcli.report.blocks import Heading, Name, line, paragraph, section
 
 MOST_PARTS, MOST_PIECES = 8, 4
 NO_ANGLE = 1e-12
@@ -117,41 +117,3 @@ def _beats(one):
         return []
     period = beat_period(one.signal.motion, one.signal.output)
     return [f"{one.label} beats with the period 2π/|ω₁ − ω₂| = {figure(period)} s"] if period else []
-
-
-def steady_state(asked, convention):
-    """Amplitude and phase of each harmonic of the steady state, or why there is none."""
-    from vibcli.base.errors import PhysicsError
-    from vibcli.report.sections.response import PHASES, steady_rows
-
-    try:
-        rows = tuple(steady_rows(asked, convention))
-    except PhysicsError as error:
-        yield from section("Steady state", paragraph(f"{error.message}: {error.hint}" if error.hint else error.message))
-        return
-    angle = "α" if convention == "lead" else "θ"
-    yield from section(f"Steady state {PHASES[convention][0]}", Table(
-        ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
-        *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
-
-
-def _still(asked, rows):
-    """Which signals do not vibrate where others do."""
-    from vibcli.report.sections.response import harmonics_of
-
-    still = [one.label for one in asked if hasattr(one.signal, "output") and not harmonics_of(one.signal)]
-    return paragraph(f"without vibration: {', '.join(still)}") if rows and still else None
-
-
-def _left_out(signal):
-    """What the harmonics beyond those listed add to a periodic steady state."""
-    from vibcli.report.sections.response import FIRST, harmonics_of
-
-    if not hasattr(signal, "output") or signal.motion.steady.period is None:
-        return
-    steady = signal.motion.steady
-    told = sum(abs(X) ** 2 / 2 for _, X in harmonics_of(signal)) + steady.mean(signal.output) ** 2
-    mean, rms = steady.mean(signal.output), steady.rms(signal.output)
-    rest = math.sqrt(max(0.0, rms**2 - told))
-    yield (f"mean {figure(mean if abs(mean) > NO_ANGLE * rms else 0.0)}, root mean square {figure(rms)}; the "
-           f"harmonics after the {FIRST}th have a root mean square of {figure(rest, digits=2)}")

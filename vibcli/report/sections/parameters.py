@@ -2,8 +2,8 @@
 
 from vibcli.base import units
 from vibcli.language.record_calls import own
-from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, maths, section, separated
-from vibcli.report.sections.statics import tied
+from vibcli.report.blocks import Definition, Definitions, Name, Paragraph, maths, paragraph, section, separated
+from vibcli.report.sections.too_long import brief
 
 MOVES = {"slide": "displacement", "pin": "rotation", "roll": "rolling", "turn": "rotation"}
 
@@ -59,3 +59,21 @@ def _moves(problem):
                 if text is not None:
                     found.setdefault(text, f"{words} of {body}")
     return found
+
+
+def tied(scene):
+    """Paragraphs on how constraints leave the independent coordinates."""
+    freedom = scene.freedom
+    if not freedom.conditions:
+        return []
+    closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops else []
+    explicit = [maths(Name(name), " = ", brief(node)) for name, node in scene.dependent.items()
+                if maths(Name(name)) not in closed]
+    told = [paragraph(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
+                      f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else ""),
+                      *separated(explicit, "   "))]
+    if closed:
+        told.append(paragraph(*separated(closed), (" follow" if len(closed) > 1 else " follows")
+                              + " by closing the loops", hang=None))
+    return told + [paragraph(f"'{name}' is redundant: it follows from the other constraints", hang=None)
+                   for name in freedom.redundant]

@@ -5,8 +5,9 @@ from typing import NamedTuple
 from vibcli.base import units
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
 from vibcli.language.reader import Reader
+from vibcli.reader.quantity_check import check_questions
+from vibcli.reader.quantity_dimensions import input_dimension, inputs, output_dimension, signal_tree_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
-from vibcli.reader.signal_check import check_questions, input_dimension, inputs, output_dimension, signal_tree_dimension
 
 POINTS = 1001
 

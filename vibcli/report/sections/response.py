@@ -1,6 +1,6 @@
 """The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
 
-from math import degrees, inf
+from math import inf
 
 from vibcli.base.errors import NotInLetters
 from vibcli.base.units import TIME, times
@@ -11,13 +11,9 @@ from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
 
-TURN = 6.283185307179586
 MOST_EVENTS, MOST_LINES = 40, 16
-FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 LEAST = 2.0**-52
 NOT_FIXED = "not fixed by statics"
-PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
-          "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
 
 
 def response(problem, report):
@@ -38,7 +34,8 @@ def response(problem, report):
     if motion.KIND == "full":
         yield from _integration(motion.trajectory())
     elif motion.KIND == "small":
-        from vibcli.report.sections.formulas import formulas, free_vibration, steady_state
+        from vibcli.report.sections.formulas import formulas, free_vibration
+        from vibcli.report.sections.steady_state import steady_state
 
         yield from free_vibration(problem, asked)
         yield from formulas(asked)
@@ -170,37 +167,3 @@ def _extremes(asked, until):
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
-
-
-def phase_in(convention, X):
-    """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
-    import cmath
-
-    from vibcli.quantities.frequency_response import wrapped
-
-    _, sign, turn = PHASES[convention]
-    return wrapped(sign * (-cmath.phase(X) + turn * TURN))
-
-
-def harmonics_of(signal):
-    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
-    from vibcli.results.steady_features import fundamental, harmonic
-
-    if not hasattr(signal, "output"):
-        return []
-    if signal.motion.steady.period is None:
-        return signal.phasors
-    Omega = fundamental(signal)
-    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
-    largest = max(abs(X) for _, X in found)
-    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
-
-
-def steady_rows(asked, convention):
-    """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
-    for one in asked:
-        for Omega, X in harmonics_of(one.signal):
-            if Omega:
-                theta = phase_in(convention, X)
-                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
-                       figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))

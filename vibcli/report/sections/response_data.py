@@ -4,7 +4,8 @@ from math import inf, isfinite
 
 from vibcli.base.errors import PhysicsError
 from vibcli.report.sections.requested_signals import curves_asked, extremes, if_fixed, signals_asked
-from vibcli.report.sections.response import harmonics_of, known_until, latest_asked, phase_in, value_at
+from vibcli.report.sections.response import known_until, latest_asked, value_at
+from vibcli.report.sections.steady_state import harmonics_of, phase_in
 
 
 def response_data(problem, wanted):

@@ -103,7 +103,7 @@ def sampled_curves(problem, wanted):
 
 
 def _asked_end(problem, key):
-    from vibcli.quantities.frequency_response import number_of
+    from vibcli.quantities.expression import number_of
     from vibcli.reader.sections.find import FREQUENCY_RESPONSE
 
     find = problem.spec.get("find")

@@ -5,29 +5,11 @@ from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, Table, Words, line, maths, paragraph, section, separated
+from vibcli.report.blocks import Table, Words, line, section
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.too_long import brief
 
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
-
-
-def tied(scene):
-    """Paragraphs on how constraints leave the independent coordinates."""
-    freedom = scene.freedom
-    if not freedom.conditions:
-        return []
-    closed = [maths(Name(name)) for name in scene.loops.names] if scene.loops else []
-    explicit = [maths(Name(name), " = ", brief(node)) for name, node in scene.dependent.items()
-                if maths(Name(name)) not in closed]
-    told = [paragraph(f"{freedom.coordinates} coordinates less {freedom.conditions} independent condition"
-                      f"{'s' if freedom.conditions > 1 else ''}" + (": " if explicit else ""),
-                      *separated(explicit, "   "))]
-    if closed:
-        told.append(paragraph(*separated(closed), (" follow" if len(closed) > 1 else " follows")
-                              + " by closing the loops", hang=None))
-    return told + [paragraph(f"'{name}' is redundant: it follows from the other constraints", hang=None)
-                   for name in freedom.redundant]
 
 
 def virtual_work(problem, report):

@@ -3,7 +3,7 @@
 from vibcli.base.work import longer
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Either, Factor, Name, Terms, Words, equations, line, maths, paragraph, separated
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.rationals import ONE
 

@@ -5,7 +5,8 @@ from vibcli.report.blocks import Name, Terms, Words, equations, line, maths, par
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import Table, reachable
+from vibcli.symbolic.expression import Table
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.transfer_between_tables import copied
 
 LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),

@@ -11,7 +11,7 @@ from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.univariate import Candidates, depends, polynomial, solve_equation, unpowered, vanishes
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE, ZERO
 

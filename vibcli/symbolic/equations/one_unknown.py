@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rational_functions import Quotients

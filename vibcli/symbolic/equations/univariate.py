@@ -13,7 +13,7 @@ from typing import NamedTuple
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.equations.trigonometric import angles
 from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, sympy_arithmetic
-from vibcli.symbolic.expression import reachable
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, reduced, textbook
 from vibcli.symbolic.quadratic_roots import quadratic_roots
 from vibcli.symbolic.radicals import root as square_root

@@ -1,0 +1,218 @@
+"""The house in figures: `python tests/house/measure.py` prints the table; the tests beside it hold its bounds."""
+
+import ast
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[2] / "vibcli"
+FLOORS = (      # from the ground up; a room imports rooms of lower floors only
+    ("base",), ("numerics", "symbolic", "plots"), ("notation", "language"), ("elements",), ("scene",),
+    ("mechanics", "drawing"), ("analyses",), ("results",), ("quantities",), ("reader",), ("inverse", "report"),
+    ("check", "manual"), ("cli",), ("bench", "__main__"))
+FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
+GROUND = 3          # floors that serve everyone: what is called there counts as no visit
+TREES = ("tree", "arg", "part", "quantity", "side")
+
+
+def module_of(path, package=PACKAGE):
+    """The dotted name of a file, `vibcli` for the package itself."""
+    return ".".join((package.name, *path.relative_to(package).with_suffix("").parts)).removesuffix(".__init__")
+
+
+def room_of(module):
+    """The room of a module: the first name below the package; the package itself is `__init__`."""
+    return [*module.split("."), "__init__"][1]
+
+
+class House:
+    """The files of a package with their syntax trees and imports."""
+
+    def __init__(self, package=PACKAGE):
+        self.package = package
+        self.trees = {module_of(path, package): ast.parse(path.read_text(encoding="utf-8"))
+                      for path in sorted(package.rglob("*.py"))}
+        self.imports = {module: sorted(self._imports(module, tree)) for module, tree in self.trees.items()}
+
+    def _imports(self, module, tree):
+        """{(module imported, line)}, at any depth of the file; relative imports are none of the project's."""
+        found = set()
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Import):
+                names = [alias.name for alias in node.names]
+            elif isinstance(node, ast.ImportFrom):
+                assert node.level == 0, f"{module}:{node.lineno}: relative import"
+                names = [f"{node.module}.{alias.name}" for alias in node.names]
+            else:
+                continue
+            for name in names:
+                if name.split(".")[0] == self.package.name:
+                    while name not in self.trees:
+                        name = name.rpartition(".")[0]
+                    found.add((name, node.lineno))
+        return found - {(module, line) for _, line in found}
+
+    def upward(self):
+        """Imports from a room on the same floor or a higher one, as text."""
+        return [f"{module}:{line} imports {name}" for module, imports in self.imports.items() for name, line in imports
+                if room_of(name) not in (room_of(module), "__init__")
+                and FLOOR[room_of(name)] >= FLOOR[room_of(module)]]
+
+    def arrows(self):
+        """{(room, room that it imports)}."""
+        pairs = {(room_of(module), room_of(name)) for module, imports in self.imports.items() for name, _ in imports}
+        return {(a, b) for a, b in pairs if a != b and "__init__" not in (a, b)}
+
+    def floors(self):
+        """The number of rooms on the longest way down."""
+        below, known = defaultdict(set), {}
+        for a, b in self.arrows():
+            below[a].add(b)
+
+        def height(room, above=()):
+            if room not in known:
+                inner = [height(other, (*above, room)) for other in below[room] if other not in above]
+                known[room] = 1 + max(inner, default=0)
+            return known[room]
+
+        return max(map(height, list(below)))
+
+    def circles(self):
+        """Files that import each other, at any depth of import, as sorted tuples of modules (Tarjan 1972)."""
+        graph = {module: {name for name, _ in imports} for module, imports in self.imports.items()}
+        number, low, stack, found = {}, {}, [], []
+
+        def visit(module):
+            number[module] = low[module] = len(number)
+            stack.append(module)
+            for name in graph[module]:
+                if name not in number:
+                    visit(name)
+                    low[module] = min(low[module], low[name])
+                elif name in stack:
+                    low[module] = min(low[module], number[name])
+            if low[module] == number[module]:
+                circle = stack[stack.index(module):]
+                del stack[stack.index(module):]
+                if len(circle) > 1:
+                    found.append(tuple(sorted(circle)))
+
+        sys.setrecursionlimit(10_000)
+        for module in graph:
+            if module not in number:
+                visit(module)
+        return found
+
+    def functions(self, *rooms):
+        """(module, function) of all functions, of all rooms or those named."""
+        return [(module, node) for module, tree in self.trees.items() if not rooms or room_of(module) in rooms
+                for node in ast.walk(tree) if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))]
+
+    def taking_problem(self):
+        """Functions of mechanics and analyses that take the whole problem."""
+        return [f"{module}.{node.name}" for module, node in self.functions("mechanics", "analyses")
+                if any(arg.arg == "problem" for arg in node.args.args)]
+
+    def subscripts(self):
+        """Subscripts of syntax trees by number."""
+        return [f"{module}:{node.lineno}" for module, tree in self.trees.items() for node in ast.walk(tree)
+                if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant)
+                and isinstance(node.slice.value, int) and _last_name(node.value) in TREES]
+
+    def set_from_outside(self):
+        """Attributes of other objects that are assigned."""
+        found = []
+        for module, tree in self.trees.items():
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and not (
+                        isinstance(node.value, ast.Name) and node.value.id in ("self", "cls")):
+                    found.append(f"{module}:{node.lineno}")
+        return found
+
+    def annotated(self):
+        """The share of parameters with a type, `self` and `cls` left out."""
+        args = [arg for _, node in self.functions() for arg in (*node.args.args, *node.args.kwonlyargs)
+                if arg.arg not in ("self", "cls")]
+        return sum(arg.annotation is not None for arg in args) / len(args)
+
+    def class_names(self):
+        """{name of a public class: modules} of those that several modules define."""
+        found = defaultdict(list)
+        for module, tree in self.trees.items():
+            for node in ast.walk(tree):
+                if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                    found[node.name].append(module)
+        return {name: modules for name, modules in found.items() if len(modules) > 1}
+
+    def lines(self):
+        return sum(path.read_text(encoding="utf-8").count("\n") for path in self.package.rglob("*.py"))
+
+
+def _last_name(node):
+    while isinstance(node, ast.Attribute):
+        return node.attr
+    return node.id if isinstance(node, ast.Name) else None
+
+
+def walked(args):
+    """(rooms above the ground entered, moves between rooms) of one command in this process."""
+    from vibcli.cli import run
+
+    prefix, rooms, moves = str(PACKAGE) + "/", set(), 0
+
+    def room(frame):
+        name = frame.f_code.co_filename
+        return name[len(prefix):].removesuffix(".py").split("/")[0] if name.startswith(prefix) else None
+
+    def profile(frame, event, _):
+        nonlocal moves
+        if event == "call" and (here := room(frame)) and frame.f_code.co_name != "<module>":
+            rooms.add(here)
+            caller = frame.f_back
+            while caller is not None and room(caller) is None:
+                caller = caller.f_back
+            moves += caller is not None and room(caller) != here
+
+    sys.setprofile(profile)
+    try:
+        run(list(args))
+    finally:
+        sys.setprofile(None)
+    return {name for name in rooms if FLOOR.get(name, GROUND) >= GROUND}, moves
+
+
+def main():
+    import contextlib
+    import io
+    import tempfile
+
+    house = House()
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.yaml"
+        path.write_text("parameters: {m: 2 kg, k: 800 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
+                        "springs: {s: {k: k, between: [ground, b]}}\ninitial: {x: 1 cm}\nanswers: {max(x): 1 cm}\n")
+        with contextlib.redirect_stdout(io.StringIO()):
+            rooms, moves = walked(["frequencies", str(path)])
+            _, in_check = walked(["check", str(path)])
+    flat = [entry for entry in PACKAGE.iterdir() if entry.suffix == ".py"]
+    rooms_of = {room_of(module) for module in house.trees if "." in module}
+    rows = [
+        ("files directly in vibcli/ + rooms", f"{len(flat)} + {len(rooms_of - {p.stem for p in flat})}"),
+        ("floors", house.floors()), ("import arrows between rooms", len(house.arrows())),
+        ("import circles of files", len(house.circles())),
+        ("rooms that `frequencies` of a mass on a spring enters", f"{len(rooms)}: {' '.join(sorted(rooms))}"),
+        ("moves between rooms in that run / in `check` of max(x)", f"{moves} / {in_check}"),
+        ("functions of mechanics and analyses that take the whole problem", len(house.taking_problem())),
+        ("subscripts of syntax trees", len(house.subscripts())),
+        ("attributes set on an object from outside it", f"{len(house.set_from_outside())} in "
+         f"{len({place.split(':')[0] for place in house.set_from_outside()})} files"),
+        ("annotated parameters", f"{house.annotated():.0%}"),
+        ("class names that mean several things", len(house.class_names())),
+        ("lines", house.lines()), ("files", len(house.trees))]
+    for what, figure in rows:
+        print(f"{what:66} {figure}")
+
+
+if __name__ == "__main__":
+    sys.path.insert(0, str(PACKAGE.parent))
+    main()

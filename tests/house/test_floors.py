@@ -1,0 +1,103 @@
+"""Which way imports run, by ast: each rule of the house with the change that it would notice."""
+
+import subprocess
+import sys
+
+import pytest
+
+from house.measure import FLOOR, House, room_of
+from vibcli import elements, quantities
+from vibcli.language import sections as of_language
+from vibcli.reader import sections as of_questions
+
+MOST_ARROWS, MOST_FLOORS = 106, 14
+HOUSE = House()
+
+
+@pytest.fixture
+def planted(tmp_path):
+    """A house of few files: {path: text}."""
+    def build(files):
+        package = tmp_path / "vibcli"
+        for name, text in {"__init__.py": "", **files}.items():
+            path = package / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return House(package)
+    return build
+
+
+def test_every_file_stands_in_a_room_with_a_floor():
+    assert {room_of(module) for module in HOUSE.trees} == {*FLOOR, "__init__"}
+    assert len(HOUSE.trees) > 400
+    flat = [path.name for path in HOUSE.package.iterdir() if path.suffix == ".py"]
+    assert sorted(flat) == ["__init__.py", "__main__.py"]
+
+
+def test_every_folder_with_code_is_a_package_that_says_what_it_is():
+    folders = {path.parent for path in HOUSE.package.rglob("*.py")}
+    assert [folder for folder in folders if not (folder / "__init__.py").read_text().startswith('"""')] == []
+
+
+def test_imports_run_downwards_only():
+    assert HOUSE.upward() == []
+    assert len(HOUSE.arrows()) <= MOST_ARROWS
+    assert HOUSE.floors() <= MOST_FLOORS
+
+
+def test_an_upward_import_is_seen(planted):
+    house = planted({"scene/a.py": "def f():\n    from vibcli.cli.common import load\n    return load\n",
+                     "cli/common.py": "load = 1\n", "base/b.py": "import vibcli.numerics.c\n", "numerics/c.py": ""})
+    assert house.upward() == ["vibcli.base.b:1 imports vibcli.numerics.c",
+                              "vibcli.scene.a:2 imports vibcli.cli.common"]
+
+
+def test_no_circle_of_files():
+    assert HOUSE.circles() == []
+
+
+def test_a_circle_is_seen(planted):
+    house = planted({"scene/a.py": "from vibcli.scene import b\n", "scene/c.py": "from vibcli.scene.a import x\n",
+                     "scene/b.py": "def f():\n    import vibcli.scene.c\n"})
+    assert house.circles() == [("vibcli.scene.a", "vibcli.scene.b", "vibcli.scene.c")]
+
+
+@pytest.mark.parametrize(("face", "folder"), [
+    pytest.param(elements, "elements", id="elements"), pytest.param(of_language, "language/sections", id="language"),
+    pytest.param(of_questions, "reader/sections", id="reader")])
+def test_a_face_lists_its_folder(face, folder):
+    files = {path.stem for path in (HOUSE.package / folder).glob("*.py")} - {"__init__"}
+    assert set(face.NAMES) == files
+    assert list(face.NAMES) == sorted(face.NAMES)
+
+
+def test_families_of_quantities_are_the_values_of_their_files():
+    from importlib import import_module
+
+    families = {name: set(import_module(f"vibcli.quantities.{name}").VALUES)
+                for name in set(quantities.FAMILIES.values())}
+    assert {head: name for name, heads in families.items() for head in heads} == quantities.FAMILIES
+
+
+def test_only_algebra_and_closed_forms_import_sympy():
+    users = {room_of(module) for module, tree in HOUSE.trees.items() if "sympy" in _top_imports(tree)}
+    assert users <= {"symbolic", "analyses", "notation", "report", "bench"}
+
+
+def _top_imports(tree):
+    import ast
+
+    names = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names.add(node.module.split(".")[0])
+    return names
+
+
+def test_the_figures_are_printed():
+    done = subprocess.run([sys.executable, HOUSE.package.parent / "tests" / "house" / "measure.py"],
+                          capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert "import circles of files" in done.stdout

@@ -1,0 +1,105 @@
+"""What the parameters and quantities of a file count: cycles, radians, or neither."""
+
+from vibcli.base import units
+from vibcli.language.parameters import definition_order
+from vibcli.language.record_calls import own
+from vibcli.quantities.quantity import SIGNAL, declared
+from vibcli.symbolic.cycles import (
+    NEITHER,
+    PERIOD,
+    RADIAN,
+    RATE,
+    Cycles,
+    count_of,
+    is_period,
+    left_over,
+)
+from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
+
+PERIODS = ("period", "beat_period")
+
+
+def cycles(spec, text=""):
+    """What counts the cycles in trees of a text."""
+    if spec.counts is None:
+        spec.counts = {}
+        _count_names(spec)
+    return Cycles(lambda name: spec.counts.get(name, NEITHER), lambda tree: _quantity(spec, tree),
+                  lambda tree: known_dimension(spec, tree), text)
+
+
+def counts_cycles(spec, tree):
+    """Does a frequency count cycles (Hz), and not radians?"""
+    return left_over(cycles(spec).count(tree)) == 1
+
+
+def _count_names(spec):
+    """spec.counts of the records and parameters, in an order in which each comes after those it is defined by."""
+    for name, record in (spec.get("records") or {}).items():
+        spec.counts[own(name)] = count_of_unit(record)
+    counter = cycles(spec)
+    for name in definition_order(spec.parameters):
+        record = spec.parameters[name]
+        try:
+            found = counter.count(record["value"].tree) if "value" in record else count_of_unit(record)
+        except ExpressionError:     # reported where it stands
+            continue
+        period = is_period(found) and spec.dimensions.of(name) == units.TIME
+        spec.counts[name] = {PERIOD: 1} if period else found
+    for name, record in spec.choices.items():
+        if name not in spec.counts or not spec.counts[name]:
+            spec.counts[name] = _of_condition(counter, name, record["so"].sides)
+
+
+def count_of_unit(record):
+    if "unit" not in record:
+        return NEITHER
+    return count_of(literal_unit(parse("1 " + record["unit"])[4]))
+
+
+def _of_condition(counter, name, sides):
+    """What a chosen parameter counts that is one side of its condition, perhaps times a number."""
+    for side, other in (sides, sides[::-1]) if sides else ():
+        factors = [part for _, part in side.tree[3]] if side.tree[0] == "product" else [side.tree]
+        apart = [part for part in factors if constant(part) is None]
+        if len(apart) == 1 and apart[0][0] == "name" and apart[0][3] == name:
+            try:
+                found = counter.count(other.tree)
+            except ExpressionError:
+                return NEITHER
+            return found if counter.dimension(other.tree) in (units.TIME, RATE) else NEITHER
+    return NEITHER
+
+
+def _quantity(spec, tree):
+    """omega[1] counts radians, frequency[1] cycles, and a period is the time of one."""
+    asked = declared(tree)
+    if tree[4] in spec.choices and (asked is None or len(tree[5]) == 1):
+        return spec.counts.get(tree[4], NEITHER)
+    if tree[4] in PERIODS:
+        return {PERIOD: 1}
+    if tree[6] == "Omega":
+        return {RADIAN: 1}
+    unit = _unit_of(tree)
+    return NEITHER if unit is None else count_of(unit)
+
+
+def _unit_of(tree):
+    """The Unit of a quantity; None where its indices or arguments settle it."""
+    asked = declared(tree)
+    return None if asked is None or asked.unit in (None, SIGNAL) else units.parse_unit(asked.unit)
+
+
+def known_dimension(spec, tree):
+    """The dimension of a tree, as far as it is known."""
+    def of(name, primes):
+        return units.times(spec.dimensions.of(name), units.TIME, -primes)
+
+    def quantity(part):
+        unit = _unit_of(part)
+        return None if unit is None else unit.dimension
+
+    checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension or quantity)
+    found = checker.dimension(tree) if tree[0] != "equation" else None
+    return None if found is None else spec.dimensions.resolve(found)

@@ -1,0 +1,132 @@
+"""Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
+
+from vibcli.base import units
+from vibcli.base.diagnostics import quoted
+from vibcli.language.dimension_check import check
+from vibcli.language.fields import nearest
+from vibcli.quantities.quantity import (
+    ALL,
+    ASKED,
+    BARE,
+    SIGNAL,
+    STATE_FUNCTIONS,
+    declared,
+    is_choice,
+)
+from vibcli.reader.cycle_check import check_radians, check_same, check_terms, is_frequency
+from vibcli.reader.quantity_check import can_be_asked
+from vibcli.reader.quantity_dimensions import (
+    asked_dimension,
+    output_dimension,
+    usage_here,
+)
+from vibcli.symbolic.cycles import left_over
+from vibcli.symbolic.parser import ExpressionError
+from vibcli.symbolic.semantics import DimensionCheck, names_in, quantities_in
+
+ANGULAR = ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
+
+
+def check_answers(spec, reader):
+    """Report whatever is wrong with the answers of a file."""
+    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
+    spec.velocities |= {id(a.expected) for a in spec.answers}
+    for answer in spec.answers:
+        _answer(spec, reader, answer)
+
+
+def _is_parameter(spec, name):
+    """Is a name that can be asked for, such as T, that of a chosen parameter or of one that measures something else?"""
+    measured = spec.dimensions.of(name) if name in spec.parameters else None
+    return name in spec.choices or (measured is not None and measured != units.parse_unit(ASKED[name].unit).dimension)
+
+
+def as_quantity(spec, tree):
+    """The tree of a quantity that is written as a name alone, such as rayleigh or T; other trees as they are."""
+    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not _is_parameter(spec, tree[3]):
+        return ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
+    return tree
+
+
+def _answer(spec, reader, answer):
+    """The quantity asked for must exist, and the expected value must have its dimension."""
+    asked, expected = answer.asked, answer.expected
+    tree = asked.tree = as_quantity(spec, asked.tree)
+    whole = tree[0] == "quantity"
+    for quantity in quantities_in(tree):
+        if not can_be_asked(spec, reader, asked, quantity):
+            return
+    names = {name for name, *_ in names_in(tree)} - {"pi"}
+    of_parameters = names & set(spec.choices) or (names and names <= set(spec.parameters))
+    if not whole and not quantities_in(tree) and not of_parameters:
+        if asked.text in ASKED:
+            needs = "an index" if ASKED[asked.text].indices else "a signal"
+            reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage_here(spec, asked.text)}")
+        elif at_no_time(spec, tree):
+            reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
+                          f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
+        else:
+            reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED) or ALL)
+        return
+    head = tree[4] if whole else None
+    if head == "stable":
+        if expected.text not in ("true", "false"):
+            reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}",
+                          "write stable: true")
+        return
+    for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
+        for quantity in quantities_in(part.tree):
+            if not can_be_asked(spec, reader, part, quantity):
+                return
+    if head in STATE_FUNCTIONS and quantities_in(expected.tree):
+        quantity = quantities_in(expected.tree)[0]
+        reader.report(expected.scalar.place(quantity[1], quantity[2] - quantity[1]),
+                      f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
+        return
+    names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
+    fits = check(spec, reader, asked, spec.parameters, None)
+    dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
+    expected.unit = unit_asked(tree) if whole and not is_choice(spec, tree) else None
+    if check(spec, reader, expected, names, dimension_asked) and fits:
+        check_cycles(spec, reader, asked, expected)
+    if answer.rtol is not None:
+        check(spec, reader, answer.rtol, spec.parameters, units.NONE)
+
+
+def at_no_time(spec, tree):
+    """Is this a signal alone, without an instant?"""
+    return tree[0] == "name" and output_dimension(spec, tree[3]) is not None
+
+
+def unit_asked(tree):
+    """The unit that the value of a quantity is expected in; None where its indices or arguments settle it."""
+    unit = declared(tree).unit
+    return None if unit == SIGNAL else unit
+
+
+def dimension_of(spec, expression):
+    try:
+        return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
+                              lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
+    except ExpressionError:
+        return None
+
+
+def check_cycles(spec, reader, asked, expected):
+    """Hz is not rad/s: an angular frequency refuses it, and a frequency the other; all else counts no cycles."""
+    tree = asked.tree
+    head = tree[4] if tree[0] == "quantity" and not is_choice(spec, tree) else None
+    asks_frequency = head is not None and declared(tree).unit == "Hz"
+    count = check_terms(spec, reader, expected)
+    if count is None or check_terms(spec, reader, asked) is None:
+        return
+    if asks_frequency and not is_frequency(spec, expected):
+        reader.report(expected.where, f"expected a frequency (Hz) for '{head}', found an angular frequency",
+                      "divide by 2*pi, or ask for omega[i]")
+    elif head in ANGULAR and left_over(count) == 1:
+        reader.report(expected.where, f"expected an angular frequency (rad/s) for '{head}', found Hz",
+                      "write 2*pi*f, or ask for frequency[i]")
+    elif head is None:
+        check_same(spec, reader, asked, expected)
+    elif not asks_frequency:
+        check_radians(spec, reader, expected)

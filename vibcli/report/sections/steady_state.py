@@ -1,0 +1,79 @@
+"""The steady state: harmonics, amplitude and phase."""
+
+import math
+from math import degrees
+
+from vibcli.base.errors import PhysicsError
+from vibcli.notation.numbers import figure
+from vibcli.report.blocks import Table, paragraph, section
+
+FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
+PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
+          "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
+TURN = 6.283185307179586
+NOTHING = 1e-12
+
+
+def steady_state(asked, convention):
+    """Amplitude and phase of each harmonic of the steady state, or why there is none."""
+    try:
+        rows = tuple(steady_rows(asked, convention))
+    except PhysicsError as error:
+        yield from section("Steady state", paragraph(f"{error.message}: {error.hint}" if error.hint else error.message))
+        return
+    angle = "α" if convention == "lead" else "θ"
+    yield from section(f"Steady state {PHASES[convention][0]}", Table(
+        ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
+        *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
+
+
+def _still(asked, rows):
+    """Which signals do not vibrate where others do."""
+    still = [one.label for one in asked if hasattr(one.signal, "output") and not harmonics_of(one.signal)]
+    return paragraph(f"without vibration: {', '.join(still)}") if rows and still else None
+
+
+def _left_out(signal):
+    """What the harmonics beyond those listed add to a periodic steady state."""
+    if not hasattr(signal, "output") or signal.motion.steady.period is None:
+        return
+    steady = signal.motion.steady
+    told = sum(abs(X) ** 2 / 2 for _, X in harmonics_of(signal)) + steady.mean(signal.output) ** 2
+    mean, rms = steady.mean(signal.output), steady.rms(signal.output)
+    rest = math.sqrt(max(0.0, rms**2 - told))
+    yield (f"mean {figure(mean if abs(mean) > NOTHING * rms else 0.0)}, root mean square {figure(rms)}; the "
+           f"harmonics after the {FIRST}th have a root mean square of {figure(rest, digits=2)}")
+
+
+def phase_in(convention, X):
+    """The phase of Re X e^{iΩt} as the convention counts it, in (−π, π]."""
+    import cmath
+
+    from vibcli.quantities.frequency_response import wrapped
+
+    _, sign, turn = PHASES[convention]
+    return wrapped(sign * (-cmath.phase(X) + turn * TURN))
+
+
+def harmonics_of(signal):
+    """[(Ω, X)] of the steady state: all of finitely many, the first of a periodic one; none of products of signals."""
+    from vibcli.results.steady_features import fundamental, harmonic
+
+    if not hasattr(signal, "output"):
+        return []
+    if signal.motion.steady.period is None:
+        return signal.phasors
+    Omega = fundamental(signal)
+    found = [(n * Omega, harmonic(signal, n)) for n in range(1, FIRST + 1)]
+    largest = max(abs(X) for _, X in found)
+    return [(speed, X) for speed, X in found if abs(X) > SMALL * largest]
+
+
+def steady_rows(asked, convention):
+    """Rows of signal, Ω, f, T, amplitude and phase of each harmonic of the steady state."""
+    for one in asked:
+        for Omega, X in harmonics_of(one.signal):
+            if Omega:
+                theta = phase_in(convention, X)
+                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                       figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))
