@@ -9,6 +9,7 @@ from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import literal_unit
+from vibcli.symbolic.syntax import Equation, NameRef, Number, Power, Product, QuantityRef, Sum
 
 
 def problem(text):
@@ -25,29 +26,22 @@ def problem_of(path):
 
 def number(tree, names, functions=math):
     """The value of a syntax tree; `names`: {name with its primes: number}, `functions`: math or mpmath."""
-    kind = tree[0]
-    if kind == "number":
-        unit = literal_unit(tree[4])
-        exact = tree[3] * unit.value
+    if isinstance(tree, Number):
+        unit = literal_unit(tree.units)
+        exact = tree.value * unit.value
         return functions.fsum([exact.numerator]) / exact.denominator * functions.pi**unit.pi
-    if kind == "name":
-        return functions.pi if tree[3] == "pi" else names[tree[3] + "'" * tree[4]]
-    parts = [number(part, names, functions) for part in _parts(tree)]
-    if kind == "sum":
-        return sum(sign * part for (sign, _), part in zip(tree[3], parts, strict=True))
-    if kind == "product":
-        return _product(tree[3], parts)
-    if kind == "power":
+    if isinstance(tree, NameRef):
+        return functions.pi if tree.name == "pi" else names[tree.name + "'" * tree.primes]
+    parts = [number(part, names, functions) for part in tree.children]
+    if isinstance(tree, Sum):
+        return sum(sign * part for (sign, _), part in zip(tree.parts, parts, strict=True))
+    if isinstance(tree, Product):
+        return _product(tree.parts, parts)
+    if isinstance(tree, Power):
         return parts[0] ** parts[1]
-    if kind == "equation":
+    if isinstance(tree, Equation):
         return parts[0] - parts[1]
-    return _FUNCTIONS.get(tree[3], getattr(functions, tree[3], None))(*parts)
-
-
-def _parts(tree):
-    if tree[0] in ("sum", "product"):
-        return [part for _, part in tree[3]]
-    return tree[4] if tree[0] == "call" else tree[3:5]
+    return _FUNCTIONS.get(tree.name, getattr(functions, tree.name, None))(*parts)
 
 
 def _product(factors, parts):
@@ -63,4 +57,4 @@ _FUNCTIONS = {"abs": abs, "min": min, "max": max, "sign": lambda x: (x > 0) - (x
 def value(scene, quantity):
     """The value of a quantity such as omega[1], K[x,y] or stable of a numeric problem."""
     tree = parse(quantity)
-    return measure(scene, tree if tree[0] == "quantity" else ("quantity", 0, 0, quantity, quantity, (), "", ()))[0]
+    return measure(scene, tree if isinstance(tree, QuantityRef) else QuantityRef(0, 0, quantity, quantity))[0]

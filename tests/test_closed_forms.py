@@ -16,6 +16,7 @@ from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
 from vibcli.report.sections.data import frequencies_data
 from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import Sum
 
 
 def printed(found):
@@ -182,7 +183,7 @@ def polynomials_vanish(data, draw):
 def small(text, values):
     """Is a sum zero beside its terms?"""
     tree = parse(text)
-    parts = [number(part, values) for _, part in tree[3]] if tree[0] == "sum" else [number(tree, values)]
+    parts = [number(part, values) for _, part in tree.parts] if isinstance(tree, Sum) else [number(tree, values)]
     return abs(number(tree, values)) <= 1e-7 * sum(map(abs, parts))
 
 

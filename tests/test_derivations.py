@@ -17,6 +17,7 @@ from scenes import number, problem_of
 
 from vibcli.check.instances import Draws
 from vibcli.inverse import settled
+from vibcli.symbolic.syntax import QuantityRef
 
 HERE = Path(__file__).parent
 PROBLEMS = sorted((HERE.parent / "problems").rglob("*.yaml"))
@@ -99,7 +100,7 @@ def same_function(pairs, up_to_factor=False, up_to_constant=False, rtol=1e-8):
 
 def agrees(problem, answer, found):
     """Does an answer of a numeric problem agree with what its derivation found?"""
-    head = answer.asked.tree[4] if answer.asked.tree[0] == "quantity" else None
+    head = answer.asked.tree.head if isinstance(answer.asked.tree, QuantityRef) else None
     if head == "stable":
         return found == (answer.expected.text == "true")
     if head in ("T", "V", "Phi", "equation", "motion"):

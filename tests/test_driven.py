@@ -12,6 +12,7 @@ from vibcli.cli import run
 from vibcli.report.sections.data import numeric_drive
 from vibcli.symbolic import normal_form
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.syntax import NameRef
 
 MOTIONS = ["Y*(1 - exp(-r*t))", "Y*(1 - cos(w*t))", "Y*cos(w*t)", "Y + Y*sin(w*t)", "Y - Y*exp(-r*t)*cos(w*t)"]
 FIGURES = {
@@ -44,7 +45,7 @@ find: [{{response: {{until: 2 s}}}}]
 
 
 def values(scene, signal):
-    return scene.motion.signal(("name", 0, 0, signal, 0)).values(TIMES)
+    return scene.motion.signal(NameRef(0, 0, signal, 0)).values(TIMES)
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
@@ -193,7 +194,7 @@ parameters: {Y: 0.1 m, w: 3 rad/s}
 motion: full
 find: [{response: {until: 1.5 s}}]
 """ + dedent(ENERGIES[figure]).replace("MOTION", "Y*sin(w*t)"))
-    gained = sum(one.motion.signal(("name", 0, 0, name, 1)).values(TIMES) for name in "TV")
+    gained = sum(one.motion.signal(NameRef(0, 0, name, 1)).values(TIMES) for name in "TV")
     spent = gained + (values(one, lost) if lost else 0.0)
     assert values(one, drive) * 0.3 * np.cos(3 * TIMES) == pytest.approx(spent, rel=1e-9, abs=1e-9 * abs(spent).max())
 
@@ -216,7 +217,7 @@ def test_where_all_is_prescribed(kind):
     assert values(one, "cart.y") == pytest.approx(0.16 * (1 - np.cos(3 * TIMES)), rel=1e-12)
     assert values(one, "T") == pytest.approx((0.6 * np.sin(3 * TIMES)) ** 2 + 0.25 * 36, rel=1e-12)
     assert values(one, "wheel.drive") == pytest.approx(0, abs=1e-12)
-    assert one.motion.signal(("name", 0, 0, "cart.x", 2)).values(TIMES) == pytest.approx(0.6 * acceleration)
+    assert one.motion.signal(NameRef(0, 0, "cart.x", 2)).values(TIMES) == pytest.approx(0.6 * acceleration)
 
 
 def test_a_record_and_an_impulse_in_one_force(tmp_path):
@@ -232,7 +233,7 @@ initial: {x: 0 m}
 motion: full
 find: [{response: {until: 1.5 s}}]
 """, encoding="utf-8")
-    speed = problem_of(scene).motion.signal(("name", 0, 0, "x", 1)).values(np.array([0.4, 0.6, 1.0]))
+    speed = problem_of(scene).motion.signal(NameRef(0, 0, "x", 1)).values(np.array([0.4, 0.6, 1.0]))
     assert speed == pytest.approx([4 * 0.48 / 2, (4 * 0.78 + 3) / 2, (6 + 3) / 2], rel=1e-10)
 
 

@@ -15,6 +15,7 @@ from vibcli.symbolic.normal_form import is_zero
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.rationals import BITS, bits
 from vibcli.symbolic.semantics import lower, whole_literal
+from vibcli.symbolic.syntax import Number
 
 
 @pytest.fixture
@@ -250,4 +251,4 @@ def test_an_expression_is_read_up_to_the_limit_that_is_told_beyond_it(written, m
                                            ("x + 2", False), ("2^2", False), ("-(2 m)", True), ("sin(1)", False)])
 def test_one_literal_is_told_from_a_sum(text, one):
     found = whole_literal(parse(text))
-    assert (found is not None and found[0] == "number") == one
+    assert isinstance(found, Number) == one

@@ -20,6 +20,7 @@ from vibcli.symbolic.expression import Table
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.sampled_functions import Samples
 from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import QuantityRef
 
 VALUES = {"F": 5.0, "a": 0.7, "b": 1.3, "W": 31.4, "p": 0.25, "q": 0.8, "c": 0.1, "k": -2.5}
 
@@ -324,8 +325,8 @@ def recorded(text, heights=HEIGHTS):
     time = table.time = table.variable("t")
 
     def symbol(name, primes, tree):
-        if tree[0] == "quantity":
-            return table.call("ag", lower(tree[7][1], table, symbol))
+        if isinstance(tree, QuantityRef):
+            return table.call("ag", lower(tree.args[1], table, symbol))
         return time if name == "t" else table.parameter(name, VALUES[name] > 0)
 
     return lower(parse(text), table, symbol), time

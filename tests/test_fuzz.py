@@ -17,6 +17,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.semantics import DimensionCheck, lower, names_in, quantities_in
+from vibcli.symbolic.syntax import Equation
 
 ROOT = Path(__file__).parent.parent
 PATIENCE = 0.02     # of what is usual: a scene that takes long is refused, and what is said then is looked at
@@ -52,7 +53,7 @@ def try_expression(text, equation=False):
     known = units.Dimensions()
     try:
         tree = parse(text, "x = 0" if equation else None)
-        if tree[0] != "equation":
+        if not isinstance(tree, Equation):
             DimensionCheck(known, lambda name, primes: units.times(known.of(name), units.TIME, -primes),
                            text=text).dimension(tree)
         table = Table()
@@ -61,7 +62,7 @@ def try_expression(text, equation=False):
         assert error.message
         assert 0 <= error.offset <= len(text)
         return False
-    names = {name + "'" * primes for name, primes, _, _ in names_in(tree)} | {q[3] for q in quantities_in(tree)}
+    names = {name + "'" * primes for name, primes, _, _ in names_in(tree)} | {q.text for q in quantities_in(tree)}
     value, = evaluate([node], Floats, dict.fromkeys(names, 0.75))
     evaluate_rational([node], dict.fromkeys(names, 2))
     return isinstance(value, (int, float))

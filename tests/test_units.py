@@ -16,6 +16,7 @@ from vibcli.quantities.quantity import ASKED
 from vibcli.symbolic.parser import FUNCTIONS, ExpressionError, parse
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.semantics import literal_unit
+from vibcli.symbolic.syntax import Number
 
 M, L, T = "kg", "m", "s"
 FORCE, ENERGY, POWER, PRESSURE = "kg m s^-2", "kg m^2 s^-2", "kg m^2 s^-3", "kg m^-1 s^-2"
@@ -98,10 +99,10 @@ def test_no_unit_is_a_word_of_the_language():
 ])
 def test_powers_belong_to_the_unit(written, value, wanted):
     tree = parse(written)
-    assert tree[0] == "number"
-    unit = literal_unit(tree[4])
+    assert isinstance(tree, Number)
+    unit = literal_unit(tree.units)
     assert unit.dimension == wanted
-    assert unit.in_si(tree[3]) == pytest.approx(value, rel=1e-14)
+    assert unit.in_si(tree.value) == pytest.approx(value, rel=1e-14)
 
 
 @pytest.mark.parametrize("written", ["4 m^n", "4 m^(n + 1)", "4 m^2^3", "4 m^-n", "2 N*m^(1/n)", "4 m^13", "4 m^(1/0)",

@@ -31,8 +31,8 @@ def bare(text):
     while pending:
         tree = pending.pop()
         parts += literals_in(tree)
-        pending += [arg for part in _quantities(tree) for arg in part[7]]
-    for _, start, end, value, chain in sorted(parts, reverse=True):
+        pending += [arg for part in _quantities(tree) for arg in part.args]
+    for start, end, value, chain, _ in sorted(parts, reverse=True):
         if chain:
             unit = literal_unit(chain)
             number = repr(float(value)) if unit.value == 1 and not (unit.pi or unit.roots) else repr(unit.in_si(value))

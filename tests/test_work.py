@@ -19,6 +19,7 @@ from vibcli.mechanics.equilibrium import all_equilibria
 from vibcli.numerics import bracketed_newton
 from vibcli.results import frequency_response
 from vibcli.results import problem as modes
+from vibcli.symbolic.syntax import NameRef
 
 SCENELESS = {"explain", "schema", "new"}
 MOTION = """motion: full
@@ -132,7 +133,7 @@ answers: {'max(x)': 0.5 m}
     ("period(x)", r"before t = (\S+) s it passes (\d+) times")])
 def test_searches_through_linear_motions_tell_what_is_known(monkeypatch, quantity, known):
     scene = problem(LONG)
-    signal, y = (scene.motion.signal(("name", 0, 0, name, 0)) for name in "xy")
+    signal, y = (scene.motion.signal(NameRef(0, 0, name, 0)) for name in "xy")
     full = signal.zeros(0.0, 300.0)
     for module in (largest, extremes):
         monkeypatch.setattr(module, "MOST", 2)

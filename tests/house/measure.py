@@ -12,7 +12,7 @@ FLOORS = (      # from the ground up; a room imports rooms of lower floors only
     ("check", "manual"), ("cli",), ("bench", "__main__"))
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 GROUND = 3          # floors that serve everyone: what is called there counts as no visit
-TREES = ("tree", "arg", "part", "quantity", "side")
+TREES = ("tree", "quantity", "literal")
 
 
 def module_of(path, package=PACKAGE):

@@ -52,6 +52,15 @@ def test_an_upward_import_is_seen(planted):
                               "vibcli.scene.a:2 imports vibcli.cli.common"]
 
 
+def test_no_syntax_tree_is_read_by_the_number_of_a_part():
+    assert HOUSE.subscripts() == []
+
+
+def test_a_subscript_of_a_tree_is_seen(planted):
+    assert planted({"scene/a.py": "def f(tree, row):\n    return tree.args[0], row[1], tree[4]\n"}).subscripts() == [
+        "vibcli.scene.a:2"]
+
+
 def test_no_circle_of_files():
     assert HOUSE.circles() == []
 

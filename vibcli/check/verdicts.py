@@ -17,6 +17,7 @@ from vibcli.quantities.expression import lowered, measure, value_of
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.results.random_states import at_states, reach, states
 from vibcli.symbolic.semantics import quantities_in, whole_literal
+from vibcli.symbolic.syntax import QuantityRef
 
 EXACT, WIDEST, ROUNDING, EPSILON = 1e-9, 0.005, 1e-13, 2.0**-52
 
@@ -72,7 +73,7 @@ def _worst(wanted, found, groups, rounding=0.0):
 
 def _compare(problem, answer):
     tree = answer.asked.tree
-    head = tree[4] if tree[0] == "quantity" else None
+    head = tree.head if isinstance(tree, QuantityRef) else None
     if head in ("equation", "motion"):
         return _compare_equation(problem, answer, head)
     if head in ("T", "V", "Phi", "Q"):
@@ -121,14 +122,14 @@ def _tolerance(problem, answer, expected):
     if len(digits) < 3:
         return rounding, 4
     half = 0.5 * 10.0 ** (int(exponent or 0) - len(fraction))
-    return min(half / abs(float(literal[3])), WIDEST) * (1 + EXACT) * abs(expected), 1
+    return min(half / abs(float(literal.value)), WIDEST) * (1 + EXACT) * abs(expected), 1
 
 
 def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
     tree = answer.asked.tree
-    head = tree[4] if tree[0] == "quantity" else None
-    if head is not None and tree[7]:
+    head = tree.head if isinstance(tree, QuantityRef) else None
+    if head is not None and tree.args:
         from vibcli.quantities.size import size_of
 
         return EXACT * size_of(problem, tree)
@@ -136,14 +137,14 @@ def _small(problem, answer):
         matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":
-        return _small_signal(problem, tree[5][0])
+        return _small_signal(problem, tree.indices[0])
     if head in ("mode", "zeta"):
         return 1e-11
     if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
         return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modes), default=0.0)
     size = problem.figure_size
     if head in ("J", "centre"):
-        body = problem.scene.bodies[tree[5][0]]
+        body = problem.scene.bodies[tree.indices[0]]
         mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
         return 1e-12 * (mass * size * size if head == "J" else size)
     return 1e-12 * max((float(abs(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
@@ -172,7 +173,7 @@ def _expected_node(problem, expression):
 def _compare_energy(problem, answer, head):
     scene = problem.scene
     if head == "Q":
-        ours = generalised_force_at_rest(problem, coordinate_number(problem, answer.asked.tree[5][0]))
+        ours = generalised_force_at_rest(problem, coordinate_number(problem, answer.asked.tree.indices[0]))
     else:
         ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     verdict = _at_states(problem, answer, head, ours)
@@ -202,7 +203,7 @@ def _at_states(problem, answer, head, ours):
 def _compare_equation(problem, answer, head):
     """Are the two left sides proportional at random states?"""
     scene = problem.scene
-    i = coordinate_number(problem, answer.asked.tree[5][0])
+    i = coordinate_number(problem, answer.asked.tree.indices[0])
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":

@@ -49,13 +49,13 @@ def size(text, option, unit, wants, exact=False):
         literal = whole_literal(parse(text))
     except ExpressionError as error:
         raise click.UsageError(f"{option} {text}: {error.message}") from None
-    found = literal_unit(literal[4] if literal and literal[4] else parse(f"1 {unit}")[4])
-    if not literal or not (literal[3] > 0 or exact) or text.lstrip().startswith("-") or (
+    found = literal_unit(literal.units if literal and literal.units else parse(f"1 {unit}").units)
+    if not literal or not (literal.value > 0 or exact) or text.lstrip().startswith("-") or (
             found.dimension != parse_unit(unit).dimension):
         raise click.UsageError(f"{option} {text}: expected {wants}")
     if exact:
-        return literal[3] * found.value     # of times, which have no roots
-    return found.in_si(literal[3]) * (2 * pi if found.cycles else 1)
+        return literal.value * found.value     # of times, which have no roots
+    return found.in_si(literal.value) * (2 * pi if found.cycles else 1)
 
 
 def plot_width():

@@ -114,9 +114,9 @@ def _values(spec):
     """(size, dimension) of every number of the scene that is not zero."""
     for expression in _expressions([value for key, value in spec.sections.items() if key != "answers"]):
         for literal in literals_in(expression.tree):
-            unit = literal_unit(literal[4])
-            if literal[3] and (literal[4] or spec.free_numbers):
-                yield unit.in_si(abs(literal[3])), unit.dimension
+            unit = literal_unit(literal.units)
+            if literal.value and (literal.units or spec.free_numbers):
+                yield unit.in_si(abs(literal.value)), unit.dimension
 
 
 def _expressions(whole):

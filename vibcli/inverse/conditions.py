@@ -17,6 +17,7 @@ from vibcli.reader.sections.choose import BALANCE
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
+from vibcli.symbolic.syntax import Number
 
 HOLDS = 1e-8
 
@@ -155,7 +156,7 @@ class System:
 
 def is_nothing(tree):
     """Is this side of an equation written as 0?"""
-    return tree[0] == "number" and not tree[3]
+    return isinstance(tree, Number) and not tree.value
 
 
 def _roughly(numeric):

@@ -18,6 +18,7 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.quadratic_roots import determinant
 from vibcli.symbolic.rationals import ONE, ZERO
 from vibcli.symbolic.semantics import quantities_in
+from vibcli.symbolic.syntax import QuantityRef
 
 LARGEST = 4
 SQUARES = {"omega": lambda x, pi: x * x, "frequency": lambda x, pi: 4 * pi * pi * x * x,
@@ -127,7 +128,7 @@ def _vanishing(problem, condition):
     if condition.word:
         return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
-        head = one.tree[4] if one.tree[0] == "quantity" and _of_one_equilibrium(one.tree) else None
+        head = one.tree.head if isinstance(one.tree, QuantityRef) and _of_one_equilibrium(one.tree) else None
         heights = equal_heights(problem, one.tree, other.tree)
         if heights is not None:
             return [heights]
@@ -150,7 +151,7 @@ def _vanishing(problem, condition):
 
 def _of_one_equilibrium(tree):
     """Is this a quantity of a mode about the only equilibrium: omega[1], neither omega[1, 2] nor period(x)?"""
-    return len(tree[5]) == 1 and not tree[7]
+    return len(tree.indices) == 1 and not tree.args
 
 
 def _limit(problem):
@@ -171,7 +172,7 @@ def _limit(problem):
 
 def require_no_modes(condition):
     """Without the matrices in letters only what is read off the drawing is known."""
-    if condition.word or any(tree[4] not in ("J", "centre") for side in condition.sides
+    if condition.word or any(tree.head not in ("J", "centre") for side in condition.sides
                              for tree in quantities_in(side.tree)):
         raise NotInLetters("the small oscillations of this scene are not known in letters")
 

@@ -12,13 +12,14 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.semantics import quantities_in
+from vibcli.symbolic.syntax import QuantityRef
 
 
 def side(problem, expression):
     """A side of a condition as an expression of the parameters."""
     scene = problem.scene
-    found = {tree[3]: _quantity(problem, tree) for tree in quantities_in(expression.tree)}
-    return lowered(expression, scene.table, lambda name, primes, tree: found[name] if tree[0] == "quantity"
+    found = {tree.text: _quantity(problem, tree) for tree in quantities_in(expression.tree)}
+    return lowered(expression, scene.table, lambda name, primes, tree: found[name] if isinstance(tree, QuantityRef)
                    else scene.parameters.nodes[name])
 
 
@@ -32,7 +33,7 @@ def one_degree(problem):
 
 
 def _quantity(problem, tree):
-    head, indices, attribute = tree[4], tree[5], tree[6]
+    head, indices, attribute = tree.head, tree.indices, tree.component
     scene = problem.scene
     response = response_of(problem, tree)
     if response is not None:
@@ -43,13 +44,13 @@ def _quantity(problem, tree):
         return centre_node(scene, indices, attribute)
     if head == "equilibrium" and len(indices) == 1:
         return _at_rest(problem, indices[0])
-    if head in ("M", "C", "G", "K") and not tree[7]:
+    if head in ("M", "C", "G", "K") and not tree.args:
         matrix = dict(zip("MCGK", problem.matrices_in_letters, strict=True))[head]
         names = [coordinate_name(problem.spec, index) for index in indices]
         if set(names) <= set(scene.coordinates):
             return matrix.get(tuple(map(scene.coordinates.index, names)), scene.table.zero)
-    if indices != ("1",) or tree[7]:
-        raise NotInLetters(f"'{tree[3]}' is found in numbers")
+    if indices != ("1",) or tree.args:
+        raise NotInLetters(f"'{tree.text}' is found in numbers")
     return _of_one_mode(problem, head)
 
 

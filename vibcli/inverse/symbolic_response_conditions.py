@@ -6,25 +6,26 @@ from vibcli.base.errors import NotInLetters
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.symbolic.equations.univariate import polynomial
 from vibcli.symbolic.semantics import lower, quantities_in
+from vibcli.symbolic.syntax import Call, NameRef, QuantityRef
 from vibcli.symbolic.transfer_between_tables import copied
 
 
 def response_of(problem, tree):
     """The Formula of amplitude(x), abs(frf[…](…)) or transmissibility[…](…); None of another tree."""
-    asked = tree[4] if tree[0] == "quantity" else None
-    if tree[0] == "call" and tree[3] == "abs" and tree[4][0][0] == "quantity" and tree[4][0][4] == "frf":
-        tree = tree[4][0]
+    asked = tree.head if isinstance(tree, QuantityRef) else None
+    if isinstance(tree, Call) and tree.name == "abs" and getattr(tree.args[0], "head", None) == "frf":
+        tree = tree.args[0]
     elif asked == "amplitude":
-        return _steady(problem, tree[7][0])
+        return _steady(problem, tree.args[0])
     elif asked != "transmissibility":
         return None
-    return formula(problem, *tree[5], frequency=_frequency(problem, tree[7][0]))
+    return formula(problem, *tree.indices, frequency=_frequency(problem, tree.args[0]))
 
 
 def _steady(problem, signal):
-    if signal[0] != "name":
+    if not isinstance(signal, NameRef):
         raise NotInLetters("amplitudes of sums and products are found in numbers")
-    return steady_state(problem, signal[3] + "'" * signal[4]).formula
+    return steady_state(problem, signal.name + "'" * signal.primes).formula
 
 
 def _frequency(problem, tree):
@@ -63,10 +64,11 @@ def equal_heights(problem, one, other):
     With H = (N_r + iΩ N_i)/(D_r + iΩ D_i) they are the roots of N_r D_i + N_i D_r = a Ω⁴ + b Ω² + e, of heights
     |N_i/D_i|: for D_i/N_i = α + βΩ² these are equal where α + βΩ² has opposite values, 2αa = βb.
     """
-    if not all(tree[0] == "quantity" and tree[4] == "fixed_point" and tree[6] == "value" for tree in (one, other)):
+    if not all(isinstance(tree, QuantityRef) and (tree.head, tree.component) == ("fixed_point", "value")
+               for tree in (one, other)):
         return None
-    damper, curve = one[5][1], one[7][0][5]
-    if {one[5][0], other[5][0]} != {"1", "2"} or (other[5][1], other[7][0][5]) != (damper, curve):
+    damper, curve = one.indices[1], one.args[0].indices
+    if {one.indices[0], other.indices[0]} != {"1", "2"} or (other.indices[1], other.args[0].indices) != (damper, curve):
         return None
     found = formula(problem, *curve)
     (a, b), (c, d) = found.numerator, found.denominator

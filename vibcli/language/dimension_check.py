@@ -17,6 +17,7 @@ from vibcli.symbolic.semantics import (
     quantities_in,
     whole_literal,
 )
+from vibcli.symbolic.syntax import Equation, NameRef, Sum
 
 TIMED = ("impulse", "square", "sawtooth")
 UNIT_DUE = "write the unit:"
@@ -55,7 +56,8 @@ def check(spec, reader, expression, names, expected, local=None):
             return units.times(known, units.TIME, -primes)
 
         checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
-        found = checker.dimension(expression.tree) if expression.tree[0] != "equation" else _sides(checker, expression)
+        whole = not isinstance(expression.tree, Equation)
+        found = checker.dimension(expression.tree) if whole else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
@@ -65,16 +67,16 @@ def check(spec, reader, expression, names, expected, local=None):
 def _of_time_alone(spec, reader, expression):
     """Impulses, waves and records are functions of the time, not of where things are."""
     for call in calls_in(expression.tree):
-        if call[3] in TIMED or call[3] in spec.named.get("records", ()):
-            for name, _, start, end in (place for arg in call[4] for place in names_in(arg)):
+        if call.name in TIMED or call.name in spec.named.get("records", ()):
+            for name, _, start, end in (place for arg in call.args for place in names_in(arg)):
                 if name in spec.coordinates:
-                    reader.report(expression.scalar.place(start, end - start), f"{call[3]} is a function of the time: "
-                                  f"the coordinate '{name}' cannot stand in it", f"as in {call[3]}(t)")
+                    reader.report(expression.scalar.place(start, end - start), f"{call.name} is a function of the "
+                                  f"time: the coordinate '{name}' cannot stand in it", f"as in {call.name}(t)")
 
 
 def _sides(checker, expression):
     tree = expression.tree
-    checker.dimension(("sum", tree[1], tree[2], [(1, tree[3]), (1, tree[4])]))
+    checker.dimension(Sum(tree.start, tree.end, ((1, tree.left), (1, tree.right))))
     return ANY
 
 
@@ -94,10 +96,10 @@ def _fits(spec, reader, expression, found, expected):
 
 def _found(tree, dimension):
     literal = whole_literal(tree)
-    if literal and literal[4]:
-        if not dimension and literal[4][0][0] != "%":
+    if literal and literal.units:
+        if not dimension and literal.units[0].unit != "%":
             return "an angle (rad)"
-        if literal_unit(literal[4]).cycles:
+        if literal_unit(literal.units).cycles:
             return "a frequency (Hz)"
     return units.name(dimension)
 
@@ -107,17 +109,18 @@ def _unit_hint(spec, expression):
     literal = whole_literal(expression.tree)
     if not expression.unit:
         return None
-    if expression.unit == "N/m" and literal and literal_unit(literal[4]).dimension == units.parse_unit("N*m").dimension:
+    found = literal_unit(literal.units).dimension if literal else None
+    if expression.unit == "N/m" and found == units.parse_unit("N*m").dimension:
         return "a torsional stiffness is given as `torsion:`"
-    if literal and not literal[4]:
+    if literal and not literal.units:
         return f"{UNIT_DUE} {expression.text} {unit_of_a_number(expression.unit)}"
-    name = expression.tree[3] if expression.tree[0] == "name" else None
+    name = expression.tree.name if isinstance(expression.tree, NameRef) else None
     value = spec.parameters[name].get("value") if name in spec.parameters else None
     if name in spec.parameters and value is None:
         return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
     literal = value and whole_literal(value.tree)
     unit = unit_of_a_number(expression.unit)
-    return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal[4] else None
+    return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal.units else None
 
 
 def unit_of_a_number(unit):
@@ -127,22 +130,22 @@ def unit_of_a_number(unit):
 
 def _no_quantities(reader, expression):
     for tree in quantities_in(expression.tree):
-        if tree[4] == VALUE:
+        if tree.head == VALUE:
             applied(reader, expression, tree)
             continue
-        reader.report(expression.scalar.place(tree[1], tree[2] - tree[1]), f"'{tree[3]}' cannot stand here",
+        reader.report(expression.scalar.place(tree.start, tree.end - tree.start), f"'{tree.text}' cannot stand here",
                       "what is asked of a scene, such as omega[1], stands under answers")
 
 
 def applied(reader, expression, tree):
     """Something like x(2), where it can be neither a function nor a value in time."""
-    inner, start = tree[7][0], tree[1]
-    if inner[0] == "name":
-        near = nearest(inner[3], FUNCTIONS)
+    inner, start = tree.args[0], tree.start
+    if isinstance(inner, NameRef):
+        near = nearest(inner.name, FUNCTIONS)
         hint = near if near and near.startswith("did") else "functions: " + " ".join(FUNCTIONS)
-        reader.report(expression.scalar.place(start, inner[2] - start), f"unknown function '{inner[3]}'", hint)
+        reader.report(expression.scalar.place(start, inner.end - start), f"unknown function '{inner.name}'", hint)
         return
-    bracket = expression.text.index("(", inner[2])
+    bracket = expression.text.index("(", inner.end)
     reader.report(expression.scalar.place(bracket, 1), "expected an operator before '('",
                   "there is no implicit multiplication: write a * between factors")
 
@@ -208,9 +211,10 @@ def check_whole_literal(spec, reader, expression):
     things, as `2 kg*g` does. (`800 N/m` of a scene with a mass m has one meaning.)"""
     literal = whole_literal(expression.tree)
     for unit in _competing(spec, expression, literal) if literal else ():
-        others = [units.UNITS[other[0]].dimension for other in literal[4] if other is not unit and other[1] == unit[1]]
-        measured = units.UNITS[unit[0]].dimension
-        if spec.dimensions.of(unit[0]) == measured or (measured and measured in others):
+        others = [units.UNITS[other.unit].dimension for other in literal.units
+                  if other is not unit and other.power == unit.power]
+        measured = units.UNITS[unit.unit].dimension
+        if spec.dimensions.of(unit.unit) == measured or (measured and measured in others):
             _two_readings(reader, expression, literal, unit)
 
 
@@ -218,18 +222,19 @@ def _competing(spec, expression, literal, local=()):
     """The units of a literal, joined by an operator, that are names of the scene as well."""
     if _in_brackets(expression.text, literal):
         return []
-    return [unit for unit in literal[4][1:] if unit[0] in spec.parameters or unit[0] in (*spec.coordinates, *local)]
+    names = (*spec.parameters, *spec.coordinates, *local)
+    return [unit for unit in literal.units[1:] if unit.unit in names]
 
 
 def _two_readings(reader, expression, literal, unit):
     name, _, start, end = unit
     text = expression.text
-    head, joined = text[literal[1]:start].rstrip(" *·/"), text[literal[1]:literal[2]].rstrip()
-    sign = "/" if "/" in text[literal[1] + len(head):start] else "*"
+    head, joined = text[literal.start:start].rstrip(" *·/"), text[literal.start:literal.end].rstrip()
+    sign = "/" if "/" in text[literal.start + len(head):start] else "*"
     reader.report(expression.scalar.place(start, end - start), f"'{name}' is a unit and a name of this scene",
                   f"write ({joined}) for the unit or ({head}){sign}{name} for the name")
 
 
 def _in_brackets(text, literal):
     """Does a literal stand alone in round brackets?"""
-    return text[:literal[1]].rstrip().endswith("(") and text[literal[2]:].lstrip().startswith(")")
+    return text[:literal.start].rstrip().endswith("(") and text[literal.end:].lstrip().startswith(")")

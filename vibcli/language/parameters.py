@@ -7,6 +7,7 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LARGEST, RANGE, SMALLEST, ExpressionError, parse
 from vibcli.symbolic.rationals import bits
 from vibcli.symbolic.semantics import lower, names_in, whole_literal
+from vibcli.symbolic.syntax import Call, Number, Power, Product, Sum
 
 WIDEST = 4096       # bits
 
@@ -16,9 +17,9 @@ def override(record, tree, scalar):
     from vibcli.language.fields import Expression
 
     old, number = record.get("value"), whole_literal(tree)
-    if number and not number[4] and (unit := _unit_of(record)):
+    if number and not number.units and (unit := _unit_of(record)):
         was = parse("1 " + unit)
-        tree, scalar = _with_unit(tree, was[4]), Scalar(f"{scalar.text} {unit}", scalar.where)
+        tree, scalar = _with_unit(tree, was.units), Scalar(f"{scalar.text} {unit}", scalar.where)
     if old is None:
         record.values["value"] = Expression(scalar, tree, None, None)
     else:
@@ -30,24 +31,24 @@ def _unit_of(record):
     if "value" not in record:
         return record.get("unit", "")
     was = whole_literal(record["value"].tree)
-    return record["value"].text[was[4][0][2]:was[2]].strip() if was and was[4] else ""
+    return record["value"].text[was.units[0].start:was.end].strip() if was and was.units else ""
 
 
-def _with_unit(tree, chain):
-    if tree[0] == "sum":
-        sign, number = tree[3][0]
-        return (*tree[:3], [(sign, _with_unit(number, chain))])
-    return (*tree[:4], chain)
+def _with_unit(tree, units):
+    if isinstance(tree, Sum):
+        sign, number = tree.parts[0]
+        return tree._replace(parts=((sign, _with_unit(number, units)),))
+    return tree._replace(units=units)
 
 
 def _may_be_negative(tree):
     """Does a value hold a minus, a zero or a function?"""
-    if tree[0] in ("sum", "product"):
-        return any(sign < 0 and tree[0] == "sum" for sign, _ in tree[3]) or any(
-            _may_be_negative(part) for _, part in tree[3])
-    if tree[0] == "power":
-        return _may_be_negative(tree[3])
-    return tree[0] == "call" or (tree[0] == "number" and not tree[3])
+    if isinstance(tree, (Sum, Product)):
+        return any(sign < 0 and isinstance(tree, Sum) for sign, _ in tree.parts) or any(
+            _may_be_negative(part) for _, part in tree.parts)
+    if isinstance(tree, Power):
+        return _may_be_negative(tree.base)
+    return isinstance(tree, Call) or (isinstance(tree, Number) and not tree.value)
 
 
 class Parameters:

@@ -2,6 +2,7 @@
 
 from vibcli.base.units import NONE
 from vibcli.symbolic.parser import FUNCTIONS, OF_SIGNALS, VALUE
+from vibcli.symbolic.syntax import Call, Equation, NameRef, Power, Product, QuantityRef, Sum
 
 RESERVED = ("pi", "t", "power", *FUNCTIONS, *OF_SIGNALS)      # names that mean something else before a bracket
 
@@ -39,17 +40,19 @@ def record_dimensions(spec):
 
 
 def _called(tree, names, used):
-    kind = tree[0]
-    if kind == "quantity":
-        args = tuple(_called(arg, names, used) for arg in tree[7])
-        if tree[4] == VALUE and args[0][0] == "name" and args[0][3] in names and not (args[0][4] or tree[6]):
-            used.add(own(args[0][3]))
-            return ("call", tree[1], tree[2], args[0][3], list(args[1:]))
-        return (*tree[:7], args)
-    if kind in ("sum", "product"):
-        return (*tree[:3], [(sign, _called(part, names, used)) for sign, part in tree[3]])
-    if kind == "call":
-        return (*tree[:4], [_called(arg, names, used) for arg in tree[4]])
-    if kind in ("power", "equation"):
-        return (*tree[:3], _called(tree[3], names, used), _called(tree[4], names, used))
+    if isinstance(tree, QuantityRef):
+        args = tuple(_called(arg, names, used) for arg in tree.args)
+        if tree.head == VALUE and isinstance(args[0], NameRef) and args[0].name in names and not (
+                args[0].primes or tree.component):
+            used.add(own(args[0].name))
+            return Call(tree.start, tree.end, args[0].name, args[1:])
+        return tree._replace(args=args)
+    if isinstance(tree, (Sum, Product)):
+        return tree._replace(parts=tuple((sign, _called(part, names, used)) for sign, part in tree.parts))
+    if isinstance(tree, Call):
+        return tree._replace(args=tuple(_called(arg, names, used) for arg in tree.args))
+    if isinstance(tree, Power):
+        return tree._replace(base=_called(tree.base, names, used), exponent=_called(tree.exponent, names, used))
+    if isinstance(tree, Equation):
+        return tree._replace(left=_called(tree.left, names, used), right=_called(tree.right, names, used))
     return tree

@@ -16,6 +16,7 @@ from vibcli.symbolic.cycles import (
 )
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
+from vibcli.symbolic.syntax import Equation, NameRef, Product
 
 PERIODS = ("period", "beat_period")
 
@@ -55,15 +56,15 @@ def _count_names(spec):
 def count_of_unit(record):
     if "unit" not in record:
         return NEITHER
-    return count_of(literal_unit(parse("1 " + record["unit"])[4]))
+    return count_of(literal_unit(parse("1 " + record["unit"]).units))
 
 
 def _of_condition(counter, name, sides):
     """What a chosen parameter counts that is one side of its condition, perhaps times a number."""
     for side, other in (sides, sides[::-1]) if sides else ():
-        factors = [part for _, part in side.tree[3]] if side.tree[0] == "product" else [side.tree]
+        factors = [part for _, part in side.tree.parts] if isinstance(side.tree, Product) else [side.tree]
         apart = [part for part in factors if constant(part) is None]
-        if len(apart) == 1 and apart[0][0] == "name" and apart[0][3] == name:
+        if len(apart) == 1 and isinstance(apart[0], NameRef) and apart[0].name == name:
             try:
                 found = counter.count(other.tree)
             except ExpressionError:
@@ -75,11 +76,11 @@ def _of_condition(counter, name, sides):
 def _quantity(spec, tree):
     """omega[1] counts radians, frequency[1] cycles, and a period is the time of one."""
     asked = declared(tree)
-    if tree[4] in spec.choices and (asked is None or len(tree[5]) == 1):
-        return spec.counts.get(tree[4], NEITHER)
-    if tree[4] in PERIODS:
+    if tree.head in spec.choices and (asked is None or len(tree.indices) == 1):
+        return spec.counts.get(tree.head, NEITHER)
+    if tree.head in PERIODS:
         return {PERIOD: 1}
-    if tree[6] == "Omega":
+    if tree.component == "Omega":
         return {RADIAN: 1}
     unit = _unit_of(tree)
     return NEITHER if unit is None else count_of(unit)
@@ -101,5 +102,5 @@ def known_dimension(spec, tree):
         return None if unit is None else unit.dimension
 
     checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension or quantity)
-    found = checker.dimension(tree) if tree[0] != "equation" else None
+    found = checker.dimension(tree) if not isinstance(tree, Equation) else None
     return None if found is None else spec.dimensions.resolve(found)

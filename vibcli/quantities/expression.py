@@ -10,14 +10,15 @@ from vibcli.quantities.quantity import ASKED, IN_FREQUENCY, OF_VALUES, ROUNDING,
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import lower, quantities_in
+from vibcli.symbolic.syntax import QuantityRef
 
 IN_GRAPHS = ("peak", "antiresonance", "half_power", "fixed_point", "quality")   # read off a whole response
 
 
 def measure(problem, tree):
     """(value, relative error bound) of a quantity tree."""
-    head, indices, attribute = tree[4], tree[5], tree[6]
-    if tree[7] or head in IN_FREQUENCY:
+    head, indices, attribute = tree.head, tree.indices, tree.component
+    if tree.args or head in IN_FREQUENCY:
         return _with_arguments(problem, tree)
     if is_choice(problem.spec, tree) and problem.chosen is not None:
         return problem.chosen.value(head, int(indices[0])), ROUNDING
@@ -35,8 +36,8 @@ def family(head):
 
 def _with_arguments(problem, tree):
     """The arguments that are numbers first, then the family."""
-    head, args = tree[4], tree[7]
-    of_frf = bool(args) and args[0][0] == "quantity" and args[0][4] in ("frf", *OF_VALUES)
+    head, args = tree.head, tree.args
+    of_frf = bool(args) and isinstance(args[0], QuantityRef) and args[0].head in ("frf", *OF_VALUES)
     if head in IN_FREQUENCY or of_frf:
         from vibcli.quantities.frequency_response import VALUES
 
@@ -54,12 +55,12 @@ def value_of(problem, expression):
     """(value, relative error bound) of an expression of parameters and quantities."""
     scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
     for quantity in quantities_in(tree):
-        values[quantity[3]], error = measure(problem, quantity)
+        values[quantity.text], error = measure(problem, quantity)
         worst = max(worst, error)
     table = scene.table
 
     def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if part[0] == "quantity" else scene.parameters.nodes[name]
+        return table.parameter(name, positive=False) if isinstance(part, QuantityRef) else scene.parameters.nodes[name]
 
     value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
     if isinstance(value, complex) or not isfinite(value):
@@ -84,11 +85,13 @@ def number_of(problem, tree):
     """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
     values = dict(problem.floats)
     for quantity in quantities_in(tree):
-        values[quantity[3]] = measure(problem, quantity)[0]
+        values[quantity.text] = measure(problem, quantity)[0]
     table = problem.scene.table
 
     def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if part[0] == "quantity" else problem.scene.parameters.nodes[name]
+        if isinstance(part, QuantityRef):
+            return table.parameter(name, positive=False)
+        return problem.scene.parameters.nodes[name]
 
     value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
     return value * tau if counts_cycles(problem.spec, tree) else value

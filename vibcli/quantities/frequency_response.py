@@ -14,9 +14,9 @@ def wrapped(angle):
 
 
 def frf(problem, tree, args):
-    if not tree[7]:
-        raise PhysicsError(f"'{tree[3]}' is a function of frequency", f"write {tree[3]}(5 Hz)")
-    return problem.frequency_response(*tree[5]).at(args[0])
+    if not tree.args:
+        raise PhysicsError(f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
+    return problem.frequency_response(*tree.indices).at(args[0])
 
 
 def _complex_part(part):
@@ -33,8 +33,8 @@ def _transmissibility(problem, tree, args):
 
 def _of_curve(find):
     def value(problem, tree, args):
-        curve = problem.frequency_response(*tree[7][0][5])
-        return find(curve, int(tree[5][0]), tree[6]), ERROR
+        curve = problem.frequency_response(*tree.args[0].indices)
+        return find(curve, int(tree.indices[0]), tree.component), ERROR
     return value
 
 
@@ -46,9 +46,9 @@ def _peak(curve, number, attribute):
 
 
 def _fixed_point(problem, tree, args):
-    number, damper = tree[5]
-    points = problem.frequency_response(*tree[7][0][5]).fixed_points(damper)
-    return getattr(_numbered(points, int(number), "fixed point"), tree[6]), ERROR
+    number, damper = tree.indices
+    points = problem.frequency_response(*tree.args[0].indices).fixed_points(damper)
+    return getattr(_numbered(points, int(number), "fixed point"), tree.component), ERROR
 
 
 def _numbered(items, number, noun):

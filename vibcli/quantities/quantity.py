@@ -1,6 +1,7 @@
 """What may be asked: the quantities that `answers` knows, and the words of `find`."""
 
 from vibcli.base import units
+from vibcli.symbolic.syntax import NameRef
 
 INSIGHT = ("shares", "sensitivities", "estimates")
 RESPONSES = ("response", "frequency_response")
@@ -119,13 +120,13 @@ OF_SPEED = {key: units.times(units.parse_unit("J").dimension, units.TIME, power)
 
 def declared(tree):
     """The Asked of a quantity tree; None where there is none."""
-    if tree[4] == "decrement" and tree[5]:
+    if tree.head == "decrement" and tree.indices:
         return DECREMENT
-    if tree[4] == "M" and tree[7]:
+    if tree.head == "M" and tree.args:
         return INERTIA
-    if tree[4] == "period" and tree[7]:
+    if tree.head == "period" and tree.args:
         return PERIOD
-    return VALUE if tree[4] == "value" else ASKED.get(tree[4])
+    return VALUE if tree.head == "value" else ASKED.get(tree.head)
 
 
 ALL = "all of them: vibcli explain quantities"
@@ -164,8 +165,8 @@ def dimension(head, indices, of):
 def is_choice(spec, tree):
     """Does a tree ask for a chosen parameter: c, or its second solution c[2]?"""
     choices = spec.get("choose") or ()
-    if tree[0] == "name":
-        return tree[3] in choices and not tree[4]
-    indices = tree[5]
-    return tree[4] in choices and len(indices) == 1 and indices[0].isdecimal() and (
-        tree[4] not in ASKED or len(ASKED[tree[4]].indices) != 1)
+    if isinstance(tree, NameRef):
+        return tree.name in choices and not tree.primes
+    indices = tree.indices
+    return tree.head in choices and len(indices) == 1 and indices[0].isdecimal() and (
+        tree.head not in ASKED or len(ASKED[tree.head].indices) != 1)

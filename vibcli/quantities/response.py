@@ -9,6 +9,7 @@ from vibcli.quantities.quantity import PARTS
 from vibcli.results import signal_features, steady_features
 from vibcli.results.signals import LinearSignal
 from vibcli.symbolic.derivatives import gradient
+from vibcli.symbolic.syntax import QuantityRef
 
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
@@ -16,7 +17,7 @@ ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 def measure_response(problem, tree, args):
     """(value, relative error bound) of a number of a signal; `args`: its arguments that are numbers, by their place."""
     try:
-        value = VALUES[tree[4]](problem, tree, args)
+        value = VALUES[tree.head](problem, tree, args)
         return value, max(ERROR, _doubt(problem, tree, args, value))
     except PhysicsError as error:
         if error.hint and "(x)" in error.hint:
@@ -29,26 +30,26 @@ def _doubt(problem, tree, args, value):
     others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
     if problem.motion.KIND != "full":
         return 0.0
-    if tree[4] == "period" and problem.motion.by_quadrature(tree[7][0]) is not None:
-        return problem.motion.by_quadrature(tree[7][0])[1]
+    if tree.head == "period" and problem.motion.by_quadrature(tree.args[0]) is not None:
+        return problem.motion.by_quadrature(tree.args[0])[1]
     if not problem.motion.integrated:
         return 0.0
-    if tree[4] == "value":
+    if tree.head == "value":
         instant = args[1]
-    elif tree[4] in ("max", "min"):
-        instant = _extreme(1 if tree[4] == "max" else -1, 0)(problem, tree, args)
+    elif tree.head in ("max", "min"):
+        instant = _extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args)
     else:
-        until = value if tree[4] in ("argmax", "argmin", "zero") else problem.motion.known
+        until = value if tree.head in ("argmax", "argmin", "zero") else problem.motion.known
         return problem.motion.reaching(until).shared.of_state(until)
     return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
 
 
 def _found(problem, tree):
     """The text of the signal that a quantity is asked of, or of that within it which is found: hints speak of x."""
-    arg = tree[7][0]
-    while arg[0] == "quantity" and arg[4] in PARTS and not _is_found(problem, arg):
-        arg = arg[7][0]
-    return tree[3][arg[1] - tree[1]:arg[2] - tree[1]]
+    arg = tree.args[0]
+    while isinstance(arg, QuantityRef) and arg.head in PARTS and not _is_found(problem, arg):
+        arg = arg.args[0]
+    return tree.text[arg.start - tree.start:arg.end - tree.start]
 
 
 def _is_found(problem, arg):
@@ -62,7 +63,7 @@ def _is_found(problem, arg):
 
 
 def _signal(problem, tree):
-    return problem.motion.signal(tree[7][0])
+    return problem.motion.signal(tree.args[0])
 
 
 def _value(problem, tree, args):
@@ -81,7 +82,7 @@ def _inertia(problem, tree, args):
     from vibcli.mechanics.energies import kinetic
 
     scene = problem.scene
-    i, j = (scene.v[coordinate_number(problem, index)] for index in tree[5])
+    i, j = (scene.v[coordinate_number(problem, index)] for index in tree.indices)
     zero = scene.table.zero
     node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
     return float(problem.motion.state_signal(node).values(np.array([args[0]]))[0])
@@ -97,7 +98,7 @@ def _linear(problem, tree):
     """The signal as a linear output of a small motion."""
     signal = _signal(problem, tree)
     if not isinstance(signal, LinearSignal):
-        raise PhysicsError(f"'{tree[4]}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
+        raise PhysicsError(f"'{tree.head}' is not found of {signal.KIND}", "ask for max(x), min(x) or values in time")
     return signal
 
 
@@ -135,7 +136,7 @@ def _harmonic(problem, tree, args):
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
-    return abs(steady_features.harmonic(signal, int(tree[5][0])))
+    return abs(steady_features.harmonic(signal, int(tree.indices[0])))
 
 
 def _over_a_period(which):
@@ -165,7 +166,7 @@ def _overshoot(problem, tree, args):
 
 
 def _zero(problem, tree, args):
-    number, signal = int(tree[5][0]), _signal(problem, tree)
+    number, signal = int(tree.indices[0]), _signal(problem, tree)
     found = signal.zeros(0.0, problem.motion.until)
     if len(found) < number:
         until = problem.motion.until
@@ -178,14 +179,14 @@ def _zero(problem, tree, args):
 def _free(find, fraction=False):
     def value(problem, tree, args):
         signal = _linear(problem, tree)
-        return find(signal, float(tree[5][0])) if fraction else find(signal)
+        return find(signal, float(tree.indices[0])) if fraction else find(signal)
     return value
 
 
 def _period(problem, tree, args):
     """Of the steady state that loads keep up, else of the free vibration."""
     if problem.motion.KIND != "small":
-        return problem.motion.period(tree[7][0])
+        return problem.motion.period(tree.args[0])
     signal = _linear(problem, tree)
     if signal_features.kept_up(signal):
         return tau / steady_features.fundamental(signal)

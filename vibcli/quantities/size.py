@@ -7,15 +7,15 @@ from vibcli.quantities.quantity import IN_FREQUENCY
 
 def size_of(problem, tree):
     """The largest value that a quantity of this kind has: what its rounding is measured by."""
-    head = tree[4]
+    head = tree.head
     if head in ("phase", "arg", "overshoot", "decrement", "cycles_to"):
         return 1.0
     if head in IN_FREQUENCY:
-        inner = tree if head in ("frf", "transmissibility") else tree[7][0]
-        return abs(measure(problem, inner)[0]) if inner[7] else 0.0
+        inner = tree if head in ("frf", "transmissibility") else tree.args[0]
+        return abs(measure(problem, inner)[0]) if inner.args else 0.0
     if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
         return problem.motion.until
-    signal, end = problem.motion.signal(tree[7][0]), _end(problem, tree)
+    signal, end = problem.motion.signal(tree.args[0]), _end(problem, tree)
     return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
 
 
@@ -25,6 +25,6 @@ def _end(problem, tree):
     try:
         return problem.motion.until
     except PhysicsError:
-        if tree[4] != "value":
+        if tree.head != "value":
             raise
-        return max(number_of(problem, tree[7][1]), 1.0)
+        return max(number_of(problem, tree.args[1]), 1.0)

@@ -23,6 +23,7 @@ from vibcli.reader.quantity_dimensions import (
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import DimensionCheck, names_in, quantities_in
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 ANGULAR = ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
 
@@ -43,8 +44,8 @@ def _is_parameter(spec, name):
 
 def as_quantity(spec, tree):
     """The tree of a quantity that is written as a name alone, such as rayleigh or T; other trees as they are."""
-    if tree[0] == "name" and tree[3] in BARE and not tree[4] and not _is_parameter(spec, tree[3]):
-        return ("quantity", tree[1], tree[2], tree[3], tree[3], (), "", ())
+    if isinstance(tree, NameRef) and tree.name in BARE and not tree.primes and not _is_parameter(spec, tree.name):
+        return QuantityRef(tree.start, tree.end, tree.name, tree.name)
     return tree
 
 
@@ -52,7 +53,7 @@ def _answer(spec, reader, answer):
     """The quantity asked for must exist, and the expected value must have its dimension."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree = as_quantity(spec, asked.tree)
-    whole = tree[0] == "quantity"
+    whole = isinstance(tree, QuantityRef)
     for quantity in quantities_in(tree):
         if not can_be_asked(spec, reader, asked, quantity):
             return
@@ -68,7 +69,7 @@ def _answer(spec, reader, answer):
         else:
             reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED) or ALL)
         return
-    head = tree[4] if whole else None
+    head = tree.head if whole else None
     if head == "stable":
         if expected.text not in ("true", "false"):
             reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}",
@@ -80,8 +81,9 @@ def _answer(spec, reader, answer):
                 return
     if head in STATE_FUNCTIONS and quantities_in(expected.tree):
         quantity = quantities_in(expected.tree)[0]
-        reader.report(expected.scalar.place(quantity[1], quantity[2] - quantity[1]),
-                      f"'{quantity[3]}' cannot stand in an expected '{head}'", "write it in parameters and coordinates")
+        reader.report(expected.scalar.place(quantity.start, quantity.end - quantity.start),
+                      f"'{quantity.text}' cannot stand in an expected '{head}'",
+                      "write it in parameters and coordinates")
         return
     names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
     fits = check(spec, reader, asked, spec.parameters, None)
@@ -95,7 +97,7 @@ def _answer(spec, reader, answer):
 
 def at_no_time(spec, tree):
     """Is this a signal alone, without an instant?"""
-    return tree[0] == "name" and output_dimension(spec, tree[3]) is not None
+    return isinstance(tree, NameRef) and output_dimension(spec, tree.name) is not None
 
 
 def unit_asked(tree):
@@ -115,7 +117,7 @@ def dimension_of(spec, expression):
 def check_cycles(spec, reader, asked, expected):
     """Hz is not rad/s: an angular frequency refuses it, and a frequency the other; all else counts no cycles."""
     tree = asked.tree
-    head = tree[4] if tree[0] == "quantity" and not is_choice(spec, tree) else None
+    head = tree.head if isinstance(tree, QuantityRef) and not is_choice(spec, tree) else None
     asks_frequency = head is not None and declared(tree).unit == "Hz"
     count = check_terms(spec, reader, expected)
     if count is None or check_terms(spec, reader, asked) is None:

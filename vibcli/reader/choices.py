@@ -8,6 +8,7 @@ from vibcli.reader.answer_check import as_quantity, check_cycles, dimension_of, 
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.reader.quantity_dimensions import asked_dimension
 from vibcli.symbolic.semantics import ALL_NUMBERS, names_in, quantities_in
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 MOST_CHOSEN = 4
 COUNTED = ("stable", "equilibria")
@@ -16,7 +17,7 @@ COUNTED = ("stable", "equilibria")
 def enter(spec, reader, names):
     """Every chosen name becomes a symbol; `names` are those under `choose`, whether or not they could be read."""
     choices = spec.get("choose") or {}
-    moved = {motion.tree[3] for motion in reader.motions if motion.tree[0] == "name"}
+    moved = {motion.tree.name for motion in reader.motions if isinstance(motion.tree, NameRef)}
     moved |= set(spec.get("coordinates") or ())
     if len(choices) > MOST_CHOSEN:
         reader.report(list(choices.values())[MOST_CHOSEN].where,
@@ -57,17 +58,17 @@ def _equation(spec, reader, name, condition):
         side.tree = as_quantity(spec, side.tree)
     quantities = [(side, tree) for side in condition.sides for tree in quantities_in(side.tree)]
     for side, tree in quantities:
-        if tree[4] in spec.choices and tree[4] not in ASKED:
-            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition", f"write {tree[4]} alone")
+        if tree.head in spec.choices and tree.head not in ASKED:
+            reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition", f"write {tree.head} alone")
             return
         if not can_be_asked(spec, reader, side, tree):
             return
-        if tree[4] in COUNTED:
-            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it changes by leaps",
+        if tree.head in COUNTED:
+            reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it changes by leaps",
                           "for the value at which it changes write stability limit")
             return
-        if tree[4] in STATE_FUNCTIONS:
-            reader.report(_place(side, tree), f"'{tree[3]}' cannot stand in a condition: it is not a number",
+        if tree.head in STATE_FUNCTIONS:
+            reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it is not a number",
                           "conditions are made of numbers, parameters and quantities such as omega[1]")
             return
     asked, expected = (right, left) if _head(right) and not _head(left) else (left, right)
@@ -97,8 +98,8 @@ def _same(spec, reader, left, right):
 
 
 def _head(side):
-    return side.tree[4] if side.tree[0] == "quantity" else None
+    return side.tree.head if isinstance(side.tree, QuantityRef) else None
 
 
 def _place(side, tree):
-    return side.scalar.place(tree[1], tree[2] - tree[1])
+    return side.scalar.place(tree.start, tree.end - tree.start)

@@ -14,7 +14,7 @@ from vibcli.symbolic.semantics import literal_unit, literals_in, quantities_in
 def uses_cycles(spec, reader):
     """Does anything in the file count cycles?"""
     values = [record["value"] for record in spec.parameters.values() if "value" in record]
-    if any(part[4] and literal_unit(part[4]).cycles for expression in (*reader.expressions, *values)
+    if any(part.units and literal_unit(part.units).cycles for expression in (*reader.expressions, *values)
            for part in literals_in(expression.tree)):
         return True
     records = (*spec.parameters.values(), *(spec.get("records") or {}).values())
@@ -22,7 +22,7 @@ def uses_cycles(spec, reader):
         return True
     asked = [answer.asked for answer in spec.answers]
     asked += [side for record in spec.choices.values() for side in record["so"].sides]
-    return any(tree[4] == "frequency" for expression in asked for tree in quantities_in(expression.tree))
+    return any(tree.head == "frequency" for expression in asked for tree in quantities_in(expression.tree))
 
 
 def check_radians(spec, reader, expression):

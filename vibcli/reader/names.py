@@ -10,6 +10,7 @@ from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.quantity import dimension
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, names_in
+from vibcli.symbolic.syntax import NameRef, Number, Sum
 
 MOST_COORDINATES = 2000
 
@@ -46,7 +47,7 @@ def settle(spec, reader):
             check(spec, reader, expression, names if local is None else {**names, local[0]: None}, expression.dimension,
                   local)
     for expression in (*reader.expressions, *(p["value"] for p in spec.parameters.values() if "value" in p)):
-        if expression.tree[0] in ("number", "sum"):
+        if isinstance(expression.tree, (Number, Sum)):
             check_whole_literal(spec, reader, expression)
     if not circular:
         _cycles(spec, reader, apart | parameters)
@@ -106,8 +107,8 @@ def _coordinates(spec, reader):
     declared = set(found) if reader.sound else ()
     for motion in reader.motions:
         tree = motion.tree
-        if tree[0] == "name" and not tree[4] and tree[3] not in spec.parameters and tree[3] not in ("t", "pi"):
-            found.setdefault(tree[3], Record(None, tree[3], motion.where, {}, {}))
+        if isinstance(tree, NameRef) and not tree.primes and tree.name not in (*spec.parameters, "t", "pi"):
+            found.setdefault(tree.name, Record(None, tree.name, motion.where, {}, {}))
     energies = spec.get("energies")
     for expression in energies.values.values() if energies else ():
         for name, primes, start, end in names_in(expression.tree):

@@ -22,6 +22,7 @@ from vibcli.reader.quantity_dimensions import RATE, checker, input_dimension, in
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE, ExpressionError
 from vibcli.symbolic.semantics import ALL_NUMBERS, literals_in, names_in, quantities_in
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 MOST_COUNTED = 1000
 COMPLEX = ("eigenvalue", "mode")     # quantities that may be complex, beside frequency responses
@@ -30,8 +31,8 @@ COMPLEX = ("eigenvalue", "mode")     # quantities that may be complex, beside fr
 def can_be_asked(spec, reader, expression, tree, bare=False):
     """Is this a quantity that can be asked of this scene? Reports what is wrong with it. `bare`: a frequency response
     stands without a frequency."""
-    head, indices, attribute = tree[4], tree[5], tree[6]
-    place = expression.scalar.place(tree[1], tree[2] - tree[1])
+    head, indices, attribute = tree.head, tree.indices, tree.component
+    place = expression.scalar.place(tree.start, tree.end - tree.start)
     if is_choice(spec, tree):
         return True
     asked = declared(tree)
@@ -47,8 +48,8 @@ def can_be_asked(spec, reader, expression, tree, bare=False):
     if not arguments_fit(spec, reader, expression, tree, bare):
         return False
     if attribute not in asked.attributes:
-        reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree[3]}' needs a component",
-                      "write " + " or ".join(tree[3].partition(".")[0] + (a and "." + a) for a in asked.attributes))
+        reader.report(place, f"'{head}' has no '.{attribute}'" if attribute else f"'{tree.text}' needs a component",
+                      "write " + " or ".join(tree.text.partition(".")[0] + (a and "." + a) for a in asked.attributes))
         return False
     pairs = zip(kinds, indices, strict=False)
     if not all(_index(spec, reader, place, head, kind, index) for kind, index in pairs):
@@ -114,8 +115,8 @@ def _is_fraction(text):
 
 def arguments_fit(spec, reader, expression, tree, bare=False):
     """Are the arguments of a quantity what it takes? Reports what is wrong with them. `bare`: see can_be_asked."""
-    asked, head, args = declared(tree), tree[4], tree[7]
-    place = expression.scalar.place(tree[1], tree[2] - tree[1])
+    asked, head, args = declared(tree), tree.head, tree.args
+    place = expression.scalar.place(tree.start, tree.end - tree.start)
     if not asked.args and args:
         if ASKED.get(head) is not None and "mode" in asked.indices:
             reader.report(place, f"'{head}' is no function of time: it takes an index alone", f"write {head}[1]")
@@ -123,7 +124,7 @@ def arguments_fit(spec, reader, expression, tree, bare=False):
             reader.report(place, f"'{head}' takes no argument in round brackets", "leave it out")
         return False
     if asked.optional and not args and not bare:
-        reader.report(place, f"'{tree[3]}' is a function of frequency", f"write {tree[3]}(5 Hz)")
+        reader.report(place, f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
         return False
     if len(args) != len(asked.args) and not bare:
         _miscounted(spec, reader, expression, tree, place)
@@ -135,23 +136,23 @@ def arguments_fit(spec, reader, expression, tree, bare=False):
 def check_questions(spec, reader, signals, drivers):
     """Report what is wrong with the signals and inputs of `find`."""
     for expression in signals:
-        _signal(spec, reader, expression, (None, 0, 0, "", "", (), "", (expression.tree,)), expression.tree)
+        _signal(spec, reader, expression, QuantityRef(0, 0, "", "", (), "", (expression.tree,)), expression.tree)
     for expression in drivers:
-        if expression.tree[0] != "name" or input_dimension(spec, expression.text) is None:
+        if not isinstance(expression.tree, NameRef) or input_dimension(spec, expression.text) is None:
             reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
                           nearest(expression.text, inputs(spec)))
 
 
 def _miscounted(spec, reader, expression, tree, place):
-    if tree[4] == VALUE:
+    if tree.head == VALUE:
         applied(reader, expression, tree)
         return
-    reader.report(place, f"'{tree[4]}' takes one argument in round brackets, found {len(tree[7]) or 'none'}",
-                  f"write {usage_here(spec, tree[4])}")
+    reader.report(place, f"'{tree.head}' takes one argument in round brackets, found {len(tree.args) or 'none'}",
+                  f"write {usage_here(spec, tree.head)}")
 
 
 def _argument(spec, reader, expression, tree, kind, arg):
-    if kind == "signal" and tree[4] == "phase" and arg[0] == "quantity" and arg[4] == "frf":
+    if kind == "signal" and tree.head == "phase" and isinstance(arg, QuantityRef) and arg.head == "frf":
         kind = "frf"
     if kind == "signal":
         return _signal(spec, reader, expression, tree, arg)
@@ -170,13 +171,13 @@ def _signal(spec, reader, expression, tree, arg):
         elif name != "pi" and output_dimension(spec, name + "'" * primes) is None:
             _unknown(spec, reader, expression, tree, name, place)
     for part in quantities_in(arg):
-        if part[4] not in PARTS:
-            reader.report(expression.scalar.place(part[1], part[2] - part[1]), f"'{part[3]}' is no signal",
+        if part.head not in PARTS:
+            reader.report(expression.scalar.place(part.start, part.end - part.start), f"'{part.text}' is no signal",
                           "signals are made of coordinates, points, springs, forces and parameters")
         elif not arguments_fit(spec, reader, expression, part):
             return False
     if len(reader.diagnostics) == before and not any(_moves(spec, name) for name, *_ in _all_names(arg)):
-        reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]), "this does not depend on the motion",
+        reader.report(expression.scalar.place(arg.start, arg.end - arg.start), "this does not depend on the motion",
                       "signals are made of coordinates, points, springs and forces")
     if len(reader.diagnostics) > before or _dimension(spec, reader, expression, arg) is False:
         return False
@@ -184,7 +185,7 @@ def _signal(spec, reader, expression, tree, arg):
 
 
 def _all_names(tree):
-    return names_in(tree) + [name for part in quantities_in(tree) for arg in part[7] for name in _all_names(arg)]
+    return names_in(tree) + [name for part in quantities_in(tree) for arg in part.args for name in _all_names(arg)]
 
 
 def _moves(spec, name):
@@ -194,7 +195,7 @@ def _moves(spec, name):
 def _unknown(spec, reader, expression, tree, name, place):
     if name in ASKED and ASKED[name].indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage_here(spec, name)}")
-    elif tree[4] == VALUE and tree[7][0][0] == "name":
+    elif tree.head == VALUE and isinstance(tree.args[0], NameRef):
         asked = (*ASKED, *spec.coordinates)
         reader.report(place, f"unknown quantity or signal {quoted(name)}", _hint(spec, name, asked))
     else:
@@ -217,19 +218,20 @@ def _dimension(spec, reader, expression, tree):
 
 def _response(spec, reader, expression, tree, arg):
     """The argument of peak, arg, phase …: frf[x, F] as a function, or its value frf[x, F](5 Hz)."""
-    wants_value = tree[4] in (*OF_VALUES, "phase")
-    example = usage_here(spec, "arg" if tree[4] == "phase" else tree[4])
-    example = example.replace("arg", "phase") if tree[4] == "phase" else example
-    place = expression.scalar.place(arg[1], arg[2] - arg[1])
-    if wants_value and arg[0] == "quantity" and arg[4] in COMPLEX:
+    wants_value = tree.head in (*OF_VALUES, "phase")
+    example = usage_here(spec, "arg" if tree.head == "phase" else tree.head)
+    example = example.replace("arg", "phase") if tree.head == "phase" else example
+    place = expression.scalar.place(arg.start, arg.end - arg.start)
+    if wants_value and isinstance(arg, QuantityRef) and arg.head in COMPLEX:
         return can_be_asked(spec, reader, expression, arg)
-    if wants_value and arg[0] == "quantity" and declared(arg) is not None and arg[4] not in ("frf", *OF_VALUES):
-        reader.report(place, f"{quoted(arg[3])} is a real number", f"ask for {arg[3]} itself")
+    quantity = isinstance(arg, QuantityRef)
+    if wants_value and quantity and declared(arg) is not None and arg.head not in ("frf", *OF_VALUES):
+        reader.report(place, f"{quoted(arg.text)} is a real number", f"ask for {arg.text} itself")
         return False
-    if arg[0] != "quantity" or arg[4] not in IN_FREQUENCY or not ASKED[arg[4]].optional:
+    if not isinstance(arg, QuantityRef) or arg.head not in IN_FREQUENCY or not ASKED[arg.head].optional:
         reader.report(place, "expected a frequency response", f"write {example}")
         return False
-    if bool(arg[7]) != wants_value:
+    if bool(arg.args) != wants_value:
         what = "its value at a frequency" if wants_value else "the response without a frequency"
         reader.report(place, f"expected {what}", f"write {example}")
         return False
@@ -254,10 +256,10 @@ def _number(spec, reader, expression, kind, arg):
         return False
     wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (RATE, "a frequency (rad/s or Hz)")
     bare = spec.free_numbers == ALL_NUMBERS or (
-        spec.free_numbers and not any(part[4] for part in literals_in(arg)))
+        spec.free_numbers and not any(part.units for part in literals_in(arg)))
     if found is None or bare or spec.dimensions.equate(found, wanted):
         return _counted(reader, expression, lambda: _counts(cycles(spec, expression.text), kind, arg))
-    reader.report(expression.scalar.place(arg[1], arg[2] - arg[1]),
+    reader.report(expression.scalar.place(arg.start, arg.end - arg.start),
                   f"expected {words}, found {units.name(spec.dimensions.resolve(found))}",
                   "write for example 2.5 s" if kind == "time" else "write for example 20 rad/s or 5 Hz")
     return False

@@ -13,16 +13,16 @@ RATE = units.parse_unit("rad/s").dimension
 
 def asked_dimension(spec, tree):
     if is_choice(spec, tree):
-        return spec.dimensions.of(tree[4])
-    if (tree[7] or tree[4] in IN_FREQUENCY) and tree[4] not in OF_SPEED:
+        return spec.dimensions.of(tree.head)
+    if (tree.args or tree.head in IN_FREQUENCY) and tree.head not in OF_SPEED:
         return response_dimension(spec, tree)
-    indices = [coordinate_name(spec, index) or index for index in tree[5]]
+    indices = [coordinate_name(spec, index) or index for index in tree.indices]
 
     def of(name):
         known = name in spec.coordinates or name in spec.parameters
         return spec.dimensions.of(name) if known else signal_dimension(spec, name)
 
-    return dimension(tree[4], indices, of)
+    return dimension(tree.head, indices, of)
 
 
 def output_dimension(spec, text):
@@ -70,16 +70,16 @@ def _generalised(spec, coordinate):
 def response_dimension(spec, tree):
     """The dimension of a quantity with arguments; None where something in it is unknown."""
     asked = declared(tree)
-    if tree[4] in ("frf", "transmissibility"):
-        out, driver = output_dimension(spec, tree[5][0]), input_dimension(spec, tree[5][1])
-        if tree[4] == "transmissibility" and out is not None and driver is not None and out == driver:
+    if tree.head in ("frf", "transmissibility"):
+        out, driver = output_dimension(spec, tree.indices[0]), input_dimension(spec, tree.indices[1])
+        if tree.head == "transmissibility" and out is not None and driver is not None and out == driver:
             return units.NONE
         return None if out is None or driver is None else units.times(out, driver, -1)
-    if asked.unit not in (None, SIGNAL) or not tree[7]:
+    if asked.unit not in (None, SIGNAL) or not tree.args:
         return units.parse_unit(asked.unit).dimension if asked.unit not in (None, SIGNAL) else None
-    if tree[4] in ("peak", "fixed_point") and tree[6] == "Omega":
+    if tree.head in ("peak", "fixed_point") and tree.component == "Omega":
         return RATE
-    return signal_tree_dimension(spec, tree[7][0])
+    return signal_tree_dimension(spec, tree.args[0])
 
 
 def signal_tree_dimension(spec, tree):

@@ -33,11 +33,11 @@ def _has_numbers(spec, reader):
     values = {id(record.get("value")) for record in spec.parameters.values()}
     given = [expression for expression in reader.expressions if expression.dimension or id(expression) in values]
     literals = [whole_literal(expression.tree) for expression in given]
-    return any(literal and literal[3] for literal in literals)
+    return any(literal and literal.value for literal in literals)
 
 
 def _uses_no_units(spec, reader):
-    return not any(part[4] for e in reader.expressions for part in literals_in(e.tree)) and not any(
+    return not any(part.units for e in reader.expressions for part in literals_in(e.tree)) and not any(
         "unit" in p for p in (*spec.parameters.values(), *(spec.get("records") or {}).values()))
 
 
@@ -45,9 +45,10 @@ def _name_culprits(spec, reader):
     """Where plain numbers lack their units, and fewer values have one than lack it: say which these are."""
     bare = sum((d.hint or "").startswith((UNIT_DUE, "give '")) for d in reader.diagnostics)
     measured = [(expression, part) for expression in reader.expressions for part in literals_in(expression.tree)
-                if part[4]]
+                if part.units]
     if measured and bare > len(measured):
         expression, part = measured[0]
         more = f", like {len(measured) - 1} more" if len(measured) > 1 else ""
-        reader.report(expression.scalar.place(part[1], part[2] - part[1]), f"this value has a unit{more}, so all "
-                      "numbers of the scene need theirs", "without any unit a scene is taken in consistent SI numbers")
+        reader.report(expression.scalar.place(part.start, part.end - part.start), f"this value has a unit{more}, so "
+                      "all numbers of the scene need theirs",
+                      "without any unit a scene is taken in consistent SI numbers")

@@ -10,6 +10,7 @@ from vibcli.results.full_signals import FullSignal
 from vibcli.results.responses import Motion
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 LOOK = 1.0          # seconds, to tell what rests for ever
 
@@ -25,8 +26,8 @@ class StatesInTime(Motion):
         scene, forces, frictions = self.problem.scene, {}, set()
 
         def symbol(name, primes, part):
-            if part[0] == "quantity":
-                getattr(self.signal_of(scene.table.zero, {}), part[4])      # says why there is none
+            if isinstance(part, QuantityRef):
+                getattr(self.signal_of(scene.table.zero, {}), part.head)      # says why there is none
             if name in scene.parameters.nodes and not primes:
                 return scene.parameters.nodes[name]
             if not primes and is_reaction(self.problem.spec, name):
@@ -116,7 +117,7 @@ class FullMotion(StatesInTime):
 
     def by_quadrature(self, tree):
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
-        if tree[0] == "name" and tree[3] in self.problem.scene.coordinates and not tree[4]:
+        if isinstance(tree, NameRef) and tree.name in self.problem.scene.coordinates and not tree.primes:
             return self._exact_period
         return None
 

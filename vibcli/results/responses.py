@@ -16,6 +16,7 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 LONGEST = 1e12      # seconds
 FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
@@ -201,8 +202,8 @@ class SmallMotion(Motion):
         problem, table = self.problem, self.problem.scene.table
         if name in problem.scene.parameters.nodes and not primes:
             return problem.scene.parameters.nodes[name]
-        symbol = table.variable("signal " + (part[3] if part[0] == "quantity" else name + "'" * primes))
-        if part[0] == "quantity":
+        symbol = table.variable("signal " + (part.text if isinstance(part, QuantityRef) else name + "'" * primes))
+        if isinstance(part, QuantityRef):
             parts[symbol] = (part,)
         elif name in ENERGIES and name not in problem.spec.coordinates:
             return self._at_states(parts, energy(problem.scene, name, primes))
@@ -227,7 +228,7 @@ class SmallMotion(Motion):
         scene, closing = self.problem.scene, None
         if scene.loops is not None and any(part.op == "symbol" and part.name in scene.loops.names
                                            for part in reachable([node])):
-            free = {q: self.signal(("name", 0, 0, q, 0)) for q in scene.coordinates}
+            free = {q: self.signal(NameRef(0, 0, q, 0)) for q in scene.coordinates}
             closing = Closing(scene.loops, self.problem.at_rest, free)
         return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
                               self.problem.floats, scene.time, closing, self.problem.work)
@@ -251,7 +252,7 @@ class SmallMotion(Motion):
     def _one(self, part):
         if isinstance(part[0], Output):
             return self._linear(0.0, [(1.0, part)])
-        return getattr(self.signal(part[0][7][0]), part[0][4])
+        return getattr(self.signal(part[0].args[0]), part[0].head)
 
     def _linear(self, constant, terms):
         direct = [node for _, (_, node) in terms if node is not None]

@@ -7,6 +7,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
 from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import lower, names_in
+from vibcli.symbolic.syntax import Sum
 
 
 class Expressions:
@@ -48,12 +49,12 @@ class Expressions:
         """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
-        for sign, part in tree[3] if tree[0] == "sum" else [(1, tree)]:
+        for sign, part in tree.parts if isinstance(tree, Sum) else [(1, tree)]:
             parts["t" in {name for name, *_ in names_in(part)}].append((sign, part))
         if not all(parts):
             whole = self.lower(expression)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
-        return tuple(self.lower(Expression(expression.scalar, (*tree[:3], part), expression.unit,
+        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)), expression.unit,
                                            expression.dimension)) for part in parts)
 
     def pair(self, expressions):

@@ -9,7 +9,8 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
 from vibcli.symbolic.rationals import HALF
-from vibcli.symbolic.semantics import ANY, children, constant, literal_unit
+from vibcli.symbolic.semantics import ANY, constant, literal_unit
+from vibcli.symbolic.syntax import NameRef, Number
 
 CYCLE, PERIOD, RADIAN, PI = "cycle", "period", "radian", "pi"
 NEITHER = {}
@@ -73,12 +74,12 @@ class Cycles:
         self.of, self.quantity, self.dimension, self.text = of, quantity, dimension, text
 
     def count(self, tree):
-        return getattr(self, "_" + tree[0])(tree)
+        return getattr(self, "_" + tree.kind)(tree)
 
     def require_radians(self, tree, message="this counts cycles (Hz) where radians are due", whole=False):
         """Report a tree that counts cycles where an angle, a stiffness … is due."""
         if not in_radians(self.count(tree), self.dimension(tree)):
-            start, end = (0, len(self.text)) if whole else tree[1:3]
+            start, end = (0, len(self.text)) if whole else (tree.start, tree.end)
             raise ExpressionError(start, end - start, message, self.advice(tree))
 
     def advice(self, tree):
@@ -87,58 +88,58 @@ class Cycles:
             return "the period of a frequency f in Hz is 1/f"
         part = self._uncleared(tree)
         count = self.count(part)
-        if part[0] == "name" and count.get(PERIOD) == 1:
-            found = OF_ANGLES + f"write 2*pi/{part[3]}"
-        elif part[0] == "name" and left_over(count) != 1:
-            found = OF_ANGLES + f"write it so where '{part[3]}' is defined"
+        if isinstance(part, NameRef) and count.get(PERIOD) == 1:
+            found = OF_ANGLES + f"write 2*pi/{part.name}"
+        elif isinstance(part, NameRef) and left_over(count) != 1:
+            found = OF_ANGLES + f"write it so where '{part.name}' is defined"
         else:
-            found = OF_ANGLES + f"write (2*pi*{self._text(part) if part[0] in ('name', 'number') else 'f'})"
+            found = OF_ANGLES + f"write (2*pi*{self._text(part) if isinstance(part, (NameRef, Number)) else 'f'})"
         return found + ("; a period T = 1/f is a parameter of its own" if left_over(self.count(tree)) < 0 else "")
 
     def _uncleared(self, tree):
         """The first name or literal that brings in cycles without their factors π."""
-        parts = children(tree)
+        parts = tree.children
         while part := next((part for part in parts if left_over(self.count(part))), None):
-            tree, parts = part, children(part)
+            tree, parts = part, part.children
         return tree
 
     def _text(self, part):
-        return self.text[part[1]:part[2]].strip()
+        return self.text[part.start:part.end].strip()
 
     def _number(self, tree):
-        if not tree[4]:
+        if not tree.units:
             return NEITHER
-        return count_of(literal_unit(tree[4]))
+        return count_of(literal_unit(tree.units))
 
     def _name(self, tree):
-        return {PI: 1} if tree[3] == "pi" and not tree[4] else self.of(tree[3])
+        return {PI: 1} if tree.name == "pi" and not tree.primes else self.of(tree.name)
 
     def _quantity(self, tree):
         return self.quantity(tree)
 
     def _product(self, tree):
         found = NEITHER
-        for power, part in tree[3]:
+        for power, part in tree.parts:
             found = units.times(found, self.count(part), power)
         return cleared(found)
 
     def _power(self, tree):
-        exponent = constant(tree[4])
+        exponent = constant(tree.exponent)
         if exponent is None:
-            self.require_radians(tree[4])
-            self.require_radians(tree[3])
+            self.require_radians(tree.exponent)
+            self.require_radians(tree.base)
             return NEITHER
-        return cleared(units.raised(self.count(tree[3]), exponent))
+        return cleared(units.raised(self.count(tree.base), exponent))
 
     def _equation(self, tree):
-        return self._joined([tree[3], tree[4]], "compared")
+        return self._joined([tree.left, tree.right], "compared")
 
     def _sum(self, tree):
-        return self._joined([part for _, part in tree[3]], "added")
+        return self._joined([part for _, part in tree.parts], "added")
 
     def _joined(self, parts, done):
         """The count of terms that measure the same."""
-        parts = [part for part in parts if not (part[0] == "number" and not part[3])]
+        parts = [part for part in parts if not (isinstance(part, Number) and not part.value)]
         counts = [self.count(part) for part in parts]
         over = [left_over(count) for count in counts]
         if not agree(counts, [self.dimension(part) for part in parts] if len(set(over)) > 1 else ()):
@@ -151,11 +152,12 @@ class Cycles:
         return {CYCLE: most} if most else NEITHER
 
     def _misfit(self, cyclic, other, done):
-        raise ExpressionError(cyclic[1], cyclic[2] - cyclic[1], f"these cannot be {done}: {quoted(self._text(cyclic))} "
-                              f"counts cycles (Hz), as {quoted(self._text(other))} does not", self.advice(cyclic))
+        raise ExpressionError(cyclic.start, cyclic.end - cyclic.start, f"these cannot be {done}: "
+                              f"{quoted(self._text(cyclic))} counts cycles (Hz), as "
+                              f"{quoted(self._text(other))} does not", self.advice(cyclic))
 
     def _call(self, tree):
-        name, args = tree[3], tree[4]
+        name, args = tree.name, tree.args
         if name == "sqrt":
             return cleared(units.raised(self.count(args[0]), HALF))
         if name in ("abs", "ramp"):

@@ -1,14 +1,5 @@
-"""Text to syntax tree: a Pratt parser over numbers with units, names, + - * / ^ and a closed list of functions.
-
-Trees are tuples (kind, start, end, …), the offsets being those of the text:
-
-    ("number", …, value, chain)        chain: [(unit, power, start, end)], empty for a plain number
-    ("name", …, name, primes)          primes: 1 for x', 2 for x''
-    ("quantity", …, text, head, indices, attribute, args)
-                                       omega[1], J[disc, O], centre[rod].x; args: the trees in round brackets, of
-                                       frf[x, F](5 Hz), amplitude(x); of x(2 s) the head is VALUE, the first of them x
-    ("sum", …, [(sign, tree)])         ("product", …, [(±1, tree)])
-    ("power", …, base, exponent)       ("call", …, name, trees)       ("equation", …, left, right)
+"""Text to syntax tree (syntax.py): a Pratt parser over numbers with units, names, + - * / ^ and a closed list of
+functions.
 
 A name may have parts, as in `tip.x`. Sums and products are flat, so depth is that of the parentheses, and bounded.
 Nothing is ever evaluated as code.
@@ -20,6 +11,7 @@ from fractions import Fraction
 from vibcli.base.diagnostics import quoted
 from vibcli.base.unit_suggestions import TAKEN, unit_meant
 from vibcli.base.units import UNITS
+from vibcli.symbolic.syntax import Call, Equation, NameRef, Number, Power, Product, QuantityRef, Sum, UnitPower
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
 SMALLEST, LARGEST = 1e-60, 1e60
@@ -66,7 +58,7 @@ def parse(text, equation=None):
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
                               "give parts of it names under parameters")
     if _WHOLE.fullmatch(text) and not equation:
-        return ("number", 0, len(text), Fraction(int(text)), [])
+        return Number(0, len(text), Fraction(int(text)), ())
     parser = _Parser(text)
     tree = parser.expression(0)
     if equation:
@@ -80,7 +72,7 @@ def parse(text, equation=None):
         parser.skip()
         if parser.text.startswith("=", parser.at):
             raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
-        tree = ("equation", 0, len(text), tree, right)
+        tree = Equation(0, len(text), tree, right)
     parser.finish()
     return tree
 
@@ -148,7 +140,7 @@ class _Parser:
                 break
         if len(terms) == 1 and terms[0][0] == 1:
             return terms[0][1]
-        return ("sum", start, self.at, terms)
+        return Sum(start, self.at, tuple(terms))
 
     def product(self, depth):
         self.skip()
@@ -166,7 +158,7 @@ class _Parser:
                 power = -1
             else:
                 break
-        return factors[0][1] if len(factors) == 1 else ("product", start, self.at, factors)
+        return factors[0][1] if len(factors) == 1 else Product(start, self.at, tuple(factors))
 
     def power(self, depth):
         self.skip()
@@ -180,8 +172,8 @@ class _Parser:
             negative = self.take("-")
             exponent = self.power(depth + 1)
             if negative:
-                exponent = ("sum", inner, self.at, [(-1, exponent)])
-            return ("power", start, self.at, base, exponent)
+                exponent = Sum(inner, self.at, ((-1, exponent),))
+            return Power(start, self.at, base, exponent)
         return base
 
     def atom(self, depth):
@@ -212,8 +204,8 @@ class _Parser:
                 raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
             depth += 1
             args = self.arguments(depth)
-            attribute = self.attribute()
-            tree = ("quantity", start, self.at, self.text[start:self.at], VALUE, (), attribute, (tree, *args))
+            component = self.component()
+            tree = QuantityRef(start, self.at, self.text[start:self.at], VALUE, (), component, (tree, *args))
         return tree
 
     def arguments(self, depth):
@@ -239,7 +231,7 @@ class _Parser:
         if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
             raise ExpressionError(start, len(text), "this number is out of range", RANGE)
         chain = self.units(start)
-        return ("number", start, self.at, Fraction(text), chain)
+        return Number(start, self.at, Fraction(text), tuple(chain))
 
     def units(self, start):
         """The longest chain of units after a number."""
@@ -254,7 +246,7 @@ class _Parser:
                     self.unknown_unit(match, start)
                 return chain
             power = self.unit_power(match)
-            chain.append((word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
+            chain.append(UnitPower(word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
             self.at = match.end()
             if _POWER_SIGN.match(self.text, self.at):
                 raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
@@ -296,18 +288,18 @@ class _Parser:
             raise ExpressionError(start, self.at - start, "derivatives go up to the second", "write x' or x''")
         if primes and plain_name(name) == "pi":
             raise ExpressionError(start, self.at - start, "pi has no derivative", "only coordinates move")
-        return ("name", start, self.at, plain_name(name), primes)
+        return NameRef(start, self.at, plain_name(name), primes)
 
     def call(self, start, name, depth):
         args = self.arguments(depth)
         wanted = FUNCTIONS.get(name, 1)
         if len(args) == 1 and name in OF_SIGNALS and (wanted != 1 or name not in FUNCTIONS):
-            return ("quantity", start, self.at, self.text[start:self.at], name, (), "", tuple(args))
+            return QuantityRef(start, self.at, self.text[start:self.at], name, (), "", tuple(args))
         if len(args) != wanted:
             raise ExpressionError(start, self.at - start, f"{name} takes {wanted} argument"
                                   + ("s" if wanted > 1 else "") + f", found {len(args)}",
                                   f"write {name}(" + ", ".join("xy"[:wanted]) + ")")
-        return ("call", start, self.at, name, args)
+        return Call(start, self.at, name, tuple(args))
 
     def quantity(self, start, head, depth):
         if head in FUNCTIONS:
@@ -319,10 +311,10 @@ class _Parser:
         if self.text.startswith("[", self.at):
             raise ExpressionError(self.at, 1, "this index is not closed or empty", "write it as omega[1] or J[disc, O]")
         args = self.arguments(depth) if self.text.startswith("(", self.at) else ()
-        attribute = self.attribute()
-        return ("quantity", start, self.at, self.text[start:self.at], head, tuple(indices), attribute, tuple(args))
+        component = self.component()
+        return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args))
 
-    def attribute(self):
+    def component(self):
         """The word after a dot, such as x of centre[rod].x, or nothing."""
         if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
             self.at = word.end()

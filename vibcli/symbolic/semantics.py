@@ -6,6 +6,7 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
 from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.syntax import Call, Equation, NameRef, Number, Power, Product, QuantityRef, Sum
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
@@ -16,41 +17,30 @@ def _within(tree, kind):
     pending, found = [tree], []
     while pending:
         part = pending.pop()
-        if part[0] == kind:
+        if isinstance(part, kind):
             found.append(part)
-        pending.extend(children(part))
+        pending.extend(part.children)
     return found
 
 
 def names_in(tree):
     """(name, primes, start, end) of each name of a tree."""
-    return [(part[3], part[4], part[1], part[2]) for part in _within(tree, "name")]
+    return [(part.name, part.primes, part.start, part.end) for part in _within(tree, NameRef)]
 
 
 def quantities_in(tree):
     """The quantity trees (`omega[1]`) within a tree."""
-    return _within(tree, "quantity")
+    return _within(tree, QuantityRef)
 
 
 def calls_in(tree):
     """The calls of functions and records within a tree."""
-    return _within(tree, "call")
+    return _within(tree, Call)
 
 
 def literals_in(tree):
     """The number trees within a tree."""
-    return _within(tree, "number")
-
-
-def children(tree):
-    kind = tree[0]
-    if kind in ("sum", "product"):
-        return [part for _, part in tree[3]]
-    if kind == "call":
-        return tree[4]
-    if kind in ("power", "equation"):
-        return tree[3:5]
-    return ()
+    return _within(tree, Number)
 
 
 def literal_unit(chain):
@@ -59,9 +49,9 @@ def literal_unit(chain):
 
 def whole_literal(tree):
     """The number tree of a field that is one literal, perhaps with a sign; else None."""
-    if tree[0] == "sum" and len(tree[3]) == 1:
-        tree = tree[3][0][1]
-    return tree if tree[0] == "number" else None
+    if isinstance(tree, Sum) and len(tree.parts) == 1:
+        tree = tree.parts[0][1]
+    return tree if isinstance(tree, Number) else None
 
 
 class DimensionCheck:
@@ -79,49 +69,50 @@ class DimensionCheck:
         return self.dimensions.equate(one, other) or self.free_numbers == ALL_NUMBERS
 
     def dimension(self, tree):
-        return getattr(self, "_" + tree[0])(tree)
+        return getattr(self, "_" + tree.kind)(tree)
 
     def _number(self, tree):
-        if tree[4]:
-            return literal_unit(tree[4]).dimension
-        small = tree[3] < 10 and tree[3].denominator == 1 and self.free_numbers != ALL_NUMBERS
-        if not tree[3] or (self.free_numbers and not small):
+        if tree.units:
+            return literal_unit(tree.units).dimension
+        small = tree.value < 10 and tree.value.denominator == 1 and self.free_numbers != ALL_NUMBERS
+        if not tree.value or (self.free_numbers and not small):
             return ANY
         return units.NONE
 
     def _name(self, tree):
-        if tree[3] == "pi" and not tree[4]:
+        if tree.name == "pi" and not tree.primes:
             return units.NONE
-        return self.of(tree[3], tree[4])
+        return self.of(tree.name, tree.primes)
 
     def _quantity(self, tree):
         return self.quantity(tree) if self.quantity else ANY
 
     def _sum(self, tree, done="added"):
         found, first = ANY, None
-        for _, part in tree[3]:
+        for _, part in tree.parts:
             dimension = ANY if self.free_numbers and whole_literal(part) else self.dimension(part)
             if dimension is ANY:
                 continue
             if found is ANY:
                 found, first = dimension, part
             elif not self._same(found, dimension):
-                raise ExpressionError(part[1], part[2] - part[1], f"these cannot be {done}: {self._quoted(first)} is "
-                                      f"{self._words(found)}, {self._quoted(part)} {self._words(dimension)}",
+                raise ExpressionError(part.start, part.end - part.start, f"these cannot be {done}: "
+                                      f"{self._quoted(first)} is {self._words(found)}, "
+                                      f"{self._quoted(part)} {self._words(dimension)}",
                                       "terms of one sum measure the same")
-        if found is ANY and not self.free_numbers and all(whole_literal(part) for _, part in tree[3]):
-            found = ANY if all(not whole_literal(part)[3] for _, part in tree[3]) else units.NONE
+        if found is ANY and not self.free_numbers and all(whole_literal(part) for _, part in tree.parts):
+            found = ANY if all(not whole_literal(part).value for _, part in tree.parts) else units.NONE
         return found
 
     def _quoted(self, part):
-        return quoted(self.text[part[1]:part[2]].strip())
+        return quoted(self.text[part.start:part.end].strip())
 
     def _words(self, dimension):
         return units.name(self.dimensions.resolve(dimension))
 
     def _product(self, tree):
         found = units.NONE
-        for power, part in tree[3]:
+        for power, part in tree.parts:
             dimension = self.dimension(part)
             if dimension is ANY:
                 return ANY
@@ -129,26 +120,27 @@ class DimensionCheck:
         return found
 
     def _power(self, tree):
-        base = self.dimension(tree[3])
-        exponent = constant(tree[4])
+        base = self.dimension(tree.base)
+        exponent = constant(tree.exponent)
         if exponent is None:
-            self._pure(tree[4], "an exponent")
+            self._pure(tree.exponent, "an exponent")
             if base is not ANY:
-                self._pure(tree[3], "the base of a power that is not a number")
+                self._pure(tree.base, "the base of a power that is not a number")
             return units.NONE
         if abs(exponent) > 100:
-            raise ExpressionError(tree[4][1], tree[4][2] - tree[4][1], "this power is out of range",
+            inner = tree.exponent
+            raise ExpressionError(inner.start, inner.end - inner.start, "this power is out of range",
                                   "powers lie between -100 and 100")
         return base if base is ANY else units.raised(base, exponent)
 
     def _pure(self, tree, what):
         dimension = self.dimension(tree)
         if dimension is not ANY and not self._same(dimension, units.NONE):
-            raise ExpressionError(tree[1], tree[2] - tree[1],
+            raise ExpressionError(tree.start, tree.end - tree.start,
                                   f"{what} is a pure number, found {self._words(dimension)}")
 
     def _call(self, tree):
-        name, args = tree[3], tree[4]
+        name, args = tree.name, tree.args
         if name not in FUNCTIONS:
             return self._record(tree, name, args)
         if name == "sqrt":
@@ -163,7 +155,7 @@ class DimensionCheck:
             self.dimension(args[0])
             return units.NONE
         if name in ("min", "max", "atan2"):
-            found = self._sum(("sum", tree[1], tree[2], [(1, arg) for arg in args]), "compared")
+            found = self._sum(Sum(tree.start, tree.end, tuple((1, arg) for arg in args)), "compared")
             return units.NONE if name == "atan2" else found
         self._pure(args[0], f"the argument of {name}")
         return units.NONE
@@ -172,64 +164,63 @@ class DimensionCheck:
     def _record(self, tree, name, args):
         """The dimension of a record, at a time."""
         if len(args) != 1:
-            raise ExpressionError(tree[1], tree[2] - tree[1], f"{name} takes one argument, found {len(args)}",
+            raise ExpressionError(tree.start, tree.end - tree.start, f"{name} takes one argument, found {len(args)}",
                                   f"write {name}(t)")
         dimension = self.dimension(args[0])
         if dimension is not ANY and not self._same(dimension, units.TIME):
-            raise ExpressionError(args[0][1], args[0][2] - args[0][1], f"the argument of {name} is a time (s), found "
-                                  + self._words(dimension))
+            raise ExpressionError(args[0].start, args[0].end - args[0].start, f"the argument of {name} is a time (s), "
+                                  "found " + self._words(dimension))
         return self.dimensions.of(name + "()")
 
 
 def constant(tree):
     """The rational value of a tree made of plain numbers, else None."""
-    if tree[0] == "number":
-        return None if tree[4] else tree[3]
-    if tree[0] in ("sum", "product"):
-        total = Fraction(0) if tree[0] == "sum" else ONE
-        for sign, part in tree[3]:
+    if isinstance(tree, Number):
+        return None if tree.units else tree.value
+    if isinstance(tree, (Sum, Product)):
+        total = Fraction(0) if isinstance(tree, Sum) else ONE
+        for sign, part in tree.parts:
             value = constant(part)
-            if value is None or (tree[0] == "product" and sign < 0 and not value):
+            if value is None or (isinstance(tree, Product) and sign < 0 and not value):
                 return None
-            total = total + sign * value if tree[0] == "sum" else total * value**sign
+            total = total + sign * value if isinstance(tree, Sum) else total * value**sign
         return total
     return None
 
 
 def lower(tree, table, symbol):
     """The expression that a tree stands for; `symbol(name, primes, tree)` gives the node of a name or quantity."""
-    kind = tree[0]
-    if kind == "number":
+    if isinstance(tree, Number):
         return _literal(tree, table)
-    if kind == "name":
-        return table.pi if tree[3] == "pi" and not tree[4] else symbol(tree[3], tree[4], tree)
-    if kind == "quantity":
-        return symbol(tree[3], 0, tree)
+    if isinstance(tree, NameRef):
+        return table.pi if tree.name == "pi" and not tree.primes else symbol(tree.name, tree.primes, tree)
+    if isinstance(tree, QuantityRef):
+        return symbol(tree.text, 0, tree)
     try:
-        if kind == "sum":
-            return table.sum(*((lower(part, table, symbol), sign) for sign, part in tree[3]))
-        if kind == "product":
-            factors = [(lower(part, table, symbol), power) for power, part in tree[3]]
+        if isinstance(tree, Sum):
+            return table.sum(*((lower(part, table, symbol), sign) for sign, part in tree.parts))
+        if isinstance(tree, Product):
+            factors = [(lower(part, table, symbol), power) for power, part in tree.parts]
             if any(power < 0 and node.is_zero for node, power in factors):
                 raise ZeroDivisionError
             return table.product(*factors)
-        if kind == "power":
-            return table.power(lower(tree[3], table, symbol), lower(tree[4], table, symbol))
-        if kind == "equation":
-            return lower(tree[3], table, symbol) - lower(tree[4], table, symbol)
-        args = [lower(arg, table, symbol) for arg in tree[4]]
-        return table.sqrt(args[0]) if tree[3] == "sqrt" else table.call(tree[3], *args)
+        if isinstance(tree, Power):
+            return table.power(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
+        if isinstance(tree, Equation):
+            return lower(tree.left, table, symbol) - lower(tree.right, table, symbol)
+        args = [lower(arg, table, symbol) for arg in tree.args]
+        return table.sqrt(args[0]) if tree.name == "sqrt" else table.call(tree.name, *args)
     except ZeroDivisionError:
-        raise ExpressionError(tree[1], tree[2] - tree[1], "this divides by zero",
+        raise ExpressionError(tree.start, tree.end - tree.start, "this divides by zero",
                               "look for a difference that vanishes") from None
 
 
 def _literal(tree, table):
-    value = table.number(tree[3])
-    if not tree[4]:
+    value = table.number(tree.value)
+    if not tree.units:
         return value
-    unit = literal_unit(tree[4])
-    node = table.number(tree[3] * unit.value)
+    unit = literal_unit(tree.units)
+    node = table.number(tree.value * unit.value)
     if not (unit.pi or unit.roots):
         return node
     roots = [(table.number(base), exponent) for base, exponent in unit.roots]

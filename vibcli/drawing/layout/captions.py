@@ -2,6 +2,7 @@
 
 from vibcli.drawing.layout import lettering
 from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import NameRef
 
 SHORT = 14
 
@@ -17,8 +18,8 @@ def quantity(record, keys, sketch):
 def expression(field, sketch, longest=SHORT):
     """The runs of a field: its one name, its number as written, or the expression where it is short; else None."""
     text = field.text.strip()
-    if field.tree[0] == "name":
-        return lettering.named(field.tree[3] + "'" * field.tree[4])
+    if isinstance(field.tree, NameRef):
+        return lettering.named(field.tree.name + "'" * field.tree.primes)
     node = raw(field, sketch.scene)
     if node.op == "number" or not any(letter.isalpha() for letter in text):
         return lettering.words(text) if len(text) <= longest else None

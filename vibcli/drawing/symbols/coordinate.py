@@ -76,7 +76,7 @@ def wanted(sketch):
     """[(runs, role, Motion)]: each coordinate at the first body that it moves, and every driven motion."""
     known, found = motions(sketch), []
     for name in sketch.spec.coordinates:
-        bare = next((motion for motion in known if motion.field.tree[0] == "name" and motion.field.tree[3] == name),
+        bare = next((motion for motion in known if (tree := motion.field.tree).kind == "name" and tree.name == name),
                     None) or _by_rates(name, sketch)
         if bare is not None:
             found.append((lettering.named(name), "coordinate", bare))

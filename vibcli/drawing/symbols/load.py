@@ -6,6 +6,7 @@ from vibcli.drawing.canvas.primitives import BODY, Circle, Line
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.syntax import Sum
 
 LENGTH, INSTANTS = 32.0, (0.0, 0.37, 1.13, 2.71)
 
@@ -42,12 +43,12 @@ def _force(record, at, sketch, looks, space):
 def _unsigned(field):
     """The field without a leading minus, for the length of an arrow that points the other way."""
     text = field.text.strip()
-    if not text.startswith("-") or field.tree[0] not in ("sum",) or len(field.tree[3]) != 1:
+    if not text.startswith("-") or not isinstance(field.tree, (Sum)) or len(field.tree.parts) != 1:
         return field
     from vibcli.language.fields import Expression
 
     shorter = type(field.scalar)(text[1:].strip(), field.scalar.where)
-    return Expression(shorter, field.tree[3][0][1], field.unit, field.dimension)
+    return Expression(shorter, field.tree.parts[0][1], field.unit, field.dimension)
 
 
 class _Rates(dict):

@@ -4,6 +4,7 @@ from vibcli.base.units import UNITS
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Choice, Element, Field, Quantity, Record, Text, nearest
 from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.syntax import Number
 
 
 class _Unit(Text):
@@ -18,8 +19,9 @@ class _Unit(Text):
         try:
             literal = parse("1 " + text)
         except ExpressionError:
-            literal = ()
-        if not text.strip() or literal[:1] != ("number",) or literal[3] != 1 or not (literal[4] or text.strip() == "1"):
+            literal = None
+        plain = isinstance(literal, Number) and literal.value == 1
+        if not text.strip() or not plain or not (literal.units or text.strip() == "1"):
             return reader.expected(node, self.wants, nearest(text, UNITS) if text.isalpha() else None)
         return text
 

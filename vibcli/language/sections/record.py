@@ -11,6 +11,7 @@ from vibcli.language.sections.parameter import UNIT
 from vibcli.symbolic.parser import LARGEST, SMALLEST, parse
 from vibcli.symbolic.sampled_functions import Samples
 from vibcli.symbolic.semantics import literal_unit, whole_literal
+from vibcli.symbolic.syntax import Number
 
 
 class _Column(Text):
@@ -118,8 +119,8 @@ def _times(record, reader, columns):
 def _spaced(record, reader, count):
     """0, Δ, 2Δ, …: each rounded once."""
     literal = whole_literal(record["every"].tree)
-    step = literal and literal[3] * (literal_unit(literal[4]).value if literal[4] else 1)
-    if not step or step <= 0 or record["every"].tree[0] != "number":
+    step = literal and literal.value * (literal_unit(literal.units).value if literal.units else 1)
+    if not step or step <= 0 or not isinstance(record["every"].tree, Number):
         return reader.report(record["every"].where, f"expected a positive time, found {quoted(record['every'].text)}",
                              "write for example every: 0.02 s")
     return [float(i * step) for i in range(count)]
@@ -141,7 +142,7 @@ def _scaled(record, reader, key, found):
 
 
 def _unit(text):
-    return literal_unit(parse("1 " + text)[4])
+    return literal_unit(parse("1 " + text).units)
 
 
 def dimension(record):

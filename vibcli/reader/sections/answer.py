@@ -5,6 +5,7 @@ from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, nearest
 from vibcli.quantities.quantity import ALL, ASKED
 from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.syntax import QuantityRef
 
 ELEMENT = Element(
     "answer",
@@ -50,7 +51,7 @@ class Answers(Kind):
                 else:
                     reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue
-            equation = tree[0] == "quantity" and tree[4] in ("equation", "motion")
+            equation = isinstance(tree, QuantityRef) and tree.head in ("equation", "motion")
             record = (_EQUATION if equation else ELEMENT).read(value, reader, key.text, key.where)
             if record is not None:
                 answers.append(Answer(Expression(key, tree, None, None), record["value"], record.get("rtol")))

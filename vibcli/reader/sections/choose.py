@@ -38,14 +38,14 @@ class _Condition(Kind):
         if "=" not in words:
             return reader.expected(node, self.wants, f"did you mean '{meant}'?" if meant else self.hint)
         try:
-            _, _, _, left, right = parse(node.text, "omega[1] = 20 rad/s")
+            equation = parse(node.text, "omega[1] = 20 rad/s")
         except ExpressionError as error:
             asked = node.text[error.offset:error.offset + error.width]
             if error.message.startswith("unknown function"):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
                                      nearest(asked, ASKED) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-        sides = [_side(node, tree) for tree in (left, right)]
+        sides = [_side(node, tree) for tree in equation.children]
         reader.expressions += sides
         return Condition(words, node.where, None, *sides)
 
@@ -55,10 +55,9 @@ class _Condition(Kind):
 
 def _side(node, tree):
     """One side of an equation as an expression of its own, so that messages quote and mark it alone."""
-    start, end = tree[1:3]
-    text = node.text[start:end].rstrip()
+    text = node.text[tree.start:tree.end].rstrip()
     inset = None if node.inset is None else 0
-    scalar = Scalar(text, node.place(start, len(text)), node.quoted, inset)
+    scalar = Scalar(text, node.place(tree.start, len(text)), node.quoted, inset)
     return Expression(scalar, parse(text), None, None)
 
 

@@ -80,7 +80,7 @@ def _any_form(chosen):
 
 
 def _with_units(condition):
-    return any(literal[4] for side in condition.sides for literal in literals_in(side.tree))
+    return any(literal.units for side in condition.sides for literal in literals_in(side.tree))
 
 
 def chosen_data(problem):

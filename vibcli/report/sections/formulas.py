@@ -5,6 +5,7 @@ import math
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, line, paragraph, section
+from vibcli.symbolic.syntax import NameRef
 
 MOST_PARTS, MOST_PIECES = 8, 4
 NO_ANGLE = 1e-12
@@ -26,7 +27,7 @@ def formulas(asked):
 def _pieces(one, signal, starts):
     from vibcli.analyses.transient.textbook_form import formula
 
-    name, found = Name(one.text) if one.tree[0] == "name" and "." not in one.text else one.text, []
+    name, found = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text, []
     for number, start in enumerate(starts):
         parts = formula(signal.motion, signal.output, number)
         if len(parts) > MOST_PARTS:

@@ -8,6 +8,7 @@ from vibcli.language.reader import Reader
 from vibcli.reader.quantity_check import check_questions
 from vibcli.reader.quantity_dimensions import input_dimension, inputs, output_dimension, signal_tree_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
+from vibcli.symbolic.syntax import NameRef
 
 POINTS = 1001
 
@@ -54,7 +55,7 @@ def trees_asked(problem, word, given=()):
     record = find.about(word) if find is not None else None
     if record is not None and "of" in record:
         return [(signal.text, signal.tree) for signal in record["of"]]
-    return [(name, ("name", 0, len(name), name, 0)) for name in problem.spec.coordinates]
+    return [(name, NameRef(0, len(name), name, 0)) for name in problem.spec.coordinates]
 
 
 def signals_asked(problem, given=()):
@@ -84,7 +85,7 @@ def if_fixed(found, otherwise=None):
 def names_asked(problem, word, given=()):
     """The names of the signals asked for, of which none may be a sum or product."""
     for text, tree in trees_asked(problem, word, given):
-        if tree[0] != "name":
+        if not isinstance(tree, NameRef):
             raise PhysicsError(f"'{text}' is a sum or product: formulas are those of one signal", "ask for its parts")
         yield text
 

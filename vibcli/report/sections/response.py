@@ -10,6 +10,7 @@ from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
+from vibcli.symbolic.syntax import NameRef
 
 MOST_EVENTS, MOST_LINES = 40, 16
 LEAST = 2.0**-52
@@ -93,10 +94,10 @@ def value_at(problem, one, t, digits=None):
     if problem.motion.KIND != "small":
         raise PhysicsError(f"--digits is for small motions: more digits of one that is {problem.motion.WORDS} are not "
                            "found", "leave --digits out")
-    if one.tree[0] != "name" or one.tree[3] not in problem.scene.coordinates:
+    if not isinstance(one.tree, NameRef) or one.tree.name not in problem.scene.coordinates:
         raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
                            "ask for --of " + problem.scene.coordinates[0])
-    return mpmath.nstr(precise_value(problem, one.tree[3], one.tree[4], t, digits), digits, strip_zeros=False)
+    return mpmath.nstr(precise_value(problem, one.tree.name, one.tree.primes, t, digits), digits, strip_zeros=False)
 
 
 def _start(problem, motion, drive):

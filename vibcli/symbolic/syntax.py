@@ -1,0 +1,127 @@
+"""The syntax tree of an expression: what each part holds, and where it stands in the text."""
+
+from fractions import Fraction
+from typing import NamedTuple
+
+
+class UnitPower(NamedTuple):
+    """One unit of a literal: `mm` and −2 of `3 N/mm^2`."""
+
+    unit: str
+    power: int | Fraction
+    start: int
+    end: int
+
+
+class Number(NamedTuple):
+    """A literal; `units` is empty for a plain number."""
+
+    start: int
+    end: int
+    value: Fraction
+    units: tuple[UnitPower, ...]
+    kind: str = "number"
+
+    @property
+    def children(self):
+        return ()
+
+
+class NameRef(NamedTuple):
+    """A name, perhaps of parts as in `tip.x`; primes: 1 for x', 2 for x''."""
+
+    start: int
+    end: int
+    name: str
+    primes: int
+    kind: str = "name"
+
+    @property
+    def children(self):
+        return ()
+
+
+class QuantityRef(NamedTuple):
+    """omega[1], J[disc, O], centre[rod].x, frf[x, F](5 Hz), amplitude(x); of x(2 s) the head is VALUE, and the first
+    argument x."""
+
+    start: int
+    end: int
+    text: str
+    head: str
+    indices: tuple[str, ...] = ()
+    component: str = ""
+    args: tuple = ()
+    kind: str = "quantity"
+
+    @property
+    def children(self):
+        return ()
+
+
+class Sum(NamedTuple):
+    """parts: (sign, tree) of each term."""
+
+    start: int
+    end: int
+    parts: tuple
+    kind: str = "sum"
+
+    @property
+    def children(self):
+        return [part for _, part in self.parts]
+
+
+class Product(NamedTuple):
+    """parts: (power, tree) of each factor, the power 1 or −1."""
+
+    start: int
+    end: int
+    parts: tuple
+    kind: str = "product"
+
+    @property
+    def children(self):
+        return [part for _, part in self.parts]
+
+
+class Power(NamedTuple):
+    """base^exponent."""
+
+    start: int
+    end: int
+    base: tuple
+    exponent: tuple
+    kind: str = "power"
+
+    @property
+    def children(self):
+        return self.base, self.exponent
+
+
+class Call(NamedTuple):
+    """A function or record of its arguments."""
+
+    start: int
+    end: int
+    name: str
+    args: tuple
+    kind: str = "call"
+
+    @property
+    def children(self):
+        return self.args
+
+
+class Equation(NamedTuple):
+    """left = right."""
+
+    start: int
+    end: int
+    left: tuple
+    right: tuple
+    kind: str = "equation"
+
+    @property
+    def children(self):
+        return self.left, self.right
