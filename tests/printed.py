@@ -22,7 +22,7 @@ from typeset import latex, mathml
 from vibcli.notation.latex import latex as write_latex
 from vibcli.notation.mathml import mathml as write_mathml
 from vibcli.notation.plain import plain as write_plain
-from vibcli.report.blocks import Either, Line, Maths, Name, Picture, Terms, Words
+from vibcli.report.blocks import Either, Line, Maths, Name, Picture, SumOfTerms, Words
 from vibcli.report.formats.formula import formula
 from vibcli.report.formats.markdown import latex as write_protected
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -84,7 +84,7 @@ def as_meant(parts, numbers):
         elif isinstance(part, Name):
             flat.append(("symbol", symbol(write_plain.symbol(part.text))))
         else:
-            nodes = part.nodes if isinstance(part, Terms) else [getattr(part, "node", part)]
+            nodes = part.nodes if isinstance(part, SumOfTerms) else [getattr(part, "node", part)]
             if any(one.op == "call" and one.name not in FUNCTIONS for one in reachable(nodes)):
                 return None
             found = _lower(part, numbers) if isinstance(part, Either) else sum(evaluate(nodes, Floats, numbers))

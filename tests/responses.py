@@ -3,7 +3,7 @@
 import numpy as np
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
-from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.high_precision import precise_values
 from vibcli.analyses.transient.linear_response import linear_motion
 
@@ -12,11 +12,11 @@ FREE, STEP = (Segment(0.0),), (Segment(0.0, (Wave(0, 1.0, 0, 0j),)),)
 
 
 def q(i):
-    return Output(q={i: 1.0})
+    return LinearOutput(q={i: 1.0})
 
 
 def v(i):
-    return Output(v={i: 1.0})
+    return LinearOutput(v={i: 1.0})
 
 
 def one(m, c, k, pieces=FREE, x=0.0, speed=0.0):

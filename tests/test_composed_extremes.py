@@ -8,7 +8,7 @@ from scenes import problem, value
 from vibcli.analyses.transient.composition import Composition
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
-from vibcli.results.sampled_extremes import Sampled
+from vibcli.results.sampled_extremes import SampledSearch
 
 M, K, X0 = 1.0, 100.0, 0.5
 FUNCTIONS = {        # of x [m], x' [m/s] and x'' [m/s^2]
@@ -134,8 +134,8 @@ def test_samples_are_refined_until_they_resolve():
     def burst(t):
         return np.exp(-((t - 123.456) / 0.4) ** 2) * np.cos(900 * t) + np.sin(t / 3)
     dense = np.linspace(122, 125, 3_000_001)
-    found = Sampled(burst, 0.0, 4000.0, Work()).extreme(1)
+    found = SampledSearch(burst, 0.0, 4000.0, Work()).extreme(1)
     assert found[1] >= burst(dense).max() - 1e-12 or abs(found[1] - 1) < 1e-9
     with pytest.raises(PhysicsError, match="given up after") as refused:
-        Sampled(lambda t: np.sin(1e6 * t), 0.0, 1e5, Work())
+        SampledSearch(lambda t: np.sin(1e6 * t), 0.0, 1e5, Work())
     assert "--patience 10" in refused.value.hint

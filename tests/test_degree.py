@@ -17,7 +17,7 @@ from test_proof import scene
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
 from vibcli.mechanics.equilibrium import all_equilibria, indices, multistart
-from vibcli.mechanics.equilibrium.completeness import Enclosed
+from vibcli.mechanics.equilibrium.completeness import ForceBounds
 from vibcli.mechanics.equilibrium.degree import degree
 
 SIDE, SIZE = 48, 2.0
@@ -29,7 +29,7 @@ def asked(made):
     low, high = ([pair[i] for pair in found.bounds.values()] for i in (0, 1))
     found.forces.learn_periods()
     return indices.within_limit(found.forces, "the degree", 2500,
-                                lambda: degree(Enclosed(found.forces), np.array(low), np.array(high)))
+                                lambda: degree(ForceBounds(found.forces), np.array(low), np.array(high)))
 
 
 @pytest.fixture

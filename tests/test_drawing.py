@@ -21,7 +21,7 @@ from vibcli.cli import run
 from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas import pillow_canvas
 from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
-from vibcli.drawing.canvas.primitives import Arc, Circle, Hatch, Line, Polygon, Text, extent
+from vibcli.drawing.canvas.primitives import Arc, Circle, Hatch, LetterRuns, Polygon, Polyline, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
 from vibcli.drawing.symbols import mode_shape, rope, sliding
@@ -45,7 +45,7 @@ PENDULUM = """
 
 
 def texts(found):
-    return [part for part in found if isinstance(part, Text)]
+    return [part for part in found if isinstance(part, LetterRuns)]
 
 
 def words(found):
@@ -148,11 +148,11 @@ def test_springs_and_dampers_end_where_they_should():
 
 def test_ropes_are_tangents():
     given = problem_of(ROOT / "vibcli/examples/rope_over_pulleys.yaml")
-    stage = compose.Stage(given.scene)
+    stage = compose.Scenery(given.scene)
     chain = stage.ropes["hoist"]
     pulleys = [(stage.sketch.now(stop.at), stop.radius) for stop in chain if stop.sense]
     assert len(pulleys) == 2
-    lines = [part for part in rope.draw(chain, stage.sketch) if isinstance(part, Line)]
+    lines = [part for part in rope.draw(chain, stage.sketch) if isinstance(part, Polyline)]
     for centre, radius in pulleys:
         near = [plane.distance(centre, plane.nearest_on(centre, *part.points)) for part in lines]
         assert sorted(near)[:2] == pytest.approx([radius, radius])
@@ -201,7 +201,7 @@ def test_too_many_bodies_are_refused():
 
 def test_places_that_are_no_numbers_are_refused():
     given = problem(PENDULUM)
-    stage = compose.Stage(given.scene)
+    stage = compose.Scenery(given.scene)
     with pytest.raises(PhysicsError, match="cannot be drawn"):
         stage.at({"phi": math.inf})
 
@@ -218,7 +218,7 @@ def test_sizes_that_differ_hugely():
 
 def test_the_largest_displacement_is_readable():
     given = problem_of(CART)
-    stage = compose.Stage(given.scene)
+    stage = compose.Scenery(given.scene)
     for index in (1, 2):
         moving = vibration.Vibration(given, index, stage)
         size = vibration.largest_displacement(moving.rest, moving.at(0.0), stage)
@@ -229,7 +229,7 @@ def test_the_largest_displacement_is_readable():
 
 def test_a_mode_moves_as_its_shape():
     given = problem_of(ROOT / "vibcli/examples/two_storeys.yaml")
-    moving = vibration.Vibration(given, 2, compose.Stage(given.scene))
+    moving = vibration.Vibration(given, 2, compose.Scenery(given.scene))
     shape, sketch = given.modes[1].shape, moving.at(0.0)
     assert sketch.lumped["second"] / sketch.lumped["first"] == pytest.approx(shape[1] / shape[0])
     assert max(abs(u) * moving.unit for u in sketch.lumped.values()) == pytest.approx(vibration.LUMPED)
@@ -245,17 +245,17 @@ def test_the_inner_teeth_are_those_of_the_larger_pitch_radius(pitch, shape):
           two: {{mass: 1 kg, shape: disc, radius: 0.2 m, at: [0.4 m, 0], pin: psi}}
         constraints: {{mesh: {{gear: [one, two], radii: [{pitch[0]} m, {pitch[1]} m], inside: true}}}}
     """)
-    assert compose.Stage(given.scene).ties.rims == {"one" if pitch[0] > pitch[1] else "two"}
+    assert compose.Scenery(given.scene).ties.rims == {"one" if pitch[0] > pitch[1] else "two"}
 
 
 def test_inner_teeth_of_a_shape():
     given = problem_of(ROOT / "problems/6_two_degrees/epicyclic_gear_with_sprung_ring.yaml")
-    assert compose.Stage(given.scene).ties.rims == {"ring"}
+    assert compose.Scenery(given.scene).ties.rims == {"ring"}
 
 
 def test_loops_stay_closed_in_a_mode():
     given = problem_of(ROOT / "problems/3_free_undamped/four_bar_with_springs.yaml")
-    stage = compose.Stage(given.scene)
+    stage = compose.Scenery(given.scene)
     moving = vibration.Vibration(given, 1, stage)
     one, two = stage.ties.ends[-1]
     for theta in (0.0, 1.0, math.pi):

@@ -12,7 +12,7 @@ from vibcli.analyses.excitation.decompose import forcing_of
 from vibcli.analyses.excitation.fourier import fourier, integral
 from vibcli.analyses.excitation.impulses import nearest
 from vibcli.analyses.excitation.rounding import Floating
-from vibcli.analyses.excitation.tabulated import Sampled
+from vibcli.analyses.excitation.tabulated import TabulatedFunction
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import evaluate, multiprecision
@@ -345,7 +345,7 @@ def test_records(text):
 def test_two_looks_at_a_record_are_one_where_all_of_them_is():
     keys = [(samples, a, b, order) for samples in (Samples(TIMES, HEIGHTS), Samples(TIMES, HEIGHTS))
             for a in (1, 2, -1) for b in (0, Fraction(1, 3)) for order in (0, 1, 2)]
-    one, other = ([Sampled(*key, Floating) for key in keys] for _ in range(2))
+    one, other = ([TabulatedFunction(*key, Floating) for key in keys] for _ in range(2))
     assert all((x == y) == (i == j) for i, x in enumerate(one) for j, y in enumerate(other))
     assert len({*one, *other}) == len(keys) and one[0] != keys[0]
 

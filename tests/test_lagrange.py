@@ -12,7 +12,7 @@ from scenes import problem
 
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.lagrange import equation_of, full_equations
-from vibcli.mechanics.numeric_equations import System
+from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
@@ -247,7 +247,7 @@ def test_equations_of_given_matrices(n):
     K = [[K[min(i, j)][max(i, j)] for j in range(n)] for i in range(n)]
     names = ", ".join(f"x{i}" for i in range(n))
     scene = problem(f"coordinates: [{names}]\nmatrices: {{M: {M}, C: {C}, K: {K}}}").scene
-    system = System(scene, {})
+    system = NumericEquations(scene, {})
     for _ in range(3):
         q, v, a = ([drawn(0, 0) for _ in range(n)] for _ in range(3))
         state = {f"x{i}" + "'" * k: x[i] for k, x in enumerate((q, v, a)) for i in range(n)}

@@ -9,7 +9,7 @@ import pytest
 from scenes import problem
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
-from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.modal.stability import WORDS, stability
 from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
@@ -118,18 +118,19 @@ def test_free_and_forced_motion_against_matrix_exponentials(kinds, symmetric):
     motion = linear_motion(M, C, K, Forcing(n, [Segment(0.0, tuple(waves))]), q0, v0)
     for t in (0.0, 0.3, 6.0):
         for order, wanted in enumerate(exact(M, C, K, forces, q0, v0, t)):
-            found = [motion.values(Output(q={i: 1.0}), np.array([t]), order)[0] for i in range(n)]
+            found = [motion.values(LinearOutput(q={i: 1.0}), np.array([t]), order)[0] for i in range(n)]
             assert np.abs(found - wanted).max() <= 2e-12 * max(1.0, np.abs(wanted).max()), (t, order)
             if order:
-                found = [motion.values(Output(v={i: 1.0}), np.array([t]), order - 1)[0] for i in range(n)]
+                found = [motion.values(LinearOutput(v={i: 1.0}), np.array([t]), order - 1)[0] for i in range(n)]
                 assert np.abs(found - wanted).max() <= 2e-12 * max(1.0, np.abs(wanted).max()), (t, order)
     steady = motion.steady
     for i in range(n):
-        H = dict(steady.phasors(Output(q={i: 1.0})))
+        H = dict(steady.phasors(LinearOutput(q={i: 1.0})))
         D = K + 1.7j * C - 1.7**2 * M
         assert abs(H[1.7] - np.linalg.solve(D, loads[1])[i]) < 1e-12
-    rest = motion.transient.values(Output(q={0: 1.0}), np.array([0.5])) + steady.values(Output(q={0: 1.0}), [0.5])
-    assert rest[0] == pytest.approx(motion.values(Output(q={0: 1.0}), [0.5])[0], abs=1e-12)
+    output = LinearOutput(q={0: 1.0})
+    rest = motion.transient.values(output, np.array([0.5])) + steady.values(output, [0.5])
+    assert rest[0] == pytest.approx(motion.values(output, [0.5])[0], abs=1e-12)
 
 
 def test_what_springs_alone_hold_follows_its_load():
@@ -139,8 +140,8 @@ def test_what_springs_alone_hold_follows_its_load():
     t = np.linspace(0, 2, 9)
     force = np.array([np.real((1 - 2j) * np.exp(3j * t)), 0.5 * t])
     for i, wanted in enumerate(np.linalg.solve(K, force)):
-        assert np.abs(motion.values(Output(q={i: 1.0}), t) - wanted).max() < 1e-15
-    assert motion.extreme(Output(q={1: 1.0}), 0.0, 2.0)[1] >= motion.values(Output(q={1: 1.0}), t).max()
+        assert np.abs(motion.values(LinearOutput(q={i: 1.0}), t) - wanted).max() < 1e-15
+    assert motion.extreme(LinearOutput(q={1: 1.0}), 0.0, 2.0)[1] >= motion.values(LinearOutput(q={1: 1.0}), t).max()
 
 
 def test_dampers_that_hold_only_a_stretch():
@@ -150,8 +151,8 @@ def test_dampers_that_hold_only_a_stretch():
     motion = linear_motion(np.zeros((2, 2)), C, np.diag(k), Forcing(2, [Segment(0.0)]), [0.05, -0.03], [0, 0])
     t = np.linspace(0, 3, 7)
     stretch = 0.08 * np.exp(-k.prod() / k.sum() / c * t)
-    assert np.abs(motion.values(Output(q={0: 1.0}), t) - stretch * k[1] / k.sum()).max() < 1e-15
-    assert np.abs(motion.values(Output(q={1: 1.0}), t) + stretch * k[0] / k.sum()).max() < 1e-15
+    assert np.abs(motion.values(LinearOutput(q={0: 1.0}), t) - stretch * k[1] / k.sum()).max() < 1e-15
+    assert np.abs(motion.values(LinearOutput(q={1: 1.0}), t) + stretch * k[0] / k.sum()).max() < 1e-15
 
 
 REFUSED = {
@@ -167,7 +168,7 @@ def test_what_is_not_determined_is_refused(name):
     M, C, K, blows, words = REFUSED[name]
     with pytest.raises(PhysicsError, match=words) as refusal:
         motion = linear_motion(M, C, K, Forcing(2, [Segment(0.0, (), blows)]), [0.0, 0.0], [0.0, 0.0])
-        motion.values(Output(q={0: 1.0}), np.array([1.0]))
+        motion.values(LinearOutput(q={0: 1.0}), np.array([1.0]))
     assert refusal.value.hint
 
 
@@ -182,7 +183,7 @@ def test_small_inertias_tend_to_none():
         dragged = C + np.diag([0, 0, 1e-2 * np.sqrt(small)])
         full = linear_motion(heavy, dragged, K, Forcing(3, [Segment(0.0)]), start, [0.3, 0.0, 0.0])
         for i in range(2):
-            apart = full.values(Output(q={i: 1.0}), [1.0]) - bare.values(Output(q={i: 1.0}), [1.0])
+            apart = full.values(LinearOutput(q={i: 1.0}), [1.0]) - bare.values(LinearOutput(q={i: 1.0}), [1.0])
             assert abs(apart[0]) < 20 * np.sqrt(small)
 
 
@@ -252,7 +253,7 @@ def test_digits_without_inertia(kinds):
     start = [0.125] * n, [0.5 if M[i, i] else 0.0 for i in range(n)]
     motion = linear_motion(M, C, K, Forcing(n, pieces), *start)
     matrices = [matrix.tolist() for matrix in (M, C, K)]
-    for output in (Output(q={n - 1: 1.0}), Output(0.5, {0: 1.0}, {n - 1: 2.0}, {1: 0.5})):
+    for output in (LinearOutput(q={n - 1: 1.0}), LinearOutput(0.5, {0: 1.0}, {n - 1: 2.0}, {1: 0.5})):
         for order in range(2):
             some = [precise_value(*matrices, motion.forcing, *start, output, 1.25, digits, order)
                     for digits in (16, 30)]
@@ -279,7 +280,7 @@ def test_digits_are_refused_where_dampers_hold_only_a_stretch():
     C = [[2, -2], [-2, 2]]
     with pytest.raises(PhysicsError, match="only some motions") as refusal:
         precise_value([[0, 0], [0, 0]], C, [[3, 0], [0, 5]], Forcing(2, [Segment(0.0)]), [1, 0], [0, 0],
-                      Output(q={0: 1.0}), 1, 20)
+                      LinearOutput(q={0: 1.0}), 1, 20)
     assert refusal.value.hint == "leave --digits out"
 
 

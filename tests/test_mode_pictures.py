@@ -8,7 +8,7 @@ from scenes import problem, problem_of
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing import vibration
-from vibcli.drawing.canvas.primitives import Line, Polygon
+from vibcli.drawing.canvas.primitives import Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
 from vibcli.drawing.symbols import mode_shape
 from vibcli.report.sections.data import modes_data
@@ -39,7 +39,7 @@ def against(told, shown):
 
 def checked(found):
     """How many modes of a scene were drawn; AssertionError where a picture contradicts the table."""
-    stage, count = compose.Stage(found.scene), 0
+    stage, count = compose.Scenery(found.scene), 0
     for mode, row in zip(found.modes, modes_data(found, found.modes), strict=True):
         shape = {name: complex(*value) if isinstance(value, list) else value for name, value in row["shape"].items()}
         if mode.rigid or any(isinstance(value, complex) for value in shape.values()):
@@ -77,7 +77,7 @@ springs: {s: {k: 300 N/m, between: [[-1 m, 0], near]}, u: {k: 200 N/m, between: 
 @pytest.mark.parametrize("normalise", ["first", "largest", "mass"])
 def test_the_table_may_be_normalised_otherwise(normalise):
     found = problem(SEEN)
-    stage = compose.Stage(found.scene)
+    stage = compose.Scenery(found.scene)
     for mode in found.modes:
         moving = vibration.Vibration(found, mode.index, stage, normalise)
         for name, value in zip(("near", "far"), found.shape(mode, normalise), strict=True):
@@ -95,12 +95,12 @@ def test_what_leads_by_a_quarter_of_a_period_is_seen(shape):
 def test_arrows_are_as_long_as_the_mode_tells(name):
     """Of lumped bodies: the largest LUMPED long, the others in proportion."""
     found = problem_of(ROOT / f"vibcli/examples/{name}.yaml")
-    stage = compose.Stage(found.scene)
+    stage = compose.Scenery(found.scene)
     for mode in found.modes:
         moving = vibration.Vibration(found, mode.index, stage)
         ways = [moving.at(0.0).lumped[body] - moving.rest.lumped[body] for row in stage.rows for body in row.places]
         parts = mode_shape._arrows(stage, moving.rest, moving.at(0.0), moving.unit)
-        starts = [part.points[0][0] for part in parts if isinstance(part, Line) and part.role == "coordinate"
+        starts = [part.points[0][0] for part in parts if isinstance(part, Polyline) and part.role == "coordinate"
                   and part.points[0][0] == part.points[1][0]]
         tips = [part.points[0][0] for part in parts if isinstance(part, Polygon)]
         told = [(start, way / max(map(abs, ways)) * vibration.LUMPED) for start, way in zip(starts, ways, strict=True)]

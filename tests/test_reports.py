@@ -19,7 +19,7 @@ from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
 from vibcli.quantities.quantity import INSIGHT, ON_REQUEST
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
-from vibcli.report.blocks import Table as Cells
+from vibcli.report.blocks import TableBlock as Cells
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.formats import html, markdown
 from vibcli.report.formats import latex as render_latex

@@ -7,7 +7,7 @@ import pytest
 from responses import EPS, FREE, STEP, case, chain, errors, one, q, rates, systems, v
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
-from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.high_precision import precise_value, precise_values
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
@@ -78,7 +78,7 @@ def test_derivatives_and_mixed_outputs():
     rng = np.random.default_rng(4)
     _, M, C, K = systems(rng)[0]
     motion, times, _ = case(M, C, K, rng)
-    output = Output(0.7, q={0: 1.0}, v={1: 0.4}, a={0: -0.2, 1: 1.0}, channels={1: 0.3})
+    output = LinearOutput(0.7, q={0: 1.0}, v={1: 0.4}, a={0: -0.2, 1: 1.0}, channels={1: 0.3})
     lists = [matrix.tolist() for matrix in (M, C, K)]
     for order in range(4):
         exact = [precise_value(*lists, motion.forcing, motion.q0, motion.v0, output, t, 20, order) for t in times]
@@ -198,7 +198,7 @@ def test_nothing_but_finite_numbers(place, recwarn):
     _, M, C, K = systems(rng)[place]
     motion, times, _ = case(M, C, K, rng)
     stable = rates(M, C, K).real.max() < 1e-9
-    for output in (q(0), v(1), Output(a={0: 1.0})):
+    for output in (q(0), v(1), LinearOutput(a={0: 1.0})):
         found = motion.values(output, [0.0, *times, *([1e9] if stable else ())])
         assert found.dtype == float and np.isfinite(found).all()
         assert np.isfinite(motion.values(output, times, 2)).all()

@@ -8,7 +8,7 @@ import pytest
 from responses import FREE, STEP, case, chain, one, q, rates, systems, v
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
-from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient import free_vibration
 from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
@@ -44,8 +44,8 @@ def test_extremes_at_breaks_and_jumps():
     pieces = (Segment(0.0, (Wave(0, 1.0, 0, 0j),)), Segment(math.pi))
     motion = one(1.0, 0.0, 1.0, pieces)
     assert close(motion.extreme(q(0), 0.0, 20.0)[1], 2.0)
-    assert motion.extreme(Output(a={0: 1.0}), 0.0, 2.0) == (0.0, 1.0)
-    t, a = motion.extreme(Output(a={0: 1.0}), 0.0, 4.0, "min")
+    assert motion.extreme(LinearOutput(a={0: 1.0}), 0.0, 2.0) == (0.0, 1.0)
+    t, a = motion.extreme(LinearOutput(a={0: 1.0}), 0.0, 4.0, "min")
     assert close(t, math.pi) and close(a, -2.0)           # at once after the load is gone
     kink = one(1.0, 0.0, 0.0, (Segment(0.0), Segment(1.0, (), ((0, -2.0),))), 0.0, 1.0)
     assert kink.extreme(q(0), 0.0, 3.0) == (1.0, 1.0)
@@ -58,7 +58,7 @@ def test_extremes_and_zeros_against_a_fine_grid():
         motion, times, _ = case(M, C, K, rng)
         end = times[3]
         t = np.linspace(0, end, 40001)
-        for output in (q(0), v(1), Output(a={0: 1.0}, q={1: 2.0})):
+        for output in (q(0), v(1), LinearOutput(a={0: 1.0}, q={1: 2.0})):
             y = motion.values(output, t)
             for sense, grid in (("max", y.max()), ("min", y.min())):
                 at, found = motion.extreme(output, 0.0, end, sense)
@@ -83,7 +83,7 @@ def test_zeros_where_jumps_pass_zero(pace):
     motion = one(1.0, 0.2, 4.0, [Segment(*pair) for pair in zip(instants, loads, strict=True)], 0.1)
     t = np.append(np.linspace(0, instants[-1], 20001), np.concatenate([instants - 1e-9, instants + 1e-9])[1:])
     t = np.sort(t[(t >= 0) & (t <= instants[-1])])
-    y, found = motion.values(Output(a={0: 1.0}), t), motion.zeros(Output(a={0: 1.0}), 0.0, instants[-1])
+    y, found = motion.values(LinearOutput(a={0: 1.0}), t), motion.zeros(LinearOutput(a={0: 1.0}), 0.0, instants[-1])
     changes = np.flatnonzero(np.diff(np.sign(y)))
     assert len(found) == len(changes) and np.abs(found - t[changes]).max() <= instants[-1] / 20000
 
@@ -110,7 +110,7 @@ def test_steady_state_of_harmonic_loads():
     waves = (Wave(0, 1 - 0.3j, 0, 1.7j), Wave(n, 0.4, 0, 1.7j), Wave(1, 0.5, 0, 0j), Wave(0, 1.0, 1, -0.5 + 0j))
     forcing = Forcing(n + 1, [Segment(0.0, (Wave(1, 2.0, 0, -0.1 + 0j),)), Segment(1.3, waves)])
     motion = linear_motion(M, C, K, forcing, np.ones(n), np.zeros(n))
-    output = Output(0.3, q={0: 1.0}, v={1: 0.2}, a={0: 0.1}, channels={n: 1.0})
+    output = LinearOutput(0.3, q={0: 1.0}, v={1: 0.2}, a={0: 0.1}, channels={n: 1.0})
     steady, t = motion.steady, np.linspace(0, 30, 50)
     assert not steady.lasting
     y = steady.values(output, t)
@@ -133,7 +133,7 @@ def test_rms_where_waves_turn_often_within_a_piece(speed):
     edges = np.concatenate([np.linspace(0, 7, 201), np.linspace(7, 10, 101)[1:]])
     wide = np.diff(edges)[:, None]
     at, weight = edges[:-1, None] + wide * (x + 1) / 2, wide * w / 20
-    for output in (q(0), v(0), Output(0.3, q={0: 2.0}, v={0: 0.1})):
+    for output in (q(0), v(0), LinearOutput(0.3, q={0: 2.0}, v={0: 0.1})):
         exact = math.sqrt(weight.ravel() @ steady.values(output, at.ravel()) ** 2)
         assert close(steady.rms(output), exact, 1e-12 * (1 + exact))
 
@@ -148,7 +148,7 @@ def test_steady_state_of_periodic_loads(damped, since):
               Segment(since + 0.8, (Wave(0, -1.0, 0, 0j), Wave(1, 0.4, 1, 0.2j)), ((1, 0.1),))]
     forcing = Forcing(n, [Segment(0.0), *pieces] if since else pieces, 2.0, since)
     motion = linear_motion(M, C, K, forcing, np.ones(n), np.zeros(n))
-    output, steady, t = Output(0.3, q={0: 1.0, 1: 0.5}, v={1: 0.2}), motion.steady, np.linspace(0, 9, 40)
+    output, steady, t = LinearOutput(0.3, q={0: 1.0, 1: 0.5}, v={1: 0.2}), motion.steady, np.linspace(0, 9, 40)
     assert steady.lasting is not damped and steady.period == 2.0
     assert np.abs(steady.values(output, t) - steady.values(output, t + 6.0)).max() < 1e-12
     total = motion.transient.values(output, t) + steady.values(output, t)

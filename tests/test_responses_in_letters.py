@@ -11,7 +11,7 @@ from scenes import number, problem, value
 from vibcli.analyses.closed_form.steady_state import steady_state
 from vibcli.base.errors import NotInLetters, SpecError
 from vibcli.inverse import settled
-from vibcli.report.blocks import Equations, Terms
+from vibcli.report.blocks import Equations, SumOfTerms
 from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
 from vibcli.report.sections.symbolic_response import response_in_letters
@@ -163,7 +163,7 @@ def motion(lettered, given, t):
         if part == " + ":
             terms, product = terms + product, 1.0
         elif not isinstance(part, str):
-            product *= sum(evaluate(list(part.nodes) if isinstance(part, Terms) else [part], Floats, known))
+            product *= sum(evaluate(list(part.nodes) if isinstance(part, SumOfTerms) else [part], Floats, known))
     return terms + product
 
 

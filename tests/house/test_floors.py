@@ -61,6 +61,10 @@ def test_a_subscript_of_a_tree_is_seen(planted):
         "vibcli.scene.a:2"]
 
 
+def test_a_public_class_has_a_name_of_its_own():
+    assert HOUSE.class_names() == {}
+
+
 def test_no_circle_of_files():
     assert HOUSE.circles() == []
 

@@ -10,7 +10,7 @@ from time import process_time
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 RATIOS = (4, 8, 12, 16)
 LINKS = (2, 5, 12, 40, 60)
@@ -23,14 +23,14 @@ def rows(runs):
     found = json.loads(answer("from vibcli.bench.accuracy import main; main()", runs))
     result = []
     for power, ours, scipy, numpy in found["chain"]:
-        result.append(Row(f"error, chain of six, stiffness ratio 1e{power}", ours[0], "", CHAIN_GATE,
+        result.append(Timing(f"error, chain of six, stiffness ratio 1e{power}", ours[0], "", CHAIN_GATE,
                           "scipy.linalg.eigh(K, M)", scipy[0], absolute=True))
-        result.append(Row("  numpy eigh(M^-½ K M^-½)", numpy[0], "", None))
-        result.append(Row("  time", ours[1], "ms", None, "scipy.linalg.eigh(K, M)", scipy[1]))
+        result.append(Timing("  numpy eigh(M^-½ K M^-½)", numpy[0], "", None))
+        result.append(Timing("  time", ours[1], "ms", None, "scipy.linalg.eigh(K, M)", scipy[1]))
     for n, ours, numpy in found["pendulum"]:
-        result.append(Row(f"error, pendulum of {n} links", ours[0], "", PENDULUM_GATE, "numpy eigh(L^-1 K L^-T)",
+        result.append(Timing(f"error, pendulum of {n} links", ours[0], "", PENDULUM_GATE, "numpy eigh(L^-1 K L^-T)",
                           numpy[0], absolute=True))
-        result.append(Row("  time", ours[1], "ms", None, "numpy eigh(L^-1 K L^-T)", numpy[1]))
+        result.append(Timing("  time", ours[1], "ms", None, "numpy eigh(L^-1 K L^-T)", numpy[1]))
     return result
 
 

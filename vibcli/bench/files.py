@@ -6,7 +6,7 @@ import shutil
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer, costs, vibcli
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 PROBLEMS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "problems")
 FILES = 200
@@ -24,7 +24,8 @@ def rows(runs, folder):
             with open(os.path.join(place, f"{i:03}.yaml"), "w", encoding="utf-8") as stream:
                 stream.write(scenes.TWO_DEGREES)
     found = costs({"check": (vibcli("check", "--quiet", place), (0, 1))}, runs)
-    return [Row(f"vibcli check, {FILES} numeric files, each", found["check"].time / FILES, "ms", 10.0, absolute=True)]
+    each = found["check"].time / FILES
+    return [Timing(f"vibcli check, {FILES} numeric files, each", each, "ms", 10.0, absolute=True)]
 
 
 def _copy(original, place, number):

@@ -11,7 +11,7 @@ from time import process_time
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 FAMILIES = {"pendulum": ("pendulum of {} links", {12: 50.0, 50: 500.0, 100: 2000.0}),
             "chain": ("chain of {} masses", {250: None, 500: None, 1000: 2000.0})}
@@ -26,11 +26,11 @@ def rows(runs):
         times = json.loads(answer("from vibcli.bench.growth import main; main()", family, runs))
         for n, budget in budgets.items():
             (whole, _, algebra), _ = times[str(n)]
-            found.append(Row(words.format(n), whole, "ms", budget, f"numpy eigh, n = {n}", algebra, absolute=True))
+            found.append(Timing(words.format(n), whole, "ms", budget, f"numpy eigh, n = {n}", algebra, absolute=True))
         before, last = list(budgets)[-2:]
         for part, name in ((1, "text to element data"), (0, "text to frequencies")):
             exponents = [log(times[str(last)][1][i] / times[str(before)][1][i], last / before) for i in (part, 2)]
-            found.append(Row(f"  exponent, {name}", exponents[0], "", CUBIC, f"numpy eigh, n = {before}, {last}",
+            found.append(Timing(f"  exponent, {name}", exponents[0], "", CUBIC, f"numpy eigh, n = {before}, {last}",
                              exponents[1], absolute=True))
     return found
 

@@ -3,7 +3,7 @@
 import json
 
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 LINKS = (2, 5)
 
@@ -14,7 +14,8 @@ def rows(runs):
     ours = json.loads(answer("from vibcli.bench.lagranges_method import ours; ours()"))
     for n, milliseconds in zip(LINKS, ours, strict=True):
         slow = float(answer("from vibcli.bench.lagranges_method import main; main()", n))
-        found.append(Row(f"pendulum of {n} links", milliseconds, "ms", None, "sympy LagrangesMethod.linearize", slow))
+        found.append(Timing(f"pendulum of {n} links", milliseconds, "ms", None, "sympy LagrangesMethod.linearize",
+                            slow))
     return found
 
 

@@ -10,7 +10,7 @@ from statistics import median
 from time import process_time
 
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 BUDGETS = {4: None, 10: None, 20: 200.0, 40: None}
 
@@ -18,11 +18,11 @@ BUDGETS = {4: None, 10: None, 20: 200.0, 40: None}
 def rows(runs):
     """Milliseconds for each number of bars, and the exponent of their growth."""
     times = json.loads(answer("from vibcli.bench.linkage import main; main()", runs))
-    found = [Row(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", budget, absolute=True)
+    found = [Timing(f"deriving a linkage of {bars} bars", median(times[str(bars)]), "ms", budget, absolute=True)
              for bars, budget in BUDGETS.items()]
     before, last = list(BUDGETS)[-2:]
     exponent = log(min(times[str(last)]) / min(times[str(before)]), last / before)
-    return [*found, Row("  exponent", exponent, "", None, absolute=True)]
+    return [*found, Timing("  exponent", exponent, "", None, absolute=True)]
 
 
 def main():

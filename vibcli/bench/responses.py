@@ -10,7 +10,7 @@ from statistics import median
 from time import process_time
 
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 DEGREES, POINTS = 10, 10_000
 PERIODS = ((20, 1 / 3), (1000, 1 / 50))
@@ -25,10 +25,10 @@ def rows(runs):
     for (periods, budget), (ours, error, theirs, wrong) in zip(PERIODS, found["driven"], strict=True):
         case = f"response of {DEGREES} degrees, {POINTS} points over {periods} periods"
         if periods == PERIODS[0][0]:
-            result.append(Row(case, ours, "ms", GATE, absolute=True))
-        result.append(Row(f"{case}, against", ours, "ms", budget, "solve_ivp DOP853, rtol 1e-10", theirs))
-        result.append(Row("  error", error, "", ERROR, "solve_ivp DOP853, rtol 1e-10", wrong, absolute=True))
-    result.append(Row(f"record of {PIECES} pieces, {DEGREES} degrees, {POINTS} points", found["record"], "ms", None))
+            result.append(Timing(case, ours, "ms", GATE, absolute=True))
+        result.append(Timing(f"{case}, against", ours, "ms", budget, "solve_ivp DOP853, rtol 1e-10", theirs))
+        result.append(Timing("  error", error, "", ERROR, "solve_ivp DOP853, rtol 1e-10", wrong, absolute=True))
+    result.append(Timing(f"record of {PIECES} pieces, {DEGREES} degrees, {POINTS} points", found["record"], "ms", None))
     return result
 
 
@@ -63,14 +63,14 @@ def _driven(M, C, K, periods, runs):
     from scipy.integrate import solve_ivp
 
     from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
-    from vibcli.analyses.excitation.linear_output import Output
+    from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.high_precision import precise_value
     from vibcli.analyses.transient.linear_response import linear_motion
 
     lowest = np.sqrt(np.linalg.eigvals(np.linalg.solve(M, K)).real.min())
     times = np.linspace(0, 2 * np.pi * periods / lowest, POINTS)
     forcing = Forcing(DEGREES, [Segment(0.0, (Wave(DEGREES - 1, 5.0, 0, 7j),))])
-    q0, v0, output = np.full(DEGREES, 0.1), np.zeros(DEGREES), Output(q={3: 1.0})
+    q0, v0, output = np.full(DEGREES, 0.1), np.zeros(DEGREES), LinearOutput(q={3: 1.0})
     inverse = np.linalg.inv(M)
     A, B = -inverse @ np.concatenate([K, C], axis=1), 5.0 * inverse[:, -1]
 
@@ -97,7 +97,7 @@ def _record(M, C, K, runs):
     import numpy as np
 
     from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
-    from vibcli.analyses.excitation.linear_output import Output
+    from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.linear_response import linear_motion
 
     random = np.random.default_rng(2)
@@ -106,7 +106,7 @@ def _record(M, C, K, runs):
     pieces = [Segment(t, (Wave(0, f, 0, 0j), Wave(0, s, 1, 0j)))
               for t, f, s in zip(at.tolist(), force.tolist(), slopes.tolist(), strict=False)]
     forcing, times, rest = Forcing(DEGREES, pieces), np.linspace(0, 40, POINTS), np.zeros(DEGREES)
-    return _timed(lambda: linear_motion(M, C, K, forcing, rest, rest).values(Output(q={3: 1.0}), times), runs)[0]
+    return _timed(lambda: linear_motion(M, C, K, forcing, rest, rest).values(LinearOutput(q={3: 1.0}), times), runs)[0]
 
 
 def _timed(function, runs):

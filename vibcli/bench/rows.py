@@ -1,7 +1,7 @@
 """One line of the table: what was measured, against what, and the budget that it has to keep."""
 
 
-class Row:
+class Timing:
     """`ours` and `against` in `unit`; the budget bounds their ratio, or `ours` alone where `absolute`."""
 
     __slots__ = ("absolute", "against", "baseline", "budget", "case", "ours", "unit")

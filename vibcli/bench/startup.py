@@ -4,7 +4,7 @@ import os
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import costs, python, vibcli
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 READ, NUMBERS, LETTERS = "import click, yaml", "import click, yaml, numpy", "import sympy"
 
@@ -21,13 +21,13 @@ def rows(runs, folder):
     }, runs)
 
     def row(case, ours, baseline, budget):
-        return Row(case, found[ours].time, "ms", budget, baseline, found[baseline].time)
+        return Timing(case, found[ours].time, "ms", budget, baseline, found[baseline].time)
 
     return [
         row("vibcli --help", "help", READ, 1.5),
         row("vibcli check, a file with a slip", "broken", READ, 1.5),
         row("vibcli frequencies, two degrees", "frequencies", NUMBERS, 1.5),
-        Row("  its peak memory", found["frequencies"].memory, "MiB", 1.4, NUMBERS, found[NUMBERS].memory),
+        Timing("  its peak memory", found["frequencies"].memory, "MiB", 1.4, NUMBERS, found[NUMBERS].memory),
         row("vibcli check, two degrees", "check", NUMBERS, 1.5),
         row("vibcli solve, two degrees in letters", "solve", LETTERS, 2.5),
     ]

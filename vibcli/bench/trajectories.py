@@ -10,7 +10,7 @@ from statistics import median
 from time import process_time
 
 from vibcli.bench.processes import answer
-from vibcli.bench.rows import Row
+from vibcli.bench.rows import Timing
 
 AT_100 = (0.15683620292567552, 0.1549800061482823, 0.7581220395333563, 0.9338915929100756)
 DOUBLE = """
@@ -36,14 +36,14 @@ def rows(runs):
     result = []
     for (accuracy, ours), (_, lsoda), (_, dop) in zip(*(found[key] for key in ("ours", "odeint", "DOP853")),
                                                       strict=True):
-        result.append(Row(f"error, double pendulum, 100 s, accuracy {accuracy:g}", ours[0], "", ERROR_GATE,
+        result.append(Timing(f"error, double pendulum, 100 s, accuracy {accuracy:g}", ours[0], "", ERROR_GATE,
                           "scipy odeint", lsoda[0], absolute=True))
-        result.append(Row("  time", ours[1], "ms", None, "scipy odeint", lsoda[1]))
-        result.append(Row("  DOP853: error", dop[0], "", None))
-        result.append(Row("  DOP853: time", dop[1], "ms", None))
+        result.append(Timing("  time", ours[1], "ms", None, "scipy odeint", lsoda[1]))
+        result.append(Timing("  DOP853: error", dop[0], "", None))
+        result.append(Timing("  DOP853: time", dop[1], "ms", None))
     phase, drift, spent = found["pendulum"]
-    return [*result, Row("phase, pendulum, 1000 periods", phase, "", PHASE_GATE, absolute=True),
-            Row("  drift of its energy", drift, "", DRIFT_GATE, absolute=True), Row("  time", spent, "ms", None)]
+    return [*result, Timing("phase, pendulum, 1000 periods", phase, "", PHASE_GATE, absolute=True),
+            Timing("  drift of its energy", drift, "", DRIFT_GATE, absolute=True), Timing("  time", spent, "ms", None)]
 
 
 def main():

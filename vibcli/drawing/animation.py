@@ -14,7 +14,7 @@ PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of
 def of_mode(problem, index, normalise="first"):
     """(frames, caption, names of the frames) of one period of a mode."""
     found = mode(problem, index)
-    stage = compose.Stage(problem.scene)
+    stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
     frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit) for theta in phases(FRAMES)]
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
@@ -41,7 +41,7 @@ def of_response(problem):
 
 def _of_positions(problem, positions, times):
     """The frames; what could not be seen, and is not driven, is magnified about its mean."""
-    stage = compose.Stage(problem.scene)
+    stage = compose.Scenery(problem.scene)
     sketches, unit = response(stage, positions, times)
     if all(one == positions[0] for one in positions) and not problem.scene.driven:
         raise PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")

@@ -11,7 +11,7 @@ SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
 
 def draw(problem):
     """The primitives of a scene as drawn, with its names."""
-    stage = letters.pleasing(problem, compose.Stage)
+    stage = letters.pleasing(problem, compose.Scenery)
     if not stage.scene.bodies:
         found = abstract.draw(stage.scene)
         return found + notes.lines(stage, extent(found))

@@ -6,7 +6,7 @@
 """
 
 from vibcli.elements import rope
-from vibcli.language.fields import BODY, PLACE, Element, Equation, Field, Flag, Many, NameOf, Quantity
+from vibcli.language.fields import BODY, PLACE, Element, EquationField, Field, Flag, Many, NameOf, Quantity
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 
@@ -35,7 +35,7 @@ ELEMENT = Element(
     "What ties motions together: a rope, a pair of gears, a belt, two points pinned together, a rigid massless link, a "
     "point kept on a surface, or a plain equation between coordinates such as `x2 = 2*x1`.",
     {
-        "equation": Field(Equation(), "an equation between coordinates and the time, true as drawn"),
+        "equation": Field(EquationField(), "an equation between coordinates and the time, true as drawn"),
         "rope": Field(rope.KIND, rope.ABOUT),
         "gear": Field(_TWO_BODIES, "two bodies whose pitch circles roll on each other"),
         "belt": Field(_TWO_BODIES, "two bodies with a belt around them"),

@@ -1,9 +1,9 @@
 """General plane motion: displacement of the mass centre and rotation, each a coordinate or an expression."""
 
 from vibcli.language.document.document import Sequence
-from vibcli.language.fields import BODY, Element, Field, Kind, Motion
+from vibcli.language.fields import BODY, Element, Field, Kind, MotionField
 
-_LENGTH, _ANGLE = Motion("m"), Motion("rad")
+_LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 
 
 class _Displacements(Kind):

@@ -1,13 +1,13 @@
 """Rotation about a pin, which may be carried by another body."""
 
-from vibcli.language.fields import BODY, PLACE, Element, Field, Flag, Motion
+from vibcli.language.fields import BODY, PLACE, Element, Field, Flag, MotionField
 
 ELEMENT = Element(
     "pin",
     "The body turns about a point. The angle is measured in the fixed frame, as textbooks do for double pendulums, "
     "unless `relative: true`.",
     {
-        "by": Field(Motion("rad"), "the angle of rotation, counter-clockwise", required=True),
+        "by": Field(MotionField("rad"), "the angle of rotation, counter-clockwise", required=True),
         "at": Field(PLACE, "the pin as drawn: a place or a point (default: the mass centre)"),
         "carrier": Field(BODY, "the body that carries the pin (a point that is carried needs no other)"),
         "relative": Field(Flag(), "`true`: the angle is measured from the carrier"),

@@ -1,6 +1,6 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
-from vibcli.language.fields import BODY, Element, Field, Many, Motion
+from vibcli.language.fields import BODY, Element, Field, Many, MotionField
 from vibcli.language.named_place import DRAWN
 
 ELEMENT = Element(
@@ -10,8 +10,8 @@ ELEMENT = Element(
     {
         "at": Field(DRAWN, "where it is drawn, in the fixed frame", required=True),
         "body": Field(BODY, "the body that carries it"),
-        "moves": Field(Many(Motion("m"), 2, 2, "a displacement [ux, uy]"), "its displacement, driven by expressions of "
-                       "the time: [0, Y*sin(Omega*t)]"),
+        "moves": Field(Many(MotionField("m"), 2, 2, "a displacement [ux, uy]"), "its displacement, driven by "
+                       "expressions of the time: [0, Y*sin(Omega*t)]"),
     },
     short="at",
     example="hanging_rod",

@@ -6,7 +6,7 @@ On a circle of radius R, the line of centres turning by ψ: ρ ψ = σ r θ, wit
 The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the fixed frame.
 """
 
-from vibcli.language.fields import Element, Field, Motion, NameOf, Quantity
+from vibcli.language.fields import Element, Field, MotionField, NameOf, Quantity
 
 ELEMENT = Element(
     "roll",
@@ -15,9 +15,9 @@ ELEMENT = Element(
     "fixed frame) and, on circles, `swing` (turn of the line of centres) says how far.",
     {
         "surface": Field(NameOf("the name of a surface", "surfaces"), "what it rolls on", required=True),
-        "travel": Field(Motion("m"), "displacement of the centre relative to the surface"),
-        "turn": Field(Motion("rad"), "rotation in the fixed frame, counter-clockwise"),
-        "swing": Field(Motion("rad"), "turn of the line of centres, on circles"),
+        "travel": Field(MotionField("m"), "displacement of the centre relative to the surface"),
+        "turn": Field(MotionField("rad"), "rotation in the fixed frame, counter-clockwise"),
+        "swing": Field(MotionField("rad"), "turn of the line of centres, on circles"),
         "radius": Field(Quantity("m"), "the radius it rolls on, where that is not the radius of its shape"),
     },
     exclusive=(("travel", "turn", "swing"),),

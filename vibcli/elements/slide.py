@@ -1,6 +1,6 @@
 """Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
-from vibcli.language.fields import BODY, Element, Field, Motion, NameOf, vector
+from vibcli.language.fields import BODY, Element, Field, MotionField, NameOf, vector
 
 ELEMENT = Element(
     "slide",
@@ -8,7 +8,7 @@ ELEMENT = Element(
     "`slide: {along: [0, 1], by: y}`. Of a body without a place it is the displacement along the one axis. With "
     "`surface` it slides along a line, a circle or a curve without friction.",
     {
-        "by": Field(Motion("m"), "the displacement: a coordinate, or an expression of coordinates", required=True),
+        "by": Field(MotionField("m"), "the displacement: a coordinate, or an expression of coordinates", required=True),
         "along": Field(vector(None, "a direction [ex, ey]"), "the direction, of any length (default: [1, 0])"),
         "surface": Field(NameOf("the name of a surface", "surfaces"), "the surface that it slides on: `by` is then the "
                          "length of its path on a line (from its first place) or circle (counter-clockwise), and the "

@@ -1,8 +1,8 @@
 """Rotation of a body that has no place: one axis, one angle."""
 
-from vibcli.language.fields import Motion
+from vibcli.language.fields import MotionField
 
-ELEMENT = Motion("rad")
+ELEMENT = MotionField("rad")
 ABOUT = "The rotation of a body without a place, about the one axis: `{inertia: J, turn: phi}`."
 
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
-from vibcli.inverse.conditions import System
+from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.search import solve
 from vibcli.inverse.solution import choosing, defined, in_numbers, stable_in_floats, with_chosen
 from vibcli.inverse.substitution import forms_of, held_by_balance, tried
@@ -50,7 +50,7 @@ def _balanced_first(problem):
 
 
 def _in_numbers(problem, rest, thorough):
-    system, solutions, refusal = System(problem), [], None
+    system, solutions, refusal = ConditionSystem(problem), [], None
     with problem.work.task(f"the search for {infeasible.listed(problem.spec.choices)}", MOST):
         found = solve(rest, thorough, system.limits) if rest.spec.choices else [((), ())]
     for values, nodes in found:
@@ -76,5 +76,5 @@ def _all_values(problem, rest, values):
     held = held_by_balance(problem, rest)
     numbers = in_numbers(rest.sharing(found), list(held.values()))
     if numbers is None:
-        raise infeasible.not_held(System(problem))
+        raise infeasible.not_held(ConditionSystem(problem))
     return {**found, **dict(zip(held, numbers, strict=True))}

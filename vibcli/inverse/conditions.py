@@ -22,7 +22,7 @@ from vibcli.symbolic.syntax import Number
 HOLDS = 1e-8
 
 
-class System:
+class ConditionSystem:
     """Conditions on the parameters `names` of a problem in which nothing else is without value."""
 
     def __init__(self, problem, limits=None):

@@ -32,8 +32,8 @@ class End(NamedTuple):
 
 
 def followed(system, places):
-    """([Limit], [End]) of the stable equilibria of a System with one parameter, from each of the ascending places to
-    its neighbours."""
+    """([Limit], [End]) of the stable equilibria of a ConditionSystem with one parameter,
+    from each of the ascending places to its neighbours."""
     limits, ends = [], []
     for a, b in pairwise(places):
         for one, other in ((a, b), (b, a)):

@@ -7,7 +7,7 @@ from math import asinh, atanh, exp, isfinite, log, sinh
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
 from vibcli.inverse.admissible_ranges import grid
-from vibcli.inverse.conditions import System
+from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.folds import followed
 from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
@@ -22,7 +22,7 @@ PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 def solve(problem, thorough=False, limits=None):
     """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses; `limits` takes
     up the Limits that equilibria were followed to."""
-    system = System(problem, limits)
+    system = ConditionSystem(problem, limits)
     system.settle_scales([[span.scale * factor for span in system.ranges] for factor in PLACES])
     letters = candidates(problem, thorough)
     always = system.shares and _in_place(problem) and (letters.always if letters is not None else independent(problem))

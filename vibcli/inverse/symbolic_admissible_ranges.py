@@ -19,7 +19,7 @@ from vibcli.symbolic.expression_graph import reachable
 MANY, SPREADS, DIGITS = 400, (0.0, 0.5, 1.5, 3.0), 6
 
 
-class Condition(NamedTuple):
+class Bound(NamedTuple):
     """A radicand `node`, or the parameter `name`, stands in a relation to a bound; a name alone has to be real, and
     words alone have to be true."""
 
@@ -66,9 +66,9 @@ class Letters:
         except (SpecError, KeyError, ArithmeticError, ValueError):
             return False
         under = zip(self.radicands[i], radicands, strict=True)
-        failed = {Condition(node, None, "≥", self.zero) for node, value in under if not value >= 0}
+        failed = {Bound(node, None, "≥", self.zero) for node, value in under if not value >= 0}
         if not failed:
-            failed = {Condition(name=name) for name, x in numbers.items() if not isfinite(x)}
+            failed = {Bound(name=name) for name, x in numbers.items() if not isfinite(x)}
         if not failed:
             failed = {part for name, value in numbers.items() for part in self._outside(problem, name, value)}
         self.told[i].update(dict.fromkeys(failed))
@@ -79,12 +79,12 @@ class Letters:
         try:
             low, high, low_given, high_given = ends(problem, name, self.turning[name])
         except PhysicsError:
-            yield Condition(name=name)
+            yield Bound(name=name)
             return
         if value < low or (value == low and not low_given):
-            yield Condition(None, name, "≥" if low_given else ">", self._bound(name, "from", low_given, low))
+            yield Bound(None, name, "≥" if low_given else ">", self._bound(name, "from", low_given, low))
         if value > high or (value == high and not high_given):
-            yield Condition(None, name, "≤" if high_given else "<", self._bound(name, "to", high_given, high))
+            yield Bound(None, name, "≤" if high_given else "<", self._bound(name, "to", high_given, high))
 
     def _bound(self, name, key, given, value):
         """An end of the range of a parameter as a node: as the scene gives it, else 0 or a multiple of π."""

@@ -3,10 +3,10 @@
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse import infeasible
 from vibcli.inverse.admissible_ranges import admissible
-from vibcli.inverse.conditions import System
+from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.solution import Solution, defined, in_numbers, with_chosen
 from vibcli.inverse.substitution import forms_of, tried
-from vibcli.inverse.symbolic_admissible_ranges import Condition, Letters
+from vibcli.inverse.symbolic_admissible_ranges import Bound, Letters
 from vibcli.inverse.symbolic_conditions import candidates
 
 ENOUGH, SPURIOUS, TRIALS = 3, 4, 30
@@ -74,7 +74,7 @@ class Trials:
             values = in_numbers(self.rest.sharing(given), list(forms.values()))
             try:
                 if values is not None:
-                    solution = tried(draw, System(draw), dict(zip(forms, values, strict=True)), forms)
+                    solution = tried(draw, ConditionSystem(draw), dict(zip(forms, values, strict=True)), forms)
                     self.held.setdefault(i, []).append((len(self.draws) - 1, solution))
             except infeasible.NotHeld:
                 self.failed[i] += 1
@@ -109,7 +109,7 @@ def _with_letters(problem, found):
     for forms, trials, letters, i in found:
         counts = letters.conditions(i)
         if trials.failed[i]:
-            counts.append(Condition(words=infeasible.texts(problem)))
+            counts.append(Bound(words=infeasible.texts(problem)))
         residual = max(solution.residual for _, solution in trials.held[i])
         in_order = {name: forms[name] for name in problem.spec.choices}
         solutions.append(Solution(dict.fromkeys(in_order), in_order, residual, counts=counts))

@@ -10,7 +10,7 @@ from importlib import import_module
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.reader import Expression, Name, Record, article, check_name, near, nearest
+from vibcli.language.reader import Expression, Record, Reference, article, check_name, near, nearest
 from vibcli.symbolic.parser import ExpressionError, parse, plain_name
 
 
@@ -67,7 +67,7 @@ class Quantity(Kind):
         return {"type": ["string", "number"]}
 
 
-class Motion(Quantity):
+class MotionField(Quantity):
     """A displacement or rotation in coordinates; a bare name here, if no parameter, is a coordinate."""
 
     def read(self, node, reader):
@@ -87,7 +87,7 @@ class Load(Quantity):
         return expression
 
 
-class Equation(Load):
+class EquationField(Load):
     """An equation between coordinates and the time."""
 
     def __init__(self):
@@ -112,7 +112,7 @@ class NameOf(Kind):
     def read(self, node, reader):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
-        name = Name(plain_name(node.text.strip()), node.where)
+        name = Reference(plain_name(node.text.strip()), node.where)
         reader.references.append((name, self.namespaces, self.wants))
         return name
 

@@ -31,7 +31,7 @@ def article(noun):
     return ("an " if noun[0] in "aeiou" else "a ") + noun
 
 
-class TooMany(Exception):
+class TooManyErrors(Exception):
     """More is wrong with a file than anybody reads."""
 
 
@@ -51,7 +51,7 @@ class Reader:
         self.diagnostics.append(Diagnostic(where, message, hint))
         if len(self.diagnostics) == MOST_PROBLEMS:
             self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
-            raise TooMany
+            raise TooManyErrors
 
     def columns_of(self, scene, name, read):
         """What `read(scene, name)` gives, once for a file however many cases use it."""
@@ -88,7 +88,7 @@ class Expression:
         return self.scalar.where
 
 
-class Name:
+class Reference:
     """A reference to something named elsewhere, with its place."""
 
     __slots__ = ("text", "where")

@@ -1,6 +1,6 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.language.fields import Element, Equation, Lazy, Load, Many, Motion, OneOf
+from vibcli.language.fields import Element, EquationField, Lazy, Load, Many, MotionField, OneOf
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
@@ -11,9 +11,9 @@ def expects(kind):
     """What a key holds, in words."""
     if isinstance(kind, Many) and isinstance(kind.kind, (Element, Lazy)):
         return f"{kind.wants}, each a {opened(kind.kind)[0]}"
-    if isinstance(kind, Motion):
+    if isinstance(kind, MotionField):
         return kind.wants + ", in coordinates and time"
-    if isinstance(kind, Load) and not isinstance(kind, Equation):
+    if isinstance(kind, Load) and not isinstance(kind, EquationField):
         return kind.wants + ", in coordinates, velocities and time"
     if not isinstance(kind, (Element, Lazy)):
         return kind.wants

@@ -13,7 +13,7 @@ from vibcli.symbolic.rationals import HALF, ONE
 LETTERS = 16        # most coordinates for which equations are written in letters
 
 
-class Equations:
+class EquationsOfMotion:
     """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
     name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
     {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
@@ -69,7 +69,7 @@ def _primitive(node):
 
 def equations(problem):
     """The Equations of a problem; without an equilibrium only the full ones, and the refusal of the others."""
-    found = Equations()
+    found = EquationsOfMotion()
     scene, loose = problem.scene, problem.loose
     found.names, found.multipliers, found.conditions, found.drive = list(loose.coordinates), {}, [], {}
     found.left_out = {}

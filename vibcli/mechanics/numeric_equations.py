@@ -19,7 +19,7 @@ DIRECT = 3
 PROJECTIONS = 4
 
 
-class System:
+class NumericEquations:
     """A scene's equations compiled; `n` coordinates, `m` independent constraints.
 
     switches: the arguments whose signs stay as they are while the motion is smooth, in the order of their senses g.

@@ -10,7 +10,7 @@ PARTS = {"force": "slide", "moment": "turn"}
 
 
 def on_the_ground(opened, part):
-    """The Row of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
+    """The LinearFunction of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
     kind, _, axis = part.partition(".")
     terms = []
     for section in ("springs", "dampers"):
@@ -23,7 +23,7 @@ def on_the_ground(opened, part):
 
 
 def _of_element(opened, section, record, kind, axis):
-    """[(factor, Row)] of one element; none where it does not end at the ground."""
+    """[(factor, LinearFunction)] of one element; none where it does not end at the ground."""
     scene = opened.scene
     if "between" not in record:
         raise PhysicsError(f"'{record.name}' gives its stretch outright: what it exerts on the ground is not known",

@@ -14,7 +14,7 @@ from vibcli.mechanics.linearisation import nodes_of, residual_terms
 from vibcli.scene.parameter_samples import given_values
 from vibcli.symbolic.angle_addition import opened, openings
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.equations.one_unknown import Solution, solutions
+from vibcli.symbolic.equations.one_unknown import SymbolicSolution, solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -59,12 +59,12 @@ def settled(problem):
     start = problem.start_in_letters
     if start is not None and all(map(_at_start, tried.first(ENOUGH))):
         for q in scene.q:
-            found.put(q, Solution(start[q]))
+            found.put(q, SymbolicSolution(start[q]))
         found.reached, found.named = tried.first(ENOUGH), True
         return found
     for q in scene.q:
         if _stays(found.reached, q.name):
-            found.put(q, Solution(scene.drawn[q]))
+            found.put(q, SymbolicSolution(scene.drawn[q]))
     conditions = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(problem.form)]
     while len(found.values) < len(scene.q):
         open_ones = [q for q in scene.q if q not in found.values]

@@ -10,7 +10,7 @@ from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.elements import gravity
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Choice, Kind, Lazy, Named, Text
-from vibcli.language.reader import MOST_PROBLEMS, Reader, TooMany, nearest
+from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors, nearest
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import coordinates, equilibrium, initial
 from vibcli.reader.sections import answer, find
@@ -182,7 +182,7 @@ def _read_one(root, file, found, settings, files, remark=""):
         _settings(spec, settings)
         resolve(spec, reader)
         _question(spec, root, reader)
-    except TooMany:
+    except TooManyErrors:
         pass
     known = {(d.where, d.message) for d in found}
     for diagnostic in reader.diagnostics:

@@ -3,7 +3,7 @@
 from contextlib import suppress
 
 from vibcli.language.dimension_check import UNIT_DUE
-from vibcli.language.reader import TooMany
+from vibcli.language.reader import TooManyErrors
 from vibcli.reader.names import settle
 from vibcli.symbolic.semantics import ALL_NUMBERS, literals_in, whole_literal
 
@@ -20,7 +20,7 @@ def resolve(spec, reader):
         if not spec.free_numbers:
             _name_culprits(spec, reader)
         return
-    with suppress(TooMany):
+    with suppress(TooManyErrors):
         settle(spec, reader)
     if len(reader.diagnostics) > before:
         del reader.diagnostics[before:]

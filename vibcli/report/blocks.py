@@ -33,7 +33,7 @@ class Words(NamedTuple):
     text: str
 
 
-class Terms(NamedTuple):
+class SumOfTerms(NamedTuple):
     """A sum of nodes whose own sums lose their brackets."""
 
     nodes: tuple
@@ -88,7 +88,7 @@ class Heading(NamedTuple):
     text: str
 
 
-class Table(NamedTuple):
+class TableBlock(NamedTuple):
     """A head and rows; a cell is a text or Maths."""
 
     head: tuple

@@ -7,7 +7,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.parameters import require_values
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
-from vibcli.results.responses import Motion
+from vibcli.results.responses import Response
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef, QuantityRef
@@ -15,7 +15,7 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef
 LOOK = 1.0          # seconds, to tell what rests for ever
 
 
-class StatesInTime(Motion):
+class StatesInTime(Response):
     """A motion whose places, velocities and accelerations are known at any instant, and with them all forces."""
 
     def signal(self, tree):

@@ -11,7 +11,7 @@ def precise_value(problem, name, primes, time, digits):
     import mpmath
 
     from vibcli.analyses.excitation.decompose import forcing_of
-    from vibcli.analyses.excitation.linear_output import Output
+    from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.high_precision import precise_value as value_of
     from vibcli.mechanics.high_precision import elements_to, equilibrium_to
     from vibcli.symbolic.evaluation import multiprecision
@@ -34,7 +34,7 @@ def precise_value(problem, name, primes, time, digits):
         forcing = forcing_of(nodes, scene.time, values, n, precise=True, work=problem.work)
         damping = [[C.get((j, k), 0) + G.get((j, k), 0) for k in range(n)] for j in range(n)]
         found = value_of(_full(M, n), damping, _full(K, n), forcing, [q[each] - rest[each] for each in names],
-                         [v[each] for each in names], Output(q={i: 1}), time, digits + GUARD // 2, primes)
+                         [v[each] for each in names], LinearOutput(q={i: 1}), time, digits + GUARD // 2, primes)
         return found + (rest[name] if not primes else 0)
 
 

@@ -7,7 +7,7 @@ constant factors is exact at any time; products and powers are evaluated instant
 from fractions import Fraction
 from functools import cached_property
 
-from vibcli.analyses.excitation.linear_output import Output, combined
+from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.signals import energy
@@ -22,7 +22,7 @@ LONGEST = 1e12      # seconds
 FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
 
 
-class Motion:
+class Response:
     """What all kinds of motion share: until when they are looked at, and what drives them. KIND: small, full or
     prescribed."""
 
@@ -101,7 +101,7 @@ def _jumps(node, symbols):
     return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
 
 
-class SmallMotion(Motion):
+class SmallMotion(Response):
     """Small oscillations about the equilibrium, exact in time."""
 
     KIND, WORDS = "small", "small oscillations about the equilibrium"
@@ -187,7 +187,7 @@ class SmallMotion(Motion):
             return self._one(parts[node])
         slopes = gradient(node)
         if (any(slope.mask for slope in slopes.values()) or _jumps(node, parts)
-                or not all(isinstance(part[0], Output) for part in parts.values())):
+                or not all(isinstance(part[0], LinearOutput) for part in parts.values())):
             return self._composed(node, parts)
         used = [symbol for symbol in parts if symbol in slopes]
         values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
@@ -250,14 +250,14 @@ class SmallMotion(Motion):
         return output._replace(channels={}), next(iter(nodes), None)
 
     def _one(self, part):
-        if isinstance(part[0], Output):
+        if isinstance(part[0], LinearOutput):
             return self._linear(0.0, [(1.0, part)])
         return getattr(self.signal(part[0].args[0]), part[0].head)
 
     def _linear(self, constant, terms):
         direct = [node for _, (_, node) in terms if node is not None]
         motion = self.moved(direct) if direct else self.alone
-        channel, outputs = len(self.matrices[0]), [(1.0, Output(constant))]
+        channel, outputs = len(self.matrices[0]), [(1.0, LinearOutput(constant))]
         for factor, (output, node) in terms:
             if node is not None:
                 output = output._replace(channels={channel: 1.0})

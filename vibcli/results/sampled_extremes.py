@@ -14,7 +14,7 @@ GOLDEN = 0.3819660112501051
 ROUNDING = 1e-14                        # of the range
 
 
-class Sampled:
+class SampledSearch:
     """times and values from `start` to `end`, `measure` giving the values at an array of times."""
 
     def __init__(self, measure, start, end, work):

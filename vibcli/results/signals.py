@@ -152,23 +152,23 @@ class ComposedSignal(Signal):
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.transient.largest import extreme
-        from vibcli.results.sampled_extremes import Sampled
+        from vibcli.results.sampled_extremes import SampledSearch
 
         end = min(end, start + (self.period or end))
         try:
             return extreme(self.along(end), None, start, end, "max" if sense > 0 else "min", self.work)
         except KeyError:
-            return Sampled(self.values, start, end, self.work).extreme(sense)
+            return SampledSearch(self.values, start, end, self.work).extreme(sense)
 
     def zeros(self, start, end):
         """Instants at which the signal passes or touches zero."""
         from vibcli.analyses.transient.extremes import zeros
-        from vibcli.results.sampled_extremes import Sampled
+        from vibcli.results.sampled_extremes import SampledSearch
 
         try:
             return zeros(self.along(end), None, start, end, self.work).tolist()
         except KeyError:
-            return Sampled(self.values, start, end, self.work).zeros()
+            return SampledSearch(self.values, start, end, self.work).zeros()
 
     @property
     def period(self):

@@ -9,12 +9,12 @@ from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.elements import gravity
 from vibcli.language.fields import load
 from vibcli.language.parameters import Parameters
-from vibcli.language.reader import Name
+from vibcli.language.reader import Reference
 from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
 from vibcli.scene.connections import Ends
 from vibcli.scene.constraints import Freedom, close
-from vibcli.scene.coordinates import Motion
+from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
@@ -61,7 +61,7 @@ def build_scene(spec, given=None, start=0, loose=False, releasing=False, opened=
     return scene
 
 
-class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
+class Scene(Terms, Laws, Ends, SceneCoordinates, Geometry, Expressions):
     """The scalar functions of a scene, and the services by which elements make them."""
 
     def __init__(self, spec, attempt, given, releasing=False, opened=False, holding=False):
@@ -122,7 +122,7 @@ class Scene(Terms, Laws, Ends, Motion, Geometry, Expressions):
                 load(section).build(spec.get(section), self)
         for name, record in (spec.get("points") or {}).items():
             if "moves" in record:
-                self.place(Name(name, record.where))
+                self.place(Reference(name, record.where))
         if self.driven:
             if any(map(self.oscillates, self.driven)):
                 self.resting = held_still(self)

@@ -17,7 +17,7 @@ class Opening(NamedTuple):
     load: int = None
 
 
-class Motion:
+class SceneCoordinates:
     """The part of a Scene that knows its coordinates."""
 
     def _speeds(self):

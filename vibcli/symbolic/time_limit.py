@@ -10,7 +10,7 @@ from vibcli.base.work import under_way
 OFTEN = 100_000     # calls from one telling of progress to the next
 
 
-class Spent(BaseException):
+class CallsSpent(BaseException):
     """The calls are used up. No Exception, so that nothing on the way catches it by mistake."""
 
 
@@ -23,7 +23,7 @@ def within(calls, work, otherwise):
     import sympy  # noqa: F401
 
     task = under_way()
-    outer, left, spent = sys.gettrace(), calls * (task.work.patience if task else 1), Spent()
+    outer, left, spent = sys.gettrace(), calls * (task.work.patience if task else 1), CallsSpent()
 
     def count(frame, event, arg):
         nonlocal left
@@ -37,7 +37,7 @@ def within(calls, work, otherwise):
     sys.settrace(count)
     try:
         return work()
-    except Spent as error:
+    except CallsSpent as error:
         if error is not spent:
             raise
         if task:

@@ -9,7 +9,7 @@ from vibcli.symbolic.normal_form import textbook
 SEARCHED = 20000    # assignments tried in the search for a symmetry
 
 
-class Block:
+class DecoupledBlock:
     """columns: for each of its coordinates y the {i: whole number} of x = Σ column·y; matrices: {(a, b): node}."""
 
     __slots__ = ("columns", "matrices")
@@ -23,7 +23,7 @@ class Block:
 
 def blocks(table, n, matrices):
     """The Blocks into which `matrices` ({(i, j): node} each) fall, as small as they are found."""
-    pending, found = [Block([{i: 1} for i in range(n)], list(matrices))], []
+    pending, found = [DecoupledBlock([{i: 1} for i in range(n)], list(matrices))], []
     while pending:
         block = pending.pop()
         parts = components(block)
@@ -63,7 +63,7 @@ def eigenspaces(exchange):
 def projected(table, block, columns):
     """The block on some columns: TᵀAT of each matrix."""
     matrices = [congruent(table, matrix, columns) for matrix in block.matrices]
-    return Block([_combined(block.columns, column) for column in columns], matrices)
+    return DecoupledBlock([_combined(block.columns, column) for column in columns], matrices)
 
 
 def congruent(table, matrix, columns):

@@ -7,7 +7,7 @@ from vibcli.analyses.excitation.exponential_polynomials import added, convolved,
 from vibcli.analyses.excitation.forcing import Forcing, Irregular, Segment, Wave, task_of
 from vibcli.analyses.excitation.impulses import blows_of, nearest
 from vibcli.analyses.excitation.periods import common_period, shortest
-from vibcli.analyses.excitation.piecewise_linear import Place
+from vibcli.analyses.excitation.piecewise_linear import Instant
 from vibcli.base.errors import PhysicsError
 
 NEAR = 1e-6
@@ -15,7 +15,7 @@ SHORTER = "let it change less often, or for a shorter time"
 BEFORE = Fraction(-1)       # the instant from which a term counts that always does
 
 
-class Group:
+class WaveGroup:
     """The terms of one channel with the same wave and gates: `ps[i]`, the polynomial from `instants[i]` on."""
 
     __slots__ = ("channel", "end", "exponent", "gates", "instants", "places", "ps", "wave")
@@ -52,7 +52,7 @@ def assembled(sums, channels, numbers, work=None):
     for channel, total in sums.items():
         for (T, gates, wave), p in total.items():
             terms.setdefault((channel, gates, wave), []).append((T, p))
-    groups = [Group(*key, found, numbers) for key, found in terms.items()]
+    groups = [WaveGroup(*key, found, numbers) for key, found in terms.items()]
     try:
         return _forcing(groups, channels, numbers, work)
     except OverflowError:
@@ -115,7 +115,7 @@ def _pieces(groups, cuts, last, since, numbers, task=None):
 
 def _place(low, high, numbers):
     start, middle = numbers.number(low), (low + high) / 2
-    return Place(start, numbers.exact(start), numbers.number(middle), middle)
+    return Instant(start, numbers.exact(start), numbers.number(middle), middle)
 
 
 def _is_level(wave):

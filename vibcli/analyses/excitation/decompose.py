@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 from vibcli.analyses.excitation.assembly import assembled
-from vibcli.analyses.excitation.exponential_polynomials import TooMany, added, constant, linear, multiplied, raised
+from vibcli.analyses.excitation.exponential_polynomials import TooManyTerms, added, constant, linear, multiplied, raised
 from vibcli.analyses.excitation.functions_of_time import ORDERED, NotSaid, called
 from vibcli.analyses.excitation.rounding import Floating, multiprecise
 from vibcli.base.errors import PhysicsError
@@ -42,7 +42,7 @@ def sums_of(nodes, time, values, numbers, write=repr):
             except NotSaid as error:
                 raise PhysicsError(f"the response to {write(node)} is not known in closed form: {error}",
                                    FULL) from None
-            except TooMany:
+            except TooManyTerms:
                 raise PhysicsError(f"{write(node)} has too many terms, or too high powers of t, for a response in "
                                    "closed form", FULL) from None
     return [found[node] for node in nodes]

@@ -14,7 +14,7 @@ ALWAYS = (None, (), STILL)
 MOST, STEEPEST = 2000, 60       # terms of a sum, power of t
 
 
-class TooMany(ArithmeticError):
+class TooManyTerms(ArithmeticError):
     """More terms, or higher powers, than can be kept."""
 
 
@@ -71,14 +71,14 @@ def _gather(found, key, p, c=1):
     if total:
         found[key] = tuple(total)
         if len(found) > MOST or len(total) > STEEPEST + 1:
-            raise TooMany
+            raise TooManyTerms
     else:
         found.pop(key, None)
 
 
 def multiplied(left, right):
     if len(left) * len(right) > 20 * MOST:
-        raise TooMany
+        raise TooManyTerms
     found = {}
     for (T, gates, one), p in left.items():
         for (start, others, other), o in right.items():

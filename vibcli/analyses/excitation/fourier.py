@@ -10,7 +10,7 @@ import math
 from typing import NamedTuple
 
 
-class Series(NamedTuple):
+class FourierSeries(NamedTuple):
     """`coefficients[n]` = cₙ for n = 0 … N, c₋ₙ = conj cₙ; `rest`: the root mean square of what is left out beyond N,
     None where impulses make it infinite."""
 
@@ -32,10 +32,10 @@ def fourier(forcing, channel, harmonics):
         total = sum((_transformed(piece, n * omega) for piece in pieces), 0j) / P
         found.append(complex(total.real) if n == 0 else total)
     if any(blow for _, _, _, blow in pieces):
-        return Series(omega, tuple(found), None)
+        return FourierSeries(omega, tuple(found), None)
     square = sum(_mean_square(waves, length) for _, length, waves, _ in pieces) / P
     kept = abs(found[0]) ** 2 + 2 * sum(abs(c) ** 2 for c in found[1:])
-    return Series(omega, tuple(found), math.sqrt(max(square - kept, 0.0) + 4e-16 * square))
+    return FourierSeries(omega, tuple(found), math.sqrt(max(square - kept, 0.0) + 4e-16 * square))
 
 
 def _one_period(forcing, channel):

@@ -3,7 +3,7 @@
 from bisect import bisect_left
 from fractions import Fraction
 
-from vibcli.analyses.excitation.piecewise_linear import Place
+from vibcli.analyses.excitation.piecewise_linear import Instant
 from vibcli.base.errors import PhysicsError
 
 ALIKE = Fraction(1, 10**9)
@@ -40,7 +40,7 @@ def _reach(cuts, i, last):
 def _beside(group, others, instant, reach, numbers):
     """The polynomial and the other gates at an instant: the same before and after it, or their product with an impulse
     is not defined."""
-    before, after = (_product(group, others, Place(None, instant, numbers.number(middle), middle))
+    before, after = (_product(group, others, Instant(None, instant, numbers.number(middle), middle))
                      for middle in (instant - reach, instant + reach))
     together = any(other.impulses(instant - reach, instant + reach) for other in others)
     if together or abs(before - after) > ALIKE * max(abs(before), abs(after)):

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 
-class Output(NamedTuple):
+class LinearOutput(NamedTuple):
     """Coefficients {i: number} of the deviations, their rates and accelerations, {channel: number} of the forcing."""
 
     constant: float = 0.0
@@ -14,11 +14,11 @@ class Output(NamedTuple):
 
 
 def combined(terms):
-    """Σ factor·output of (factor, Output) pairs."""
+    """Σ factor·output of (factor, LinearOutput) pairs."""
     constant, parts = 0.0, ({}, {}, {}, {})
     for factor, output in terms:
         constant += factor * output.constant
         for part, entries in zip(parts, output[1:], strict=True):
             for key, value in entries.items():
                 part[key] = part.get(key, 0.0) + factor * value
-    return Output(constant, *parts)
+    return LinearOutput(constant, *parts)

@@ -1,7 +1,7 @@
 """Functions of time that are straight lines from one break to the next, with impulses at some of the breaks.
 
 Each has `breaks(low, high)`, the instants within [low, high]; `line(at)`, its value at the start and its slope on the
-piece that holds the middle of a Place; `impulses(low, high)` as (instant, size); `period` (None: it ends at `end`).
+piece that holds the middle of an Instant; `impulses(low, high)` as (instant, size); `period` (None: it ends at `end`).
 """
 
 from bisect import bisect_right
@@ -10,7 +10,7 @@ from math import ceil, floor
 from typing import NamedTuple
 
 
-class Place(NamedTuple):
+class Instant(NamedTuple):
     """A segment: its start, and an instant within it, as numbers of the arithmetic and exactly."""
 
     start: object

@@ -1,15 +1,15 @@
-"""Signals as Outputs of the response methods, each with the channel of what drives it directly."""
+"""Signals as LinearOutputs of the response methods, each with the channel of what drives it directly."""
 
 from fractions import Fraction
 
-from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.mechanics.inputs_outputs.linear_functions import rate
 from vibcli.mechanics.inputs_outputs.outputs import linear_row, squares
 from vibcli.symbolic.rationals import ONE
 
 
 def linear_output(problem, text, order=0, channel=None):
-    """(Output, {channel: what it carries, a node of the time}) of the order-th derivative of a signal, x' and x''
+    """(LinearOutput, {channel: what it carries, a node of the time}) of the order-th derivative of a signal, x' and x''
     included; `channel`: the number of its own channel, that after the coordinates if none is given."""
     row = linear_row(problem, text)
     for _ in range(order):
@@ -18,21 +18,21 @@ def linear_output(problem, text, order=0, channel=None):
 
 
 def quadratic_output(problem, text, channel=None):
-    """[(weight, Output, {channel: node})] with signal = Σ weight·output²: the energy of a spring, the power of a
+    """[(weight, LinearOutput, {channel: node})] with signal = Σ weight·output²: the energy of a spring, the power of a
     damper; further outputs take the next channels."""
     first = len(problem.scene.q) if channel is None else channel
     return [(weight, *as_output(problem, row, first + i)) for i, (weight, row) in enumerate(squares(problem, text))]
 
 
 def as_output(problem, row, channel=None):
-    """(Output, {channel: node of the time}) of a Row."""
+    """(LinearOutput, {channel: node of the time}) of a LinearFunction."""
     channel = len(problem.scene.q) if channel is None else channel
     opened, n = problem.opened, problem.opened.n
     kept = [{i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a)]
     node = _direct(opened, row)
     if node is None:
-        return Output(row.constant, *kept), {}
-    return Output(row.constant, *kept, {channel: 1.0}), {channel: node}
+        return LinearOutput(row.constant, *kept), {}
+    return LinearOutput(row.constant, *kept, {channel: 1.0}), {channel: node}
 
 
 def _direct(opened, row):

@@ -4,7 +4,7 @@ from bisect import bisect_right
 from fractions import Fraction
 
 
-class Sampled:
+class TabulatedFunction:
     """The record at a·t + b, or its rate by that argument of the order 1 or 2. `instants` are exact, all else are
     numbers of the arithmetic: a record holds many samples."""
 
@@ -27,7 +27,7 @@ class Sampled:
         self.end = self.instants[-1]
 
     def __eq__(self, other):
-        return isinstance(other, Sampled) and self._key() == other._key()
+        return isinstance(other, TabulatedFunction) and self._key() == other._key()
 
     def __hash__(self):
         return hash(self._key())

@@ -55,14 +55,14 @@ def _damped(elements, precise, exact, digits):
         if elements.n > CERTIFIABLE or max(mode.error for mode in modes) <= ENOUGH:
             return modes
     from vibcli.analyses.modal.damped_modes import collected
-    from vibcli.analyses.modal.mode_numbers import Floats
+    from vibcli.analyses.modal.mode_numbers import NearestFloats
 
     data = _exactly(exact, elements)
     unit = EVALUATED if data is None and precise is not None else EXACT
-    answer = Answer(elements, data or elements, GOAL, WANTED, unit)
+    answer = CertifiedEigenvalues(elements, data or elements, GOAL, WANTED, unit)
     if unit > EXACT and not answer.settled(math.log2(ESCALATE)):
-        answer = Answer(elements, precise(DIGITS), GOAL, WANTED, decimal(DIGITS))
-    return collected(answer, Floats, answer.shapes())
+        answer = CertifiedEigenvalues(elements, precise(DIGITS), GOAL, WANTED, decimal(DIGITS))
+    return collected(answer, NearestFloats, answer.shapes())
 
 
 def damped_digits(elements, precise, exact, digits):
@@ -74,11 +74,11 @@ def damped_digits(elements, precise, exact, digits):
     wanted = working_bits(digits)
     goal = GOAL + 2 * wanted
     if precise is None:
-        answer = Answer(elements, _exactly(exact, elements) or elements, goal, wanted, EXACT)
+        answer = CertifiedEigenvalues(elements, _exactly(exact, elements) or elements, goal, wanted, EXACT)
     else:
         for guard in (30, 90, 270):
             dps = digits + guard
-            answer = Answer(elements, precise(dps), goal, wanted, decimal(dps))
+            answer = CertifiedEigenvalues(elements, precise(dps), goal, wanted, decimal(dps))
             if answer.settled(-digits * math.log2(10)):
                 break
     return collected(answer, Digits, answer.shapes_in_digits())
@@ -107,10 +107,10 @@ def depth(elements, scale):
     return spread(elements, scale) + max(0, 3 * max(sizes)), max(0, -min(sizes) - 40)
 
 
-class Answer:
+class CertifiedEigenvalues:
     """The eigenvalues of `data`, which is `elements` in any arithmetic, with their bounds.
 
-    system: ModalDamping, massless.Reduced or circulatory.Follower, which hold the basis of the vectors; unit: log2 of
+    system: ModalDamping, MassiveSystem or Follower, which hold the basis of the vectors; unit: log2 of
     the relative rounding of the data; undamped: nothing depends on velocities but G; conservative: and K is symmetric;
     follower: nothing depends on velocities, and K is not symmetric.
     """
@@ -138,7 +138,7 @@ class Answer:
 
                 self.system = Follower(data, self.scale, None, goal, deep)
             elif dragged or follows:
-                self.system = massless_coordinates.Reduced(data, self.scale, zeros, goal, deep)
+                self.system = massless_coordinates.MassiveSystem(data, self.scale, zeros, goal, deep)
             else:
                 self.system = self._modal(elements, data, goal, deep, zeros, unit)
             self.found = self.system.eigenvalues(wanted)

@@ -42,7 +42,7 @@ def only_damped(elements):
     return bool(np.linalg.svd(unit[:, None] * K * unit)[1][-1] <= LOOSE)
 
 
-class Reduced:
+class MassiveSystem:
     """Fixed-point C, K of the massive coordinates and the dragged directions in which C_zz is regular.
 
     basis: columns that give all coordinates from those; left: columns along which the equations are taken; massive:

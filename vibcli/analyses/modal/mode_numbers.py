@@ -10,7 +10,7 @@ from vibcli.numerics import fixed_point as fx
 SMALLEST = 2.0 ** -1022
 
 
-class Floats:
+class NearestFloats:
     """Turns fixed-point integers into the nearest floats."""
 
     @staticmethod

@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue
-from vibcli.analyses.modal.massless_coordinates import Reduced
+from vibcli.analyses.modal.massless_coordinates import MassiveSystem
 from vibcli.analyses.modal.rounding import last_bit, magnitudes
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.general_eigenvalues import block_diagonal
@@ -19,7 +19,7 @@ NEARLY_ONE = 0.9        # log2 |√a + √b|/|√a| for b next to a
 COARSE, ALIKE = 20, 1e-6
 
 
-class Follower(Reduced):
+class Follower(MassiveSystem):
     """The first of ±λ, that with Re λ >= 0 and Im λ >= 0, for each eigenvalue μ of K, or each pair of them."""
 
     __slots__ = ("form", "norms", "top")

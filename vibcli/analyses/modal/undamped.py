@@ -75,9 +75,9 @@ def _undamped(elements, precise, digits):
         answer = approximate(elements, scale, zeros)
         if elements.n > CERTIFIABLE or answer.errors.max() <= ENOUGH:
             return many_modes(answer, scale)
-    from vibcli.analyses.modal.mode_numbers import Floats
+    from vibcli.analyses.modal.mode_numbers import NearestFloats
 
-    return modes(certain(elements, scale, zeros, precise), scale, Floats)
+    return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
 
 
 def prepared(elements, dragged=False):

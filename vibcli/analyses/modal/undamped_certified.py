@@ -16,7 +16,7 @@ STEEP = 24
 ZERO = 60
 
 
-class Enclosed:
+class EnclosedEigenvalues:
     """Scaled eigenvalues λ̂ = ω̂² in fixed point with what bounds them, and M̂-normalised shapes in columns.
 
     zeros: how many vanish by structure, None where that is not known; zero: flags of those that are zero.
@@ -71,7 +71,7 @@ def enclosed(elements, scale, zeros, goal=60):
         a, reduced = standard(elements, scale, bits)
         start = from_factor(elements, scale, reduced) if zeros is not None and bits - guard - goal > STEEP else None
         found = spectrum(a, bits, goal, zeros, reduced.slack, start)
-        answer = Enclosed(found, reduced, zeros)
+        answer = EnclosedEigenvalues(found, reduced, zeros)
         decided = zeros is not None or (answer.off[answer.zero] <= -goal - ZERO).all()
         if decided and (answer.errors() <= -goal).all():
             break
@@ -101,7 +101,7 @@ def spread(elements, scale):
     return max(sizes)
 
 
-class Reduced:
+class StandardForm:
     """What takes the vectors of A back to the coordinates; `slack`: A is known to 2^(slack − bits)."""
 
     __slots__ = ("bits", "follow", "lower", "massive", "massless", "n", "slack")
@@ -137,7 +137,7 @@ def standard(elements, scale, bits):
         k, follow, growth = condensed(k, massive, massless, bits)
         m = m[np.ix_(massive, massive)]
     a, lower, more = reduced_by_mass(m, k, massive, bits)
-    return a, Reduced(n, massive, massless, lower, follow, bits, growth + more)
+    return a, StandardForm(n, massive, massless, lower, follow, bits, growth + more)
 
 
 def reduced_by_mass(m, k, massive, bits):

@@ -19,7 +19,7 @@ from vibcli.analyses.time_integration.time_stepping import FIRST, SECOND, March
 from vibcli.analyses.time_integration.trajectory import Event, Trajectory
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent
-from vibcli.mechanics.numeric_equations import System
+from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.mechanics.switching import Switching
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -56,7 +56,7 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
         raise PhysicsError(f"a motion cannot end at t = {until:.6g} s", "ask for an instant after its start, t = 0")
     places, speeds = start(problem, initial)
     scene = equations_of(problem)
-    system = System(scene, problem.floats, problem.scene.freedom.redundant)
+    system = NumericEquations(scene, problem.floats, problem.scene.freedom.redundant)
     owners, bounds = scene.law_switches()
     stops = breaks(scene, [*system.parts.nodes(), *driven_places(scene)], problem.floats, until, problem.work)
     q, v = (x * (1 + EPSILON * second) for x in vectors(scene, places, speeds))
@@ -86,7 +86,8 @@ def simulate(problem, until, rtol=ACCURACY, initial=None, second=False):
                        march.sizes)
     found.fast, found.rests = march.fast, rests
     if any(tie.form == "rope" for tie in problem.scene.constraints):
-        all_of_it = system if system.m else System(_loose(problem), problem.floats, problem.scene.freedom.redundant)
+        freedom = problem.scene.freedom
+        all_of_it = system if system.m else NumericEquations(_loose(problem), problem.floats, freedom.redundant)
         gone = slack(problem, all_of_it, found)
         if gone is not None:
             found.cut(*gone)

@@ -8,7 +8,7 @@ modes, rigid motion, flutter about to begin) share a block, its basis orthonorma
 import numpy as np
 
 from vibcli.analyses.transient.eigenvalue_clusters import groups, joined, starting
-from vibcli.analyses.transient.modal_block import Block
+from vibcli.analyses.transient.modal_block import ModalBlock
 from vibcli.analyses.transient.modal_input import blocks
 from vibcli.analyses.transient.refined_subspaces import sharpened
 
@@ -49,6 +49,6 @@ def scaling(M, C, K):
 
 def _in_units(block, unit, rate):
     """A block of the scaled system in the units of the given one."""
-    return Block(block.X * unit[:, None], np.ldexp(block.B.real, rate) + 1j * np.ldexp(block.B.imag, rate),
+    return ModalBlock(block.X * unit[:, None], np.ldexp(block.B.real, rate) + 1j * np.ldexp(block.B.imag, rate),
                  block.P / unit, np.ldexp(1.0, -rate) * block.R / unit, np.ldexp(1.0, -rate) * block.W * unit,
                  block.half)

@@ -17,7 +17,7 @@ FINEST = 1e6        # first stretches within the time that is looked at, where n
 WORTH = 8           # exponentials whose values take as long as one bound
 
 
-class Line:
+class Segments:
     """starts: of the segments between which all is smooth but for corners and jumps of its own."""
 
     def __init__(self, starts):
@@ -88,7 +88,7 @@ class Composition:
     def __init__(self, node, leaves, floats, time, check, end):
         self.node, self.leaves, self.floats, self.time, self.check = node, leaves, floats, time, check
         self.starts = np.unique(np.concatenate([np.zeros(1), *(leaf.starts for leaf in leaves.values())]))
-        self.timeline = Line(self.starts)
+        self.timeline = Segments(self.starts)
         self.segments = {name: np.searchsorted(leaf.starts, self.starts, "right") - 1 for name, leaf in leaves.items()}
         self.later = {name: self.starts - leaf.starts[self.segments[name]] for name, leaf in leaves.items()}
         self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vibcli.analyses.transient.eigenvalue_clusters import components
-from vibcli.analyses.transient.modal_block import Block, apart
+from vibcli.analyses.transient.modal_block import ModalBlock, apart
 from vibcli.analyses.transient.single_degree import one_degree, pair, poles_of_mode
 from vibcli.analyses.transient.static_condensation import whole
 from vibcli.base.errors import PhysicsError
@@ -79,5 +79,5 @@ def _mode(mode, c, shape, momentum):
     if abs(slow.imag) <= FLAT * abs(slow):
         return pair(slow, fast, shape, momentum, shape)
     gap = slow - fast
-    return Block(X=2 * shape[:, None].astype(complex), B=np.array([[slow]]), P=-fast * momentum[None] / gap,
+    return ModalBlock(X=2 * shape[:, None].astype(complex), B=np.array([[slow]]), P=-fast * momentum[None] / gap,
                  R=momentum[None] / gap, W=shape[None] / gap, half=True)

@@ -12,7 +12,7 @@ TINY = 1e-6
 SKEW = 30.0
 
 
-class Group(NamedTuple):
+class EigenvalueCluster(NamedTuple):
     """Eigenvalues of one block and their vectors as columns; half: the conjugates are left out."""
 
     values: np.ndarray
@@ -40,7 +40,7 @@ def groups(M, C, K):
         some = values[members]
         if (some.imag < 0).all():
             continue
-        found.append(Group(some, V[:, members], bool((some.imag > 0).all())))
+        found.append(EigenvalueCluster(some, V[:, members], bool((some.imag > 0).all())))
     return found
 
 
@@ -50,8 +50,8 @@ def joined(found, i, j):
     pair = [found[k] for k in sorted({i, j})]
     half = i != j and all(group.half for group in pair)
     both = [group for group in pair if group.half and not half]
-    pair += [Group(group.values.conj(), group.vectors.conj(), False) for group in both]
-    return [*rest, Group(np.concatenate([group.values for group in pair]),
+    pair += [EigenvalueCluster(group.values.conj(), group.vectors.conj(), False) for group in both]
+    return [*rest, EigenvalueCluster(np.concatenate([group.values for group in pair]),
                          np.concatenate([group.vectors for group in pair], axis=1), half)]
 
 

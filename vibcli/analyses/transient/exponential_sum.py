@@ -12,7 +12,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.numerics.exponential_differences import bounds, differences, real_wave
 
 
-class Terms:
+class ExponentialSum:
     """The order-th derivative of an output, real parts of sums with coefficients by segment.
 
     free: (λ, coefficients) of e^{λτ}; linked: (nodes, coefficients) of E[nodes](τ); near: (nodes, segments,
@@ -26,7 +26,7 @@ class Terms:
         self.free, self.linked, self.near, self.waves = [], [], [], {}
         self.since = max((drive.after for drives in pieces.drives for drive in drives if drive.after < math.inf),
                          default=0.0) if split else 0.0
-        self._early = partial(Terms, pieces, output, order, False) if self.since else None
+        self._early = partial(ExponentialSum, pieces, output, order, False) if self.since else None
         self.count = len(pieces.timeline.starts)
         for block, found, states in zip(pieces.motion.blocks, pieces.drives, pieces.states, strict=True):
             row = block.rows(output, order)

@@ -25,7 +25,7 @@ CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
 
 def zeros(pieces, output, start, end, work):
     """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
-    search = Search(pieces, output, start, end)
+    search = PassageSearch(pieces, output, start, end)
     with work.task(f"the search for passages until t = {end:.6g} s", MOST) as task:
         try:
             return search.run(task)
@@ -35,7 +35,7 @@ def zeros(pieces, output, start, end, work):
             raise search.refusal(task) from None
 
 
-class Search:
+class PassageSearch:
     """found: arrays of times; closest: Cells in which the output turns at zero but for rounding; left: [(how often they
     were divided, Cells)], those of the earliest times last."""
 

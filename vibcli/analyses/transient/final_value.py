@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from vibcli.analyses.excitation.forcing import oscillates
-from vibcli.analyses.transient.exponential_sum import Terms
+from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.base.errors import PhysicsError
 
 NOTHING = 1e-13
@@ -20,7 +20,7 @@ def final(motion, output):
     if motion.forcing.period is not None:
         raise PhysicsError("the load is periodic: the motion comes to no rest",
                            hint="ask for max(x), min(x) or a value at a time")
-    terms = Terms(motion.pieces(math.inf), output, 0, split=False)
+    terms = ExponentialSum(motion.pieces(math.inf), output, 0, split=False)
     parts = terms.on(terms.count - 1)
     scale = sum(abs(factor * _size(nodes)) for nodes, factor in parts)
     drift, vibration = {}, {}

@@ -26,7 +26,7 @@ FINE = 1e-6
 
 def extreme(pieces, output, start, end, sense, work):
     """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
-    search = Search(pieces, output, start, end, sense)
+    search = ExtremeSearch(pieces, output, start, end, sense)
     with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST) as task:
         try:
             return search.run(task)
@@ -36,7 +36,7 @@ def extreme(pieces, output, start, end, sense, work):
             raise search.refusal(task) from None
 
 
-class Search:
+class ExtremeSearch:
     """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
     how often they were divided, Cells)]; tops: [(values, times, whether these are peaks)] of ends and peaks that may be
     the largest."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from vibcli.analyses.modal.mode_numbers import beyond
 from vibcli.analyses.transient.decoupling import spectrum
-from vibcli.analyses.transient.exponential_sum import Terms
+from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.analyses.transient.extremes import zeros
 from vibcli.analyses.transient.forced import drives, ends, marched
 from vibcli.analyses.transient.forcing_arrays import Timeline
@@ -38,7 +38,7 @@ def linear_motion(M, C, K, forcing, q0, v0, modes=None, work=None):
 
 
 class LinearMotion:
-    """q(t) for t >= 0; outputs are output.Output. matrices: (M, C, K, Condensed or None). constants: whether the
+    """q(t) for t >= 0; outputs are LinearOutputs. matrices: (M, C, K, Condensed or None). constants: whether the
     constants of outputs count."""
 
     constants = True
@@ -202,4 +202,4 @@ class Pieces:
 
     def terms(self, output, order):
         """What the order-th derivative of the output is the sum of."""
-        return Terms(self, output, order)
+        return ExponentialSum(self, output, order)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 
-class Block(NamedTuple):
+class ModalBlock(NamedTuple):
     """ċ = B c + W f with c(0) = P q₀ + R v₀, and its share Re(X c) of the coordinates.
 
     B: p × p, upper triangular, its diagonal the eigenvalues. X: n × p. P, R, W: p × n. half: of a pair of conjugate

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from vibcli.analyses.transient.modal_block import Block
+from vibcli.analyses.transient.modal_block import ModalBlock
 from vibcli.analyses.transient.refined_subspaces import LARGEST, inverse_of_all
 from vibcli.analyses.transient.static_condensation import leading
 from vibcli.numerics import fixed_point as fx
@@ -37,7 +37,7 @@ def blocks(M, C, bases):
     for at, (X, _), (_, B, half) in zip(places, rounded, bases, strict=True):
         Q, T = triangle(B)
         turn = Q.conj().T
-        found.append(Block(X @ Q * (2 if half else 1), T, turn @ P[at], turn @ R[at], turn @ W[at], half))
+        found.append(ModalBlock(X @ Q * (2 if half else 1), T, turn @ P[at], turn @ R[at], turn @ W[at], half))
     return found
 
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vibcli.analyses.excitation.linear_output import Output
+from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient.textbook_form import formula
 
 
@@ -23,7 +23,7 @@ def modes_in_time(motion, segment=0):
     """The motion of all coordinates as a sum over modes, on a segment: each with an amplitude and a phase for each."""
     n, found = len(motion.M), {}
     for i in range(n):
-        for part in formula(motion, Output(q={i: 1.0}), segment):
+        for part in formula(motion, LinearOutput(q={i: 1.0}), segment):
             key = next((key for key in found if _near(key, part)), (part.forced, part.omega, part.rate, part.power))
             found.setdefault(key, [(0.0, 0.0)] * n)[i] = part.amplitude, part.phase
     return [ModeInTime(omega, rate, power, *map(list, zip(*each, strict=True)), forced)

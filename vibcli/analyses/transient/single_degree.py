@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from vibcli.analyses.transient.modal_block import Block
+from vibcli.analyses.transient.modal_block import ModalBlock
 
 
 def poles(m, c, k):
@@ -52,7 +52,7 @@ def pair(slow, fast, shape, momentum, force):
     δ = shape · x; momentum: the row that gives x of the coordinates; force: the row that gives ẍ of the forces.
     """
     zero = np.zeros_like(shape)
-    return Block(X=np.array([shape, zero]).T, B=np.array([[slow, 1], [0, fast]]),
+    return ModalBlock(X=np.array([shape, zero]).T, B=np.array([[slow, 1], [0, fast]]),
                  P=np.array([momentum, -slow * momentum]), R=np.array([zero, momentum]), W=np.array([zero, force]))
 
 
@@ -60,5 +60,5 @@ def one_degree(m, c, k):
     """The one block of one degree of freedom; without inertia c ẋ + k x = f."""
     if not m:
         one = np.ones((1, 1))
-        return Block(X=one, B=np.array([[-k / c]]), P=one, R=np.zeros((1, 1)), W=one / c)
+        return ModalBlock(X=one, B=np.array([[-k / c]]), P=one, R=np.zeros((1, 1)), W=one / c)
     return pair(*poles(m, c, k), np.ones(1), np.ones(1), np.array([1 / m]))

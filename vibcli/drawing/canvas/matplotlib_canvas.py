@@ -3,7 +3,7 @@
 import io
 
 from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, Polygon, Text, extent
+from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
 from vibcli.drawing.layout import lettering
 from vibcli.plots import library
 
@@ -23,7 +23,7 @@ def figure(primitives, box=None, dpi=DPI):
     made = Figure(figsize=(size[0] / 72, size[1] / 72), dpi=dpi, facecolor=COLOURS["paper"])
     place = Affine2D().translate(MARGIN - left, MARGIN - bottom).scale(1 / 72) + made.dpi_scale_trans
     for order, part in enumerate(sorted(primitives, key=lambda part: part.layer)):
-        artists = _letters(part) if isinstance(part, Text) else [_patch(part)]
+        artists = _letters(part) if isinstance(part, LetterRuns) else [_patch(part)]
         for artist in artists:
             artist.set_transform(place)
             artist.set_zorder(order)

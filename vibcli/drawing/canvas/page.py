@@ -4,7 +4,7 @@ import json
 from html import escape
 
 from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, Polygon, Text, extent
+from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
 
 MARGIN, STILL = 12.0, ("ground", "fixed")
 MOST = 240
@@ -82,7 +82,8 @@ def page(frames, title, caption, names=(), milliseconds=40):
 
 
 def _svg(frame):
-    return "".join(_element(part) for part in sorted(frame, key=lambda part: part.layer) if not isinstance(part, Text))
+    parts = sorted(frame, key=lambda part: part.layer)
+    return "".join(_element(part) for part in parts if not isinstance(part, LetterRuns))
 
 
 def _element(part):

@@ -4,7 +4,7 @@ import io
 from itertools import combinations
 
 from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, Polygon, Text, extent
+from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
 
 WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
 SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes
@@ -43,7 +43,7 @@ def _palette(frames):
     """The colours of the roles that occur, and of edges between any two of them."""
     from PIL import Image, ImageColor
 
-    roles = {"paper", "ink"} | {name for frame in frames for part in frame if not isinstance(part, Text)
+    roles = {"paper", "ink"} | {name for frame in frames for part in frame if not isinstance(part, LetterRuns)
                                 for name in (part.role, getattr(part, "fill", None)) if name}
     colours = [ImageColor.getrgb(COLOURS[role]) for role in sorted(roles)]
     blends = [tuple(round(x + (y - x) * i / 4) for x, y in zip(one, two, strict=True))
@@ -61,7 +61,7 @@ def _page(frame, caption, box, scale, size):
     page = Image.new("RGB", (size[0] * FINER, size[1] * FINER), COLOURS["paper"])
     pen = ImageDraw.Draw(page)
     for part in sorted(frame, key=lambda part: part.layer):
-        if not isinstance(part, Text):
+        if not isinstance(part, LetterRuns):
             _draw(part, pen, lambda p: ((p[0] - box[0]) * fine, (box[3] - p[1]) * fine), fine)
     if caption:
         _letters(caption, pen, (MARGIN * fine, (box[3] - box[1] - MARGIN - 4) * fine), fine)

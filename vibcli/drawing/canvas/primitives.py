@@ -11,7 +11,7 @@ SURFACE, BEHIND, BODY, ELEMENT, JOINT, ARROW = range(6)
 SPACING, DEPTH = 5.0, 5.5       # of hatching
 
 
-class Line(NamedTuple):
+class Polyline(NamedTuple):
     """An open polyline."""
 
     points: tuple
@@ -104,7 +104,7 @@ class Run(NamedTuple):
     rise: float = 0.0
 
 
-class Text(NamedTuple):
+class LetterRuns(NamedTuple):
     """Runs of letters from the left end of their baseline on."""
 
     place: tuple
@@ -120,7 +120,7 @@ class Text(NamedTuple):
 def extent(primitives):
     """(left, bottom, right, top) of a drawing; None of an empty one."""
     points = [point for part in primitives for stroke in part.strokes() for point in stroke]
-    points += [corner for part in primitives if isinstance(part, Text) for corner in (part.box[:2], part.box[2:])]
+    points += [corner for part in primitives if isinstance(part, LetterRuns) for corner in (part.box[:2], part.box[2:])]
     return plane.bounds(points) if points else None
 
 
@@ -128,7 +128,7 @@ def ghost(primitives):
     """The same in grey and without its texts: the position from which something moves."""
     found = []
     for part in primitives:
-        if not isinstance(part, Text):
+        if not isinstance(part, LetterRuns):
             filled = {"fill": None} if isinstance(part, (Polygon, Circle)) else {}
             found.append(part._replace(role="ghost", layer=SURFACE, **filled))
     return found

@@ -1,7 +1,7 @@
 """A scene as a drawing: everything that has a place, in one position."""
 
 from vibcli.base.errors import PhysicsError
-from vibcli.drawing.canvas.primitives import BODY, Circle, Line, extent
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
 from vibcli.drawing.layout import lumped, plane, rows
 from vibcli.drawing.layout.scale import scale_of
 from vibcli.drawing.layout.sketch import Sketch
@@ -28,7 +28,7 @@ def values_at(scene, position=None, time=0.0):
     return {**target, **dict(zip(nodes, evaluate(list(nodes.values()), Floats, target), strict=True))}
 
 
-class Stage:
+class Scenery:
     """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
 
     def __init__(self, scene):
@@ -115,7 +115,7 @@ def _constraints(sketch):
         ends = [sketch.attachment(end) for end in record.get("link", record.get("join", ()))]
         places = [sketch.now(end) for end in ends]
         if "link" in record:
-            found += [Line(tuple(places), width=2.4), *(part for place in places for part in support.hinge(place))]
+            found += [Polyline(tuple(places), width=2.4), *(part for place in places for part in support.hinge(place))]
         elif places:
             found += support.hinge(places[0])
         elif "belt" in record:

@@ -6,7 +6,7 @@ The fonts come with Matplotlib: STIX, and DejaVu for letters that it lacks; what
 import re
 from functools import cache, lru_cache
 
-from vibcli.drawing.canvas.primitives import Run, Text
+from vibcli.drawing.canvas.primitives import LetterRuns, Run
 from vibcli.notation.plain import GREEK, Plain, split_name
 from vibcli.plots import library
 
@@ -72,7 +72,7 @@ def text(runs, left, bottom, role="ink"):
     low = min(run.rise - DESCENT * run.size for run in runs)
     high = max(run.rise + ASCENT * run.size for run in runs)
     box = left, bottom, left + width(runs), bottom + high - low
-    return Text((left, bottom - low), tuple(runs), box, role)
+    return LetterRuns((left, bottom - low), tuple(runs), box, role)
 
 
 def size(runs):

@@ -3,7 +3,7 @@
 from math import sin
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Hatch, Line, Polygon
+from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.rows import motion
 from vibcli.drawing.symbols import arrow, damper, spring, support
@@ -12,7 +12,7 @@ BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
 HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
 
 
-class Place(NamedTuple):
+class LumpedPlace(NamedTuple):
     """Where a lumped body stands: its middle, half its width and height, and whether it turns."""
 
     middle: tuple
@@ -46,7 +46,7 @@ def layouts(found, scene, left, top):
         places = {}
         for name in row.bodies:
             half = DISC / 2 if scene.bodies[name].lumped[0] == "turn" else BOX / 2
-            places[name] = Place((x + half, y), half, height, scene.bodies[name].lumped[0] == "turn")
+            places[name] = LumpedPlace((x + half, y), half, height, scene.bodies[name].lumped[0] == "turn")
             x += 2 * half + GAP
         end = len(row.bodies)
         right = x if end in row.gaps or any(high == end for _, high, _ in row.lanes) else None
@@ -111,7 +111,7 @@ def _lane(layout, places, low, high, edge, lane):
             place = places[bodies[column]]
             ends.append((place.middle[0] + side * (place.half - 6), layout.y + place.height))
     (x1, y1), (x2, y2) = ends
-    legs = [Line(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
+    legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
     return legs + _element(edge, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
 
 
@@ -127,7 +127,7 @@ def _disc(place, angle):
     x, y = place.middle
     level = y + place.height * sin(angle)
     return [Polygon(tuple(plane.box(place.middle, 2 * place.half, 2 * place.height))),
-            *([Line(((x - place.half, level), (x + place.half, level)), layer=BODY)] if angle else [])]
+            *([Polyline(((x - place.half, level), (x + place.half, level)), layer=BODY)] if angle else [])]
 
 
 def _walls(layout):
@@ -167,7 +167,8 @@ def arrows(layout, scene, sketch):
         if place.turns:
             parts, tip = arrow.over((x, y), role), (x + 8, y + 6)
         else:
-            parts = [Line(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW), *arrow.straight((x, y), tip, role)]
+            bar = Polyline(((x, y - 5), (x, y + 5)), role, 0.9, layer=arrow.ARROW)
+            parts = [bar, *arrow.straight((x, y), tip, role)]
         found.append((parts, runs, [tip], role))
     for record in (scene.spec.get("forces") or {}).values():
         found += _load(record, layout, sketch)
@@ -187,7 +188,7 @@ def _load(record, layout, sketch):
     if "unbalance" in record:
         runs = captions.expression(record["unbalance"], sketch) or lettering.named(record.name)
         mass = (x + 8, y + 10)
-        parts = [Line((place.middle, mass), "load"), Circle(mass, 2.3, "load", "load")]
+        parts = [Polyline((place.middle, mass), "load"), Circle(mass, 2.3, "load", "load")]
         return [(parts, runs, [mass], "load")]
     runs = captions.expression(record["force"], sketch, 18) or lettering.named(record.name)
     start = (x + place.half, y + place.height - 5)

@@ -18,7 +18,7 @@ class Edge(NamedTuple):
     record: object
 
 
-class Row(NamedTuple):
+class LumpedRow(NamedTuple):
     """Bodies from left to right, `gaps`: {i: edges} between column i − 1 and i (0: at the left wall, n: at the right
     one), `lanes`: [(column, column, edge)] of what runs over bodies, −1 and n being the walls."""
 
@@ -88,7 +88,7 @@ def _row(members, edges, massless):
         else:
             lanes.append((low, high, edge))
     lanes.sort(key=lambda lane: lane[1] - lane[0])
-    return Row(list(best), gaps, lanes)
+    return LumpedRow(list(best), gaps, lanes)
 
 
 def _columns(edge, place):

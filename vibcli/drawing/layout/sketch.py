@@ -23,7 +23,7 @@ class Attachment(NamedTuple):
     loose: bool = False
 
 
-class Frame(NamedTuple):
+class DrawnFrame(NamedTuple):
     """Where a body's reference point was drawn and is now, and how far the body has turned."""
 
     drawn: tuple
@@ -37,7 +37,7 @@ class Frame(NamedTuple):
         return plane.turned(direction, self.angle)
 
 
-STILL = Frame((0.0, 0.0), (0.0, 0.0), 0.0)
+STILL = DrawnFrame((0.0, 0.0), (0.0, 0.0), 0.0)
 
 
 class Sketch:
@@ -75,7 +75,7 @@ class Sketch:
         frames = {}
         for i, name in enumerate(names):
             x0, y0, x, y, angle = flat[5 * i:5 * i + 5]
-            frames[name] = Frame((x0 * self.scale, y0 * self.scale), (x * self.scale, y * self.scale), angle)
+            frames[name] = DrawnFrame((x0 * self.scale, y0 * self.scale), (x * self.scale, y * self.scale), angle)
         return frames, dict(zip([name for name, _ in lumps], flat[5 * len(names):], strict=True))
 
     def number(self, expression):

@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import ceil, cos, floor, hypot, pi, sin
 
-from vibcli.drawing.canvas.primitives import Circle, Polygon, Text
+from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon
 from vibcli.drawing.layout import lettering, plane
 
 CELL, TAKEN, FILLED, CLEAR = 2.5, 1000.0, 0.02, 1.6
@@ -21,7 +21,7 @@ class Space:
 
     def add(self, primitives):
         for part in primitives:
-            if isinstance(part, Text):
+            if isinstance(part, LetterRuns):
                 self.reserve(part.box)
                 continue
             if isinstance(part, (Polygon, Circle)) and part.fill not in (None, "paper"):

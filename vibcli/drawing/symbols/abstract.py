@@ -1,6 +1,6 @@
 """A scene without bodies: a box that says what is given, with an arrow for each coordinate."""
 
-from vibcli.drawing.canvas.primitives import ELEMENT, Line, Polygon
+from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import lettering, plane
 from vibcli.drawing.symbols import arrow
 
@@ -19,7 +19,7 @@ def draw(scene):
              lettering.text(runs, (wide - lettering.width(runs)) / 2, -6.0)]
     for i, name in enumerate(names):
         x, y = (i + 0.5) * wide / len(names) - 14, HEIGHT / 2 + 9
-        found += [Line(((x, y - 5), (x, y + 5)), "coordinate", 0.9),
+        found += [Polyline(((x, y - 5), (x, y + 5)), "coordinate", 0.9),
                   *arrow.straight((x, y), (x + 24, y), "coordinate"),
                   lettering.text(lettering.named(name), x + 6, y + 5, "coordinate")]
     return found

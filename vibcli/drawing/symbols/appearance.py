@@ -1,6 +1,6 @@
 """Which look each placed body has: that of its shape, else of what it does."""
 
-from vibcli.drawing.canvas.primitives import BODY, Line, Polygon
+from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import sliding
 from vibcli.drawing.symbols.look import Look, ball, centre_mark, teeth
@@ -57,7 +57,7 @@ def _shaped(record, sketch, toothed=False):
 
 def _piece(part):
     if not part.closed:
-        return Line(tuple(part.points), width=3.0, layer=BODY)
+        return Polyline(tuple(part.points), width=3.0, layer=BODY)
     if part.band:
         return Polygon(tuple(part.points), None, width=2.6)
     return Polygon(tuple(part.points), "paper" if part.cut else "body")

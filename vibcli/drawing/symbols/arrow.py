@@ -2,7 +2,7 @@
 
 from math import cos, pi, sin
 
-from vibcli.drawing.canvas.primitives import ARROW, Arc, Line, Polygon
+from vibcli.drawing.canvas.primitives import ARROW, Arc, Polygon, Polyline
 from vibcli.drawing.layout import plane
 
 HEAD, WING = 6.5, 2.3
@@ -18,7 +18,7 @@ def straight(start, tip, role, width=1.2, both=False):
     """An arrow from one place to another."""
     e = plane.unit(plane.minus(tip, start))
     size = min(HEAD, 0.6 * plane.distance(start, tip))
-    found = [Line((plane.plus(start, e, size - 1) if both else start, plane.plus(tip, e, 1 - size)), role, width,
+    found = [Polyline((plane.plus(start, e, size - 1) if both else start, plane.plus(tip, e, 1 - size)), role, width,
                   layer=ARROW), head(tip, e, role, size)]
     return [*found, head(start, plane.times(e, -1), role, size)] if both else found
 
@@ -38,5 +38,5 @@ def over(place, role, width=1.2, rx=12.0, ry=5.0):
     angles = [1.15 * pi - 1.2 * pi * i / 16 for i in range(17)]
     points = [(place[0] + rx * cos(angle), place[1] + ry * sin(angle)) for angle in angles]
     tip = points[-1]
-    return [Line(tuple(points[:-2]), role, width, layer=ARROW),
+    return [Polyline(tuple(points[:-2]), role, width, layer=ARROW),
             head(tip, plane.unit(plane.minus(tip, points[-3])), role)]

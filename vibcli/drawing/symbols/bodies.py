@@ -2,7 +2,7 @@
 
 from math import pi
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Line
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import joint, support
 from vibcli.drawing.symbols.connection import snapped
@@ -34,7 +34,8 @@ def marks(sketch, looks):
         if look.kind in ("disc", "ring", "wheel", "hub", "rim"):
             left, bottom, right, top = plane.bounds(look.pieces[-1].points)
             centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
-            found.append(carried(Line((centre, plane.polar(centre, radius, pi / 2)), layer=BODY), sketch.frames[name]))
+            spoke = Polyline((centre, plane.polar(centre, radius, pi / 2)), layer=BODY)
+            found.append(carried(spoke, sketch.frames[name]))
     return found
 
 

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import Line
+from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment
 from vibcli.drawing.symbols import damper, spring, support
@@ -81,8 +81,8 @@ def draw(bunch, sketch):
             found += support.dot(place)
     if count > 1:
         half = 0.5 * (count - 1) * APART
-        found += [Line((a, at(bridge))), Line((at(bridge, half), at(bridge, -half))),
-                  Line((at(length - bridge, half), at(length - bridge, -half))), Line((at(length - bridge), b))]
+        found += [Polyline((a, at(bridge))), Polyline((at(bridge, half), at(bridge, -half))),
+                  Polyline((at(length - bridge, half), at(length - bridge, -half))), Polyline((at(length - bridge), b))]
     return found, where
 
 

@@ -13,7 +13,7 @@ LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
 
 
-class Motion(NamedTuple):
+class BodyMotion(NamedTuple):
     """One degree of freedom of a body: along a direction, or about a centre (an Attachment)."""
 
     body: str
@@ -34,13 +34,13 @@ def motions(sketch):
 def _of(body, sketch):
     record, name = body.record, body.name
     if "slide" in record:
-        return [Motion(name, record["slide"]["by"], _along(record["slide"], sketch, name))]
+        return [BodyMotion(name, record["slide"]["by"], _along(record["slide"], sketch, name))]
     if "pin" in record:
-        return [Motion(name, record["pin"]["by"], about=sketch.pivot(name))]
+        return [BodyMotion(name, record["pin"]["by"], about=sketch.pivot(name))]
     if "move" in record:
         x, y, turn = record["move"]["by"]
-        return [Motion(name, x, (1.0, 0.0)), Motion(name, y, (0.0, 1.0)),
-                Motion(name, turn, about=Attachment(name, sketch.centre(name)))]
+        return [BodyMotion(name, x, (1.0, 0.0)), BodyMotion(name, y, (0.0, 1.0)),
+                BodyMotion(name, turn, about=Attachment(name, sketch.centre(name)))]
     return _rolling(record["roll"], name, sketch) if "roll" in record else []
 
 
@@ -63,12 +63,12 @@ def _tangent(surface, place, sketch):
 def _rolling(roll, name, sketch):
     surface, found = sketch.scene.surfaces[roll["surface"].text], []
     if "travel" in roll:
-        found.append(Motion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
+        found.append(BodyMotion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
     if "turn" in roll:
-        found.append(Motion(name, roll["turn"], about=Attachment(name, sketch.frames[name].drawn)))
+        found.append(BodyMotion(name, roll["turn"], about=Attachment(name, sketch.frames[name].drawn)))
     if "swing" in roll:
         carrier = surface["body"].text if "body" in surface else None
-        found.append(Motion(name, roll["swing"], about=Attachment(carrier, sketch.pair(surface["circle"]))))
+        found.append(BodyMotion(name, roll["swing"], about=Attachment(carrier, sketch.pair(surface["circle"]))))
     return found
 
 
@@ -101,11 +101,11 @@ def _by_rates(name, sketch):
         x, y, turn = evaluate(slopes, Floats, sketch.values)
         size = hypot(x, y)
         if abs(turn) > 1e-9 and not sketch.spec.dimensions.of(name):
-            return Motion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
+            return BodyMotion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
         if size > (best[0] if best else 1e-9):
-            best = size, Motion(body.name, None, plane.unit((x, y)))
+            best = size, BodyMotion(body.name, None, plane.unit((x, y)))
         elif best is None and abs(turn) > 1e-9:
-            best = 1e-9, Motion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
+            best = 1e-9, BodyMotion(body.name, None, about=Attachment(body.name, sketch.centre(body.name)))
     return best and best[1]
 
 
@@ -146,7 +146,7 @@ def _ticked(start, e, n):
     path = [*ends, start, tip, plane.plus(tip, n, TICK), plane.plus(tip, n, -TICK), plane.plus(tip, e, 4)]
 
     def make(role):
-        return [arrow.Line(ends, role, 0.9, layer=arrow.ARROW), *arrow.straight(start, tip, role)]
+        return [arrow.Polyline(ends, role, 0.9, layer=arrow.ARROW), *arrow.straight(start, tip, role)]
     return path, make
 
 

@@ -1,6 +1,6 @@
 """Dampers: a dashpot between two ends, or bent about a joint."""
 
-from vibcli.drawing.canvas.primitives import ELEMENT, Line, Polygon
+from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import plane
 
 CUP, HALF = 13.0, 5.5
@@ -28,7 +28,7 @@ def _dashpot(at, length):
     near, far = 0.5 * (length - cup), 0.5 * (length + cup)
     piston = near + 0.55 * cup
     inner = Polygon((at(near, HALF), at(far, HALF), at(far, -HALF), at(near, -HALF)), "oil", "oil", 0.1, layer=ELEMENT)
-    return [Line((at(0), at(near)), "damper"), inner,
-            Line((at(far, HALF), at(near, HALF), at(near, -HALF), at(far, -HALF)), "damper"),
-            Line((at(piston, HALF - 1.2), at(piston, 1.2 - HALF)), "damper", 1.8),
-            Line((at(piston), at(length)), "damper")]
+    return [Polyline((at(0), at(near)), "damper"), inner,
+            Polyline((at(far, HALF), at(near, HALF), at(near, -HALF), at(far, -HALF)), "damper"),
+            Polyline((at(piston, HALF - 1.2), at(piston, 1.2 - HALF)), "damper", 1.8),
+            Polyline((at(piston), at(length)), "damper")]

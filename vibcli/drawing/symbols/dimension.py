@@ -3,7 +3,7 @@
 from math import pi
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import ARROW, Line
+from vibcli.drawing.canvas.primitives import ARROW, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.drawing.symbols.shape import ROD
@@ -108,7 +108,7 @@ def draw(length, space):
     cost, side, offset, a, b = best
     if cost - 0.1 * offset > CROWDED:
         return None
-    legs = [Line((plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND)), "measure", 0.6, layer=ARROW)
+    legs = [Polyline((plane.plus(p, n, side * (ROD + 2)), plane.plus(q, n, side * BEYOND)), "measure", 0.6, layer=ARROW)
             for p, q in ((length.one, a), (length.two, b))]
     parts = [part._replace(width=min(part.width, 0.7)) for part in arrow.straight(a, b, "measure", 0.7, both=True)]
     return [*legs, *parts], length.runs, [plane.plus(plane.middle(a, b), n, sign * 1.5) for sign in (side, -side)]

@@ -2,7 +2,7 @@
 
 from math import hypot, pi
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Line
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -89,7 +89,7 @@ def _unbalance(record, at, sketch):
     """A small mass on an arm that turns."""
     centre = sketch.now(at)
     mass = plane.polar(centre, 9.0, 0.3 * pi)
-    found = [Line((centre, mass), "load", layer=BODY), Circle(mass, 2.3, "load", "load"),
+    found = [Polyline((centre, mass), "load", layer=BODY), Circle(mass, 2.3, "load", "load"),
              *arrow.round_(centre, 17.0, -0.1 * pi, 0.75 * pi, "load")]
     runs = (captions.expression(record["unbalance"], sketch) or lettering.named(record.name))
     return found, runs, [plane.polar(centre, 18.0, 0.75 * pi), plane.polar(centre, 18.0, 0.3 * pi)]

@@ -3,7 +3,7 @@
 from math import pi
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import JOINT, Circle, Line, Polygon
+from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline
 from vibcli.drawing.layout import plane
 
 
@@ -20,7 +20,7 @@ class Look(NamedTuple):
 
     @property
     def outlines(self):
-        return [part for part in self.pieces if not isinstance(part, Line)]
+        return [part for part in self.pieces if not isinstance(part, Polyline)]
 
     def size(self):
         """The larger side of its box."""

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from vibcli.drawing.canvas.primitives import BODY, Line, extent, ghost
+from vibcli.drawing.canvas.primitives import BODY, Polyline, extent, ghost
 from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.symbols import arrow, bodies
 from vibcli.drawing.vibration import Vibration, caption, mode
@@ -12,7 +12,7 @@ QUIET = ("spring", "damper", "oil", "ground", "fixed", "rope", "belt")     # rol
 
 def draw(problem, index, both=False, normalise="first"):
     """The primitives of a mode; `both`: also displaced the other way, dashed."""
-    stage = compose.Stage(problem.scene)
+    stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
     found = ghost(part for part in frame(stage, vibration.rest, vibration.unit) if part.role not in QUIET)
     if both:
@@ -39,7 +39,7 @@ def _arrows(stage, rest, moved, unit):
             if not place.turns:
                 x, y = place.middle[0] + rest.lumped[name] * unit, place.middle[1] + place.height + 9
                 tip = place.middle[0] + moved.lumped[name] * unit
-                found.append(Line(((x, y - 5), (x, y + 5)), "coordinate", 0.9, layer=BODY))
+                found.append(Polyline(((x, y - 5), (x, y + 5)), "coordinate", 0.9, layer=BODY))
                 if abs(tip - x) > 2.0:
                     found += arrow.straight((x, y), (tip, y), "coordinate")
     return found

@@ -2,7 +2,7 @@
 
 from math import isfinite
 
-from vibcli.drawing.canvas.primitives import SURFACE, Line
+from vibcli.drawing.canvas.primitives import SURFACE, Polyline
 from vibcli.drawing.layout import plane
 
 REACH, STEPS, BENT = 75.0, 24, 1.0      # points to either side
@@ -18,7 +18,7 @@ def draw(stage):
             points = _one_way(name, stage, -1)[::-1] + _one_way(name, stage, 1)[1:]
             chord = (points[0], points[-1])
             if len(points) > 2 and max(plane.distance(p, plane.nearest_on(p, *chord)) for p in points) > BENT:
-                found.append(Line(tuple(points), "measure", 0.8, True, SURFACE))
+                found.append(Polyline(tuple(points), "measure", 0.8, True, SURFACE))
     return found
 
 

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from vibcli.drawing.canvas.primitives import BEHIND, BODY, Line, Polygon
+from vibcli.drawing.canvas.primitives import BEHIND, BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look, ball, centre_mark
 from vibcli.drawing.symbols.shape import BALL, ROD
@@ -24,11 +24,11 @@ def pinned(body, centre, pivot, sketch, ties):
         radius = HUB if body.inertia is not None or not slots else 3.0
         return Look([*rail(centre, slots), ball(centre, radius)], "hub")
     if body.mass is None and body.inertia is None:
-        return Look([Line((pivot, centre), width=2.4, layer=BODY), *rail(centre, slots)], "arm")
+        return Look([Polyline((pivot, centre), width=2.4, layer=BODY), *rail(centre, slots)], "arm")
     if {"inertia", "gyration"} & set(body.record.values):
         return _blob(pivot, centre)
     bob = ball(centre, BALL + 1.5)
-    return Look([Line((pivot, centre), width=1.6, layer=BEHIND), bob, *rail(centre, slots)], "bob", bob.points)
+    return Look([Polyline((pivot, centre), width=1.6, layer=BEHIND), bob, *rail(centre, slots)], "bob", bob.points)
 
 
 def _blob(pivot, centre):
@@ -55,4 +55,4 @@ def rail(origin, slots):
         low, high = (low - BEYOND if low < 0 else 0.0), (high + BEYOND if high > 0 else 0.0)
     offset = plane.minus(slots[0][0], origin)
     base = plane.plus(origin, plane.minus(offset, plane.times(direction, plane.dot(offset, direction))))
-    return [Line((plane.plus(base, direction, low), plane.plus(base, direction, high)), width=2.4, layer=BEHIND)]
+    return [Polyline((plane.plus(base, direction, low), plane.plus(base, direction, high)), width=2.4, layer=BEHIND)]

@@ -1,6 +1,6 @@
 """Posts: thin rods from a body to the places that it carries and that are not on it."""
 
-from vibcli.drawing.canvas.primitives import BEHIND, Line
+from vibcli.drawing.canvas.primitives import BEHIND, Polyline
 from vibcli.drawing.layout import plane
 
 
@@ -12,7 +12,7 @@ def with_posts(look, body, sketch, ties):
             continue
         root = _root(place, look, sketch.centre(body.name))
         if not _along_element(root, place, ties, body.name):
-            posts.append(Line(_bent(root, place, look, sketch.centre(body.name)), width=2.4, layer=BEHIND))
+            posts.append(Polyline(_bent(root, place, look, sketch.centre(body.name)), width=2.4, layer=BEHIND))
     return look._replace(pieces=[*posts, *look.pieces])
 
 
@@ -20,9 +20,9 @@ def touches(place, look, slack=2.5):
     """Is a place on a body as drawn?"""
     for part in look.pieces:
         points = list(part.points)
-        if not isinstance(part, Line) and plane.inside(place, points):
+        if not isinstance(part, Polyline) and plane.inside(place, points):
             return True
-        pairs = zip(points, points[1:] + ([] if isinstance(part, Line) else points[:1]), strict=False)
+        pairs = zip(points, points[1:] + ([] if isinstance(part, Polyline) else points[:1]), strict=False)
         if any(plane.distance(place, plane.nearest_on(place, a, b)) < slack for a, b in pairs):
             return True
     return False
@@ -33,7 +33,7 @@ def _root(place, look, centre):
     best = centre
     for part in look.pieces:
         points = list(part.points)
-        closing = [] if isinstance(part, Line) else points[:1]
+        closing = [] if isinstance(part, Polyline) else points[:1]
         near = min((plane.nearest_on(place, a, b) for a, b in zip(points, points[1:] + closing, strict=False)),
                    key=lambda p: plane.distance(place, p))
         if plane.distance(place, near) < plane.distance(place, best):

@@ -4,7 +4,7 @@ from itertools import pairwise
 from math import pi, sqrt
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import Arc, Line
+from vibcli.drawing.canvas.primitives import Arc, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment
 from vibcli.drawing.layout.ties import SIDES
@@ -12,7 +12,7 @@ from vibcli.drawing.layout.ties import SIDES
 NORMAL = dict(zip(SIDES, ((0, 1), (0, -1), (-1, 0), (1, 0)), strict=True))
 
 
-class Stop(NamedTuple):
+class DrawnStop(NamedTuple):
     """A place that a rope passes or ends at: its radius, the sense in which the rope goes round it (0 at a place)."""
 
     at: Attachment
@@ -35,7 +35,7 @@ def stops(record, sketch, looks):
         travel = plane.minus(_contact(after), _contact(before)) if i not in (0, len(raw) - 1) else plane.minus(
             after[0].drawn, before[0].drawn)
         sense = 0 if side is None or not radius else 1 if plane.across(side, travel) > 0 else -1
-        found.append(Stop(at, radius, sense))
+        found.append(DrawnStop(at, radius, sense))
     last = found[-2]._replace(sense=-found[-2].sense)
     return [_edge(found[0], found[1], looks), *found[1:-1], _edge(found[-1], last, looks)]
 
@@ -81,12 +81,12 @@ def implied(found, sketch, looks):
     wheel, weight = sketch.rim(found.wheel), Attachment(found.weight, sketch.centre(found.weight))
     offset = plane.minus(weight.drawn, wheel.drawn)
     if not found.radius:
-        return [Stop(wheel), _edge(Stop(weight), Stop(wheel), looks)]
+        return [DrawnStop(wheel), _edge(DrawnStop(weight), DrawnStop(wheel), looks)]
     turn = 1 if abs(abs(offset[0]) - found.radius) < abs(abs(offset[1]) - found.radius) else 0
     side = (offset[0], 0.0) if turn else (0.0, offset[1])
     sense = 1 if plane.across(side, plane.minus(offset, side)) > 0 else -1
-    start = Stop(wheel, found.radius, sense)
-    return [start, _edge(Stop(weight), start._replace(sense=-sense), looks)]
+    start = DrawnStop(wheel, found.radius, sense)
+    return [start, _edge(DrawnStop(weight), start._replace(sense=-sense), looks)]
 
 
 def draw(chain, sketch, role="rope", closed=False):
@@ -95,7 +95,7 @@ def draw(chain, sketch, role="rope", closed=False):
     found, ends = [], []
     for (a, one), (b, two) in pairwise(zip(places, chain, strict=True)):
         ends.append(_tangent(a, one, b, two))
-        found.append(Line(ends[-1], role, 1.4))
+        found.append(Polyline(ends[-1], role, 1.4))
     corners = list(zip(ends, ends[1:], places[1:-1], chain[1:-1], strict=False))
     if closed:
         corners.append((ends[-1], ends[0], places[0], chain[0]))
@@ -115,7 +115,7 @@ def belt(record, sketch):
         return []
     radii = [_pitch(record, i, sketch) for i in range(2)]
     second = -1 if record.get("crossed") else 1
-    chain = [Stop(ends[0], radii[0], 1), Stop(ends[1], radii[1], second), Stop(ends[0], radii[0], 1)]
+    chain = [DrawnStop(ends[0], radii[0], 1), DrawnStop(ends[1], radii[1], second), DrawnStop(ends[0], radii[0], 1)]
     return draw(chain, sketch, "belt", closed=True)
 
 

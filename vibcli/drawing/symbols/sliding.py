@@ -2,7 +2,7 @@
 
 from math import pi
 
-from vibcli.drawing.canvas.primitives import JOINT, Line, Polygon
+from vibcli.drawing.canvas.primitives import JOINT, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.look import Look, ball
 from vibcli.drawing.symbols.tracks import contacts, curve_points, free_side
@@ -34,7 +34,7 @@ def block(body, centre, sketch, ties):
         low, high = min(centre[0] - width / 2, min(beside) - 6), max(centre[0] + width / 2, max(beside) + 6)
         middle, width = ((low + high) / 2, middle[1]), high - low
         corners = plane.box(middle, width, height)
-    hanger = [Line((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
+    hanger = [Polyline((centre, plane.plus(centre, (0.0, -1.0), hook)), width=1.4, layer=JOINT)] if hook else []
     return Look([*hanger, Polygon(tuple(corners))], "block", corners, angle, width, height)
 
 

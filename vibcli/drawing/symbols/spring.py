@@ -2,7 +2,7 @@
 
 from math import pi
 
-from vibcli.drawing.canvas.primitives import Line
+from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 
 WIDTH, COIL, LEAD, MOST = 5.0, 6.5, 7.0, 16     # half the width of a zigzag, a coil, a straight end; coils
@@ -18,7 +18,7 @@ def zigzag(start, end, drawn):
     points = [start, at(lead)]
     for i in range(coils):
         points += [at(lead + (i + 0.25) * step, WIDTH), at(lead + (i + 0.75) * step, -WIDTH)]
-    return [Line((*points, at(length - lead), end), "spring")]
+    return [Polyline((*points, at(length - lead), end), "spring")]
 
 
 def spiral(centre, from_angle, to_angle, radius=13.0):
@@ -28,4 +28,4 @@ def spiral(centre, from_angle, to_angle, radius=13.0):
     count = 70
     points = [plane.polar(centre, 4.0 + (radius - 4.0) * i / count, from_angle + turns * i / count)
               for i in range(count + 1)]
-    return [Line(tuple(points), "spring")]
+    return [Polyline(tuple(points), "spring")]

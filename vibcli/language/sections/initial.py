@@ -2,7 +2,7 @@
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Kind, NameOf, Quantity
-from vibcli.language.reader import Name, Record
+from vibcli.language.reader import Record, Reference
 from vibcli.symbolic.parser import plain_name
 
 RELEASED = "released"
@@ -33,7 +33,7 @@ class Initial(Kind):
                 reader.report(key_node.where, f"a motion starts from positions and velocities, found '{key_node.text}'",
                               f"write {name} or {name}'")
                 continue
-            reader.references.append((Name(plain_name(name), key_node.where), ("coordinates",),
+            reader.references.append((Reference(plain_name(name), key_node.where), ("coordinates",),
                                       "the name of a coordinate"))
             expression = Quantity().read(value, reader)
             if expression is not None:

@@ -33,7 +33,7 @@ def proved(forces, found):
     if len(forces.names) not in BOXES or forces.looped or found.families:
         return False
     try:
-        enclosed = Enclosed(forces)
+        enclosed = ForceBounds(forces)
     except (KeyError, ArithmeticError):
         return False
     if enclosed.jumps:
@@ -88,7 +88,7 @@ def _searched_on(forces, found, enclosed, left, known, beside):
     return found.count + len(beside) > before
 
 
-class Enclosed:
+class ForceBounds:
     """Bounds of F and J over boxes of z. `jumps`: do the forces jump somewhere, so that J does not tell of it?"""
 
     def __init__(self, forces):

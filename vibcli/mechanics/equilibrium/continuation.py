@@ -20,7 +20,7 @@ APPROACH = 1e-6
 DIFFERENCE, REGULAR, SETTLED = 1e-6, 1e-9, 1e-8
 
 
-class Place(NamedTuple):
+class BranchPoint(NamedTuple):
     """An equilibrium of the branch: p, scaled coordinates, {coordinate: float}, and K in scaled coordinates."""
 
     value: float
@@ -32,7 +32,7 @@ class Place(NamedTuple):
 class Followed(NamedTuple):
     """The last place reached, whether that is the one asked for, all places of the way."""
 
-    place: Place
+    place: BranchPoint
     arrived: bool
     way: tuple
 
@@ -65,7 +65,7 @@ class Branch:
         drawn = self.problem.drawn_floats
         known = self.forces(value, self.np.array([drawn[name] for name in self.names]) / self.scale, drawn, value)
         self.size = max(float(abs(part[1]).max()) for part in (found, known) if part is not None) or 1.0
-        return self.corrected(value, Place(value, q, position, found[1]), q, 1e-3)
+        return self.corrected(value, BranchPoint(value, q, position, found[1]), q, 1e-3)
 
     def forces(self, value, q, near, of):
         """(r, K, position) in scaled coordinates; None where they are not defined. `near`: a position closed for the
@@ -110,7 +110,7 @@ class Branch:
                 return None
             if length <= self._tiny(q):
                 found = self.forces(value, q, near, of)
-                return found and Place(value, q, found[2], found[1])
+                return found and BranchPoint(value, q, found[2], found[1])
         return None
 
     def _tiny(self, q):
@@ -205,7 +205,7 @@ class Branch:
         if float(np.abs(self._singular(y, unit, along, place)).max()) > REGULAR:
             return None
         _, K, position = self.forces(value, y[:n], place.position, place.value)
-        found = Place(value, y[:n], position, K)
+        found = BranchPoint(value, y[:n], position, K)
         w, load = np.linalg.svd(K)[0][:, -1], self.load(found)
         if load is None or abs(w @ load) <= 1e-6 * float(np.linalg.norm(load)):
             return None

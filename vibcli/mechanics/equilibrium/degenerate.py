@@ -9,7 +9,7 @@ from contextlib import suppress
 from math import sqrt
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.equilibrium.equilibrium import Equilibrium, Search, relative_residual
+from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent, Equilibrium, relative_residual
 from vibcli.mechanics.equilibrium.zero_modes import FREE
 from vibcli.mechanics.factored_system import OscillatorElements
 from vibcli.mechanics.high_precision import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
@@ -50,7 +50,7 @@ def sharpened(problem, found):
     """The Equilibrium `found`, its place refined where Newton's method would still move it: near a multiple zero the
     forces are rounding long before the place is known. So is a displacement that is tiny beside the figure, the
     difference of lengths of which floats know few digits."""
-    search = Search(problem, found.values)
+    search = EnergyDescent(problem, found.values)
     vector = search.vector(found.values)
     tiny = any(0 < x < TINY for x in abs(vector / search.scale))
     with suppress(PhysicsError):

@@ -27,7 +27,7 @@ class Span(NamedTuple):
     whole: bool
 
 
-class Row(NamedTuple):
+class HeldCondition(NamedTuple):
     """One condition: b + Σ a σ = 0; `held` {σ: a}. `within`: the bound of |b| where its one σ stands in no other
     condition, else None."""
 
@@ -38,7 +38,7 @@ class Row(NamedTuple):
 
 
 class Sticking(NamedTuple):
-    """The conditions, a Row for each coordinate, and {σ: σ₀}."""
+    """The conditions, a HeldCondition for each coordinate, and {σ: σ₀}."""
 
     rows: tuple
     bounds: dict
@@ -94,7 +94,7 @@ def _row(scene, name, b, held, parts, bounds):
     if alone:
         (sigma, a), = held.items()
         within = textbook(bounds[sigma] * scene.table.call("abs", a))
-    return Row(name, b, held, within)
+    return HeldCondition(name, b, held, within)
 
 
 def holds(problem, found, place):

@@ -49,7 +49,7 @@ def is_balanced(numbers, terms=8):
 
 def find_equilibrium(problem, start):
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
-    search = Search(problem, start)
+    search = EnergyDescent(problem, start)
     q = search.vector(start)
     numbers = search.at(q)
     step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
@@ -72,7 +72,7 @@ def find_equilibrium(problem, start):
     return Equilibrium(search.here, False, search.relative(numbers), steps)
 
 
-class Search:
+class EnergyDescent:
     """The potential energy of a scene as a function to be descended."""
 
     first_drift = 0.1

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.base.work import Spent
-from vibcli.mechanics.equilibrium.completeness import Enclosed, outside
+from vibcli.mechanics.equilibrium.completeness import ForceBounds, outside
 from vibcli.mechanics.equilibrium.degree import degree
 from vibcli.mechanics.equilibrium.eigenvector_following import look_for
 from vibcli.mechanics.equilibrium.scaled_forces import TooMuch
@@ -33,7 +33,7 @@ def compared(forces, found):
     if forces.looped or found.full:
         return None
     try:
-        enclosed = Enclosed(forces)
+        enclosed = ForceBounds(forces)
     except (KeyError, ArithmeticError):
         return None
     total = _sum(enclosed, found)

@@ -10,7 +10,7 @@ from functools import cached_property
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady, without_time
-from vibcli.mechanics.inputs_outputs.linear_functions import Row
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import take_over
@@ -120,7 +120,7 @@ class Opened:
         return found
 
     def rows(self, nodes):
-        """The Row of each node."""
+        """The LinearFunction of each node."""
         scene, kinds = self.scene, (self.scene.q, self.scene.v, self.scene.a)
         slopes = [[{i: slopes[x] for i, x in enumerate(kind) if x in slopes} for kind in kinds]
                   for slopes in map(gradient, nodes)]
@@ -129,7 +129,7 @@ class Opened:
         found = []
         for node, parts in zip(nodes, slopes, strict=True):
             numbers = [{i: known[slope] for i, slope in part.items() if known[slope]} for part in parts]
-            found.append(Row(*self._fixed(node), *numbers))
+            found.append(LinearFunction(*self._fixed(node), *numbers))
         if scene.timed:
             self._steady_constraints(nodes)
         return found

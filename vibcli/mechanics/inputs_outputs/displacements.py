@@ -1,7 +1,7 @@
 """Displacements of places, turns and stretches as signals (vibcli/language/signals.py lists them)."""
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.reader import Name
+from vibcli.language.reader import Reference
 
 
 def displacement(scene, text):
@@ -12,7 +12,7 @@ def displacement(scene, text):
     if part in ("x", "y", "angle") and name in scene.bodies and scene.bodies[name].frame is None:
         return _lumped(scene.bodies[name], part)
     if part in ("x", "y"):
-        drawn, place, _ = scene.place(Name(name, None))
+        drawn, place, _ = scene.place(Reference(name, None))
         return place["xy".index(part)] - drawn["xy".index(part)]
     if part == "angle":
         return scene.bodies[name].frame.angle

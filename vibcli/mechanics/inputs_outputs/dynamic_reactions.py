@@ -13,7 +13,7 @@ from functools import cached_property
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.inputs_outputs.base_excitation import Opened
-from vibcli.mechanics.inputs_outputs.linear_functions import Row, combined, product
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, signal_of, solved
 from vibcli.mechanics.signals import pinned_at
 from vibcli.symbolic.derivatives import gradient
@@ -30,7 +30,7 @@ class MovingReactions:
 
     @cached_property
     def rows(self):
-        """{signal: Row, or None where the scene is supported by more than it needs}."""
+        """{signal: LinearFunction, or None where the scene is supported by more than it needs}."""
         import numpy as np
 
         scene = self.released.scene
@@ -61,7 +61,7 @@ class MovingReactions:
         return found
 
     def _residual(self):
-        """{i: Row of E_i} over the coordinates and inputs of the opened scene."""
+        """{i: LinearFunction of E_i} over the coordinates and inputs of the opened scene."""
         released, motions = self.released, self._motions()
         numbers = released.numbers
         M, C, G, K = numbers.elements.matrices()
@@ -73,7 +73,7 @@ class MovingReactions:
                         _add(parts[i][kind], x, motions[j])
         driven = excitation(released.scene, released.timed, released.place)
         driven = dict(zip(driven, copied(list(driven.values()), self.opened.scene.table), strict=True))
-        return {i: Row(float(numbers.residual[i]), [(-1.0, driven[i])] if i in driven else [], **part)
+        return {i: LinearFunction(float(numbers.residual[i]), [(-1.0, driven[i])] if i in driven else [], **part)
                 for i, part in parts.items()}
 
     def _motions(self):
@@ -106,7 +106,7 @@ class MovingReactions:
                     _add(residual[i].q, float(size) * x, motions[j])
 
     def row(self, text):
-        """The Row of a reaction, a force in a constraint, or a force of contact."""
+        """The LinearFunction of a reaction, a force in a constraint, or a force of contact."""
         name, _, part = text.partition(".")
         if part in ("normal", "friction"):
             return self._contact(name, part)

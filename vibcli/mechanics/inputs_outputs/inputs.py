@@ -57,7 +57,7 @@ def in_powers(columns, weights, turns):
 
 
 def direct_part(row, chosen):
-    """d as [number] of the powers s⁰, s¹, s²: what an Input does to a Row at once."""
+    """d as [number] of the powers s⁰, s¹, s²: what an Input does to a LinearFunction at once."""
     if chosen.carried and any(part.get(j) for part in (row.q, row.v, row.a) for j in chosen.carried):
         raise PhysicsError("what this load does to the signal at once turns with what is driven",
                            "ask for a coordinate")

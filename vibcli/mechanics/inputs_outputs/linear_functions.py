@@ -3,7 +3,7 @@
 from vibcli.base.errors import PhysicsError
 
 
-class Row:
+class LinearFunction:
     """Coefficients {i: number} of the deviations, their rates and accelerations; `time`: [(factor, node of t)]."""
 
     __slots__ = ("a", "constant", "q", "time", "v")
@@ -14,7 +14,7 @@ class Row:
 
 def combined(pairs):
     """Σ factor·row of (factor, row) pairs."""
-    found = Row()
+    found = LinearFunction()
     for factor, row in pairs:
         found.constant += factor * row.constant
         found.time += [(factor * weight, node) for weight, node in row.time]
@@ -30,7 +30,7 @@ def rate(row, scene):
     if row.a:
         raise PhysicsError("the rate of a force of inertia is no function of places, velocities and accelerations",
                            "ask for the force itself")
-    return Row(0.0, [(weight, scene.rate(node)) for weight, node in row.time], None, row.q, row.v)
+    return LinearFunction(0.0, [(weight, scene.rate(node)) for weight, node in row.time], None, row.q, row.v)
 
 
 def product(one, two):

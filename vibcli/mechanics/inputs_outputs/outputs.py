@@ -21,7 +21,7 @@ def is_quadratic(text):
 
 
 def linear_row(problem, text):
-    """The Row of a signal over the coordinates and inputs of the opened scene."""
+    """The LinearFunction of a signal over the coordinates and inputs of the opened scene."""
     bare = text.rstrip("'")
     row = _row(problem, bare)
     for _ in range(len(text) - len(bare)):
@@ -60,7 +60,7 @@ def tension(scene, name):
 
 
 def _rates(opened, name):
-    """[(c, Row of ṡ)] of a damper."""
+    """[(c, LinearFunction of ṡ)] of a damper."""
     terms = [term for term in opened.scene.dampers if term.owner == name]
     coefficients = evaluate([term.weight for term in terms], Floats, opened.values)
     return [(c, rate(row, opened.scene)) for c, row in zip(coefficients, opened.rows([term.s for term in terms]),
@@ -68,7 +68,7 @@ def _rates(opened, name):
 
 
 def squares(problem, text):
-    """[(weight, Row)] of a signal that is a sum of squares."""
+    """[(weight, LinearFunction)] of a signal that is a sum of squares."""
     opened = problem.opened
     name, _, part = text.partition(".")
     if opened.scene.law_forces(name):

@@ -5,7 +5,7 @@ from itertools import groupby
 
 from vibcli.notation.numbers import width
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Either, Factor, Maths, Name, Terms, Words
+from vibcli.report.blocks import Either, Factor, Maths, Name, SumOfTerms, Words
 
 BREAK = re.compile(r"(?= [+−=<>] )")
 
@@ -62,7 +62,7 @@ def _pieces(part, write):
     if isinstance(part, Either):
         plus, either = write.signed(False, write(part.mark)), write.notation(" ∓ ")
         return [write(part.node).replace(plus, write.beside(either, write(part.root)))]
-    nodes = part.nodes if isinstance(part, Terms) else (part,)
+    nodes = part.nodes if isinstance(part, SumOfTerms) else (part,)
     terms = [term for node in nodes for term in write.terms(node)]
     return [write.signed(negative, text, not i) for i, (negative, text) in enumerate(terms)]
 

@@ -5,7 +5,7 @@ from base64 import b64encode
 
 from vibcli.notation.mathml import mathml, row
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
+from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
 from vibcli.report.formats.formula import formula, rows, without_words
 from vibcli.report.formats.html_page import page, words
 from vibcli.report.formats.latex import is_signed
@@ -121,5 +121,5 @@ def _picture(block, _):
             f"<figcaption>{words(block.caption)}</figcaption></figure>")
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, Table: _table, Definitions: _definitions,
-           Refusal: _refusal, Picture: _picture}
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+           Definitions: _definitions, Refusal: _refusal, Picture: _picture}

@@ -4,7 +4,7 @@ import re
 
 from vibcli.notation.latex import latex
 from vibcli.notation.latex_text import escaped
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
+from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
 from vibcli.report.formats.formula import formula, rows, without_words
 
 COLUMNS = 95        # of plain text, in a row of a formula
@@ -105,5 +105,5 @@ def _picture(block, place):
             f"{{}}{escaped(block.caption)}\n\\end{{center}}")
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, Table: _table, Definitions: _definitions,
-           Refusal: _refusal}
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+           Definitions: _definitions, Refusal: _refusal}

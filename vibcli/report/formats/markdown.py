@@ -4,7 +4,7 @@ import re
 
 from vibcli.base.plain_text import on_one_line
 from vibcli.notation.latex import Latex
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, Table
+from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
 from vibcli.report.formats.formula import formula, without_words
 from vibcli.report.formats.latex import aligned, is_signed
 
@@ -114,5 +114,5 @@ def _picture(block, place):
     return f"![{escaped(block.caption)}]({place(block)})"
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, Table: _table, Definitions: _definitions,
-           Refusal: _refusal}
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+           Definitions: _definitions, Refusal: _refusal}

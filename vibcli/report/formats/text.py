@@ -3,7 +3,7 @@
 from vibcli.base.plain_text import cleaned
 from vibcli.notation.numbers import table, width, wrapped
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Table
+from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, TableBlock
 from vibcli.report.formats.formula import formula
 
 COLUMNS = 100
@@ -71,4 +71,5 @@ def _nothing(_):
     return []
 
 
-_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, Table: _table, Definitions: _definitions}
+_RENDER = {Equations: _equations, Paragraph: _paragraph, Heading: _heading, TableBlock: _table,
+           Definitions: _definitions}

@@ -88,9 +88,9 @@ def _full(problem, report):
 
 
 def _in_numbers(problem, found):
-    from vibcli.mechanics.lagrange import Equations
+    from vibcli.mechanics.lagrange import EquationsOfMotion
 
-    matrices = Equations()
+    matrices = EquationsOfMotion()
     matrices.M, matrices.C, matrices.G, matrices.K = problem.elements.matrices()
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)

@@ -4,7 +4,7 @@ from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stif
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure, with_unit
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Name, Table, Words, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.sections.parameters import unit
 
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
@@ -66,7 +66,7 @@ def _table(problem):
         found = judged(about)
         rows.append((str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2),
                      _kind(found, item), _rates(about, found)))
-    return Table(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
+    return TableBlock(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
 
 
 def _heads(problem):

@@ -5,7 +5,7 @@ from math import isfinite
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Table, line, paragraph, section
+from vibcli.report.blocks import TableBlock, line, paragraph, section
 from vibcli.report.sections.requested_signals import curves_asked, symbol
 
 TURN = 6.283185307179586
@@ -69,7 +69,7 @@ def _in_numbers(problem, name, driver, unit):
                      "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
-    yield Table(head, tuple(rows)) if rows else paragraph("no resonance")
+    yield TableBlock(head, tuple(rows)) if rows else paragraph("no resonance")
     yield from _fixed_points(problem, curve, unit)
     if any(isfinite(value) for _, value in curve.peaks):
         yield paragraph("Ω₁ and Ω₂: half-power points, |H| = peak/√2; Q = Ω/(Ω₂ − Ω₁)")
@@ -84,7 +84,7 @@ def _fixed_points(problem, curve, unit):
             for number, (Omega, value) in enumerate(curve.fixed_points(dampers[0]), 1)]
     if rows:
         yield paragraph(f"Fixed points, the same for every value of '{dampers[0]}':")
-        yield Table(("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]"), tuple(rows))
+        yield TableBlock(("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]"), tuple(rows))
 
 
 def _bandwidth(curve, number):

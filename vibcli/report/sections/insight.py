@@ -3,7 +3,7 @@
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Name, Table, Words, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.sections.insight_data import logarithmic, require_numbers
 
 COLUMNS, ROWS = 8, 40       # of a table; the rest is in the JSON
@@ -17,7 +17,7 @@ def _grid(title, columns, write, *told):
     rows = [(name, *(write(column.get(name)) for _, column in shown)) for name in names[:ROWS]]
     left = [f"{len(columns) - COLUMNS} more modes"] * (len(columns) > COLUMNS)
     left += [f"{len(names) - ROWS} more rows"] * (len(names) > ROWS)
-    return section(title, Table(("", *(head for head, _ in shown)), tuple(rows)),
+    return section(title, TableBlock(("", *(head for head, _ in shown)), tuple(rows)),
                    paragraph(f"… {' and '.join(left)}: see --json", hang=None) if left else None, *told) if rows else ()
 
 
@@ -126,7 +126,7 @@ def estimates(problem, _):
     deflection = [maths(Name(name), " = ", figure(x, digits=4)) for name, x in list(found.deflection.items())[:ROWS]]
     alone = [f"{name}: {figure(x)} rad/s" for name, x in list(found.alone.items())[:ROWS]]
     yield from section(
-        title, Table(("", "ω [rad/s]", "error"), rows),
+        title, TableBlock(("", "ω [rad/s]", "error"), rows),
         paragraph("Rayleigh's shape is the static deflection ", *separated(deflection, ",  "))
         if len(found.deflection) > 1 else None,
         paragraph("Dunkerley: ", maths("1/ω² = Σ 1/ω_j²"), ", with the inertia of one alone ", ",  ".join(alone))

@@ -5,7 +5,7 @@ from itertools import pairwise
 from math import degrees, hypot
 
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Name, Table, maths, paragraph
+from vibcli.report.blocks import Name, TableBlock, maths, paragraph
 from vibcli.report.sections.data import TURN
 
 ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
@@ -86,4 +86,4 @@ def shapes(names, found, write=_real):
                   for i, shape in enumerate(found[:LONGEST], 1)),
                 paragraph("…", hang=None) if len(found) > LONGEST else None]
     rows = [(maths(Name(name)), *(write(shape[i]) for shape in found)) for i, name in enumerate(names)]
-    return [Table(("", *(f"mode {i + 1}" for i in range(len(found)))), tuple(rows))]
+    return [TableBlock(("", *(f"mode {i + 1}" for i in range(len(found)))), tuple(rows))]

@@ -13,7 +13,7 @@ from vibcli.symbolic.syntax import NameRef
 POINTS = 1001
 
 
-class Asked(NamedTuple):
+class RequestedSignal(NamedTuple):
     """A signal that is asked for: its text, its tree, its dimension, and the Signal."""
 
     text: str
@@ -60,7 +60,7 @@ def trees_asked(problem, word, given=()):
 
 def signals_asked(problem, given=()):
     """The Asked signals of a motion in time."""
-    return [Asked(text, tree, _dimension(problem, tree), problem.motion.signal(tree))
+    return [RequestedSignal(text, tree, _dimension(problem, tree), problem.motion.signal(tree))
             for text, tree in trees_asked(problem, RESPONSE, given)]
 
 

@@ -8,7 +8,7 @@ from vibcli.language.sections.initial import let_go
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, Table, line, maths, paragraph, section
+from vibcli.report.blocks import Name, TableBlock, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
 from vibcli.symbolic.syntax import NameRef
 
@@ -77,7 +77,7 @@ def _at_instants(problem, asked, wanted, known):
             if_fixed(lambda one=one, t=t: value_at(problem, one, t, wanted.digits), NOT_FIXED)
             if float(t) <= known else "–" for _, t in wanted.at))
             for one in asked)
-        yield from section("Values", Table(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
+        yield from section("Values", TableBlock(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
 
 def value_at(problem, one, t, digits=None):
@@ -131,10 +131,10 @@ def _integration(trajectory):
                           ("work of what drives the motion", balance.driving)):
         if values[-1]:
             rows.append((words, figure(float(values[-1]))))
-    yield from section("Energy", Table(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
+    yield from section("Energy", TableBlock(("", "[J]"), tuple(rows)), paragraph(_accuracy(trajectory)))
     events = [(figure(event.time), event.kind, event.name) for event in trajectory.events[:MOST_EVENTS]]
     more = len(trajectory.events) - len(events)
-    yield from section("Events", Table(("t [s]", "what", "where"), tuple(events)) if events else None,
+    yield from section("Events", TableBlock(("t [s]", "what", "where"), tuple(events)) if events else None,
                        paragraph(f"and {more} more") if more else None)
 
 
@@ -167,4 +167,4 @@ def _extremes(asked, until):
             (supported(value, one.signal.error(t)), supported(t, one.signal.error_of_time(t))))]
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
-                       Table(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+                       TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))

@@ -6,7 +6,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.report.sections.requested_signals import curves_asked, signals_asked, symbol
 
 
-class Series(NamedTuple):
+class SampledSignal(NamedTuple):
     """A signal at all instants: `parts` {steady, transient: values} where they were asked for; `bounds`: (upper, lower)
     of a free vibration that dies out, or None."""
 
@@ -40,7 +40,7 @@ def sampled(problem, wanted):
         parts = {}
         for part in wanted.parts:
             parts[part] = getattr(one.signal, part).values(times)
-        found.append(Series(one.text, one.unit, times, one.signal.values(times), parts,
+        found.append(SampledSignal(one.text, one.unit, times, one.signal.values(times), parts,
                             _bounds(problem, one.signal, times)))
     return found
 

@@ -2,7 +2,7 @@
 
 from vibcli.analyses.modal.normalisation import WORDS
 from vibcli.base.errors import Inertless
-from vibcli.report.blocks import Table, equations, line, paragraph, section
+from vibcli.report.blocks import TableBlock, equations, line, paragraph, section
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
@@ -20,7 +20,7 @@ def frequencies(problem, _):
     rows = [mode_row(mode, problem.zero_modes.get(mode.index), mode.index in same) for mode in problem.modes]
     damped = "of the undamped system" if problem.damped else "undamped"
     head = ("mode", "ω [rad/s]", "f [Hz]", "T [s]", "error ≤", "")
-    yield from section(f"Natural frequencies ({damped})", Table(head, tuple(rows)), _form(problem))
+    yield from section(f"Natural frequencies ({damped})", TableBlock(head, tuple(rows)), _form(problem))
 
 
 def _form(problem):
@@ -52,7 +52,7 @@ def damping(problem, _):
     if problem.symbolic or problem.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "error ≤", "")
-    yield from section(DAMPED, Table(head, tuple(map(damped_row, problem.damped))))
+    yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.damped))))
 
 
 def modes(problem, report):

@@ -5,7 +5,7 @@ from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
 from vibcli.report import blocks
-from vibcli.report.blocks import Table, Words, line, section
+from vibcli.report.blocks import TableBlock, Words, line, section
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.too_long import brief
 
@@ -67,6 +67,6 @@ def reactions(problem, _):
         yield from section("Reactions in equilibrium (tension positive; what supports and drives exert on the body, "
                            "fixed axes)" if any(".drive" in signal for signal, _ in rows) else
                            "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
-                           Table(("force", "value"), tuple(rows)))
+                           TableBlock(("force", "value"), tuple(rows)))
     yield from section("Reactions along a motion", blocks.equations(
         line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem).items()))

@@ -5,7 +5,7 @@ from math import degrees
 
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Table, paragraph, section
+from vibcli.report.blocks import TableBlock, paragraph, section
 
 FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
@@ -22,7 +22,7 @@ def steady_state(asked, convention):
         yield from section("Steady state", paragraph(f"{error.message}: {error.hint}" if error.hint else error.message))
         return
     angle = "α" if convention == "lead" else "θ"
-    yield from section(f"Steady state {PHASES[convention][0]}", Table(
+    yield from section(f"Steady state {PHASES[convention][0]}", TableBlock(
         ("signal", "Ω [rad/s]", "f [Hz]", "T [s]", "X", f"{angle} [rad]", f"{angle} [°]"), rows) if rows else None,
         *(paragraph(f"{one.label}: {words}") for one in asked for words in _left_out(one.signal)), _still(asked, rows))
 

@@ -2,7 +2,7 @@
 
 from vibcli.base.work import longer
 from vibcli.notation.plain import plain
-from vibcli.report.blocks import Either, Factor, Name, Terms, Words, equations, line, maths, paragraph, separated
+from vibcli.report.blocks import Either, Factor, Name, SumOfTerms, Words, equations, line, maths, paragraph, separated
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.rationals import ONE
@@ -105,7 +105,7 @@ def _equation(coefficients):
 def _polynomial(coefficients):
     """Σ c λ^i with the highest power first."""
     symbol, degree = coefficients[0].table.variable("λ"), len(coefficients) - 1
-    return Terms(tuple(c * symbol ** (degree - i) if degree > i else c for i, c in enumerate(coefficients)
+    return SumOfTerms(tuple(c * symbol ** (degree - i) if degree > i else c for i, c in enumerate(coefficients)
                        if not c.is_zero))
 
 

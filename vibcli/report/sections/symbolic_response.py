@@ -1,7 +1,7 @@
 """The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.report.blocks import Name, Terms, Words, equations, line, maths, paragraph, section
+from vibcli.report.blocks import Name, SumOfTerms, Words, equations, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -160,11 +160,11 @@ def _regime(name, motion, prefix, matrices):
         yield paragraph("for ", maths(k, " > 0"), ":")
     wave = tuple(node for node in motion.wave if not node.is_zero)
     if motion.decay is None:
-        parts = [Terms((*prefix, *wave))]
+        parts = [SumOfTerms((*prefix, *wave))]
     elif len(wave) == 1 and wave[0].op != "sum":
-        parts = [Terms((*prefix, motion.decay * wave[0]))]
+        parts = [SumOfTerms((*prefix, motion.decay * wave[0]))]
     else:
-        parts = [*([Terms(prefix), " + "] if prefix else []), motion.decay, "·(", Terms(wave), ")"]
+        parts = [*([SumOfTerms(prefix), " + "] if prefix else []), motion.decay, "·(", SumOfTerms(wave), ")"]
     lines = [line(Name(name), " = ", *parts)]
     if motion.value is not None:
         lines.append(line(motion.rate, " = ", motion.value))

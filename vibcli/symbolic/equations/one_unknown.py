@@ -19,7 +19,7 @@ from vibcli.symbolic.time_limit import within
 CALLS = 8_000_000
 
 
-class Solution:
+class SymbolicSolution:
     """value: the unknown; sine, cosine: of it where it is an angle, else None."""
 
     __slots__ = ("cosine", "sine", "value")
@@ -68,7 +68,7 @@ class _Condition:
             return self._without_root(factor, present[0])
         kinds = {atom for atom in (self.x, self.sine, self.cosine) if self._degree(factor, atom)}
         if kinds == {self.x}:
-            return [Solution(value) for value in self._polynomial_roots(factor, self.x)]
+            return [SymbolicSolution(value) for value in self._polynomial_roots(factor, self.x)]
         if not kinds or self.x in kinds:
             return []
         if len(kinds) == 2:
@@ -128,22 +128,23 @@ class _Condition:
     def _of_sine(self, u):
         table = self.table
         if u.is_zero:
-            return [Solution(table.zero, u, table.one), *(Solution(sign * table.pi, u, -table.one) for sign in (1, -1))]
+            return [SymbolicSolution(table.zero, u, table.one),
+                    *(SymbolicSolution(sign * table.pi, u, -table.one) for sign in (1, -1))]
         if u.op == "number" and abs(u.coefficient) == 1:
-            return [Solution(table.pi * (u.coefficient * turn), u, table.zero) for turn in (HALF, HALF - 2)]
+            return [SymbolicSolution(table.pi * (u.coefficient * turn), u, table.zero) for turn in (HALF, HALF - 2)]
         inner, across = table.call("asin", u), self._beside(u)
-        return [Solution(inner, u, across), Solution(table.pi - inner, u, -across),
-                Solution(-table.pi - inner, u, -across)]
+        return [SymbolicSolution(inner, u, across), SymbolicSolution(table.pi - inner, u, -across),
+                SymbolicSolution(-table.pi - inner, u, -across)]
 
     def _of_cosine(self, u):
         table = self.table
         if u.is_zero:
-            return [Solution(sign * table.pi / 2, sign * table.one, u) for sign in (1, -1)]
+            return [SymbolicSolution(sign * table.pi / 2, sign * table.one, u) for sign in (1, -1)]
         if u.op == "number" and abs(u.coefficient) == 1:
             turns = (0, 2, -2) if u.coefficient == 1 else (1, -1)
-            return [Solution(table.pi * turn, table.zero, u) for turn in turns]
+            return [SymbolicSolution(table.pi * turn, table.zero, u) for turn in turns]
         inner, across = table.call("acos", u), self._beside(u)
-        return [Solution(inner, across, u), Solution(-inner, -across, u)]
+        return [SymbolicSolution(inner, across, u), SymbolicSolution(-inner, -across, u)]
 
     def _beside(self, u):
         """√(1 − u²)."""
@@ -163,7 +164,7 @@ class _Condition:
         lean = table.call("atan", self.quotients.node(b / a))
         if not d:
             sine, cosine = self.quotients.node(-b) / length, self.quotients.node(a) / length
-            return [Solution(-lean + k * table.pi, sign * sine, sign * cosine)
+            return [SymbolicSolution(-lean + k * table.pi, sign * sine, sign * cosine)
                     for sign in (1, -1) for k in (0, 1, -1)]
         span = root(self.quotients.node(square - d ** 2), self.samples)
         inner = table.call("asin", self.quotients.node(-d) / length)
@@ -172,7 +173,7 @@ class _Condition:
             sine = self.quotients.node(-a * d / square) - sign * self.quotients.node(b / square) * span
             cosine = self.quotients.node(-b * d / square) + sign * self.quotients.node(a / square) * span
             for branch in (inner, table.pi - inner, -table.pi - inner):
-                found += [Solution(branch - lean + k * table.pi, sine, cosine) for k in (0, 1, -1)]
+                found += [SymbolicSolution(branch - lean + k * table.pi, sine, cosine) for k in (0, 1, -1)]
         return found
 
 
