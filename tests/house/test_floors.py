@@ -1,11 +1,12 @@
 """Which way imports run, by ast: each rule of the house with the change that it would notice."""
 
+import re
 import subprocess
 import sys
 
 import pytest
 
-from house.measure import FLOOR, House, room_of
+from house.measure import FLOOR, FLOORS, House, room_of
 from vibcli import elements, quantities
 from vibcli.language import sections as of_language
 from vibcli.reader import sections as of_questions
@@ -37,6 +38,16 @@ def test_every_file_stands_in_a_room_with_a_floor():
 def test_every_folder_with_code_is_a_package_that_says_what_it_is():
     folders = {path.parent for path in HOUSE.package.rglob("*.py")}
     assert [folder for folder in folders if not (folder / "__init__.py").read_text().startswith('"""')] == []
+
+
+def test_the_readme_draws_the_floors_as_they_are():
+    section = (HOUSE.package.parent / "README.md").read_text(encoding="utf-8").split("## How it is built")[1]
+    drawing = section.split("```")[1].split("\n")[1:-1]
+    floors = [(int(number), tuple(rooms)) for number, *rooms in map(str.split, drawing)]
+    assert floors == [(i + 1, tuple(room for room in rooms if room != "__main__"))
+                      for i, rooms in reversed(list(enumerate(FLOORS)))]
+    told = set(re.findall(r"`([a-z]+)`", section.split("```")[2].split("##")[0]))
+    assert told >= {room for _, rooms in floors for room in rooms} - {"base", "bench", "manual"}
 
 
 def test_imports_run_downwards_only():
