@@ -38,7 +38,7 @@ def test_the_equation_of_motion_holds_in_stick_and_slip(seed):
         values = motion.state_signal(equation_of(found.scene, i)).values(times)
         assert np.abs(values).max() < 1e-8
     for law in found.scene.laws:
-        force = motion.state_signal(found.scene.law_at(law, law.force)).values(times)
+        force = motion.state_signal(law.force(found.scene)).values(times)
         speed = motion.state_signal(found.scene.rate(law.s)).values(times)
         size = np.abs(force).max()
         held = np.abs(speed) < 1e-12

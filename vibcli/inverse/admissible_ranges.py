@@ -84,8 +84,7 @@ def turns(problem, name):
 def geometry(scene):
     """The expressions that say where everything is, moves and pulls."""
     terms = (*scene.inertias, *scene.springs, *scene.dampers, *scene.weights, *scene.forces)
-    return [*(node for term in terms for node in term[:3] if node is not None), *scene.drawn.values(),
-            *scene.energies.values()]
+    return [*(node for term in terms for node in term.nodes), *scene.drawn.values(), *scene.energies.values()]
 
 
 def natural_scale(spec, name):

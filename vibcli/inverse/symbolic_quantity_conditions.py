@@ -4,7 +4,6 @@ from vibcli.base.errors import NotInLetters
 from vibcli.inverse.symbolic_response_conditions import response_of, size_of
 from vibcli.language.signals import coordinate_name
 from vibcli.mechanics.inputs_outputs.displacements import displacement
-from vibcli.mechanics.inputs_outputs.outputs import tension
 from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 from vibcli.quantities.expression import lowered
 from vibcli.quantities.matrices import centre_node, inertia_node
@@ -60,7 +59,7 @@ def _at_rest(problem, text):
     name, _, part = text.partition(".")
     node = displacement(scene, text)
     if node is None and part == "force" and name in (problem.spec.get("springs") or {}):
-        node = tension(scene, name)
+        node = scene.force_of(name)
     if node is None:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
     values, zero = equilibrium_in_letters(problem), scene.table.zero

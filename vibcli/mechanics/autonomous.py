@@ -33,7 +33,7 @@ def load_at_rest(scene, term):
     """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
     time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
     rest = dict.fromkeys(scene.v, scene.table.zero)
-    force, steady_part = substitute([term.weight, term.weight if term.force is None else term.force], rest)
+    force, steady_part = substitute([term.weight, term.steady], rest)
     parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
     turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
     constant = without_time(scene, force - steady_part)
@@ -218,8 +218,9 @@ def _shaken(scene):
 
 def _steady_part(scene, term):
     """A load without its part in time, at rest."""
-    weight, = substitute([term.weight if term.force is None else term.force], dict.fromkeys(scene.v, scene.table.zero))
-    return term._replace(weight=weight, force=None)
+    load = term.weight if term.offset is None else term.offset
+    weight, = substitute([load], dict.fromkeys(scene.v, scene.table.zero))
+    return term._replace(weight=weight, offset=None)
 
 
 def _slope_by(scene, term, slope, symbol, kind):
@@ -231,7 +232,7 @@ def _slope_by(scene, term, slope, symbol, kind):
     elif kind == "forces":
         part = -gradient(weight * row).get(stand_in, scene.table.zero)
     else:
-        part = gradient((term.force + term.weight * s) * row).get(stand_in, scene.table.zero)
+        part = gradient(term._replace(s=s).force(scene) * row).get(stand_in, scene.table.zero)
     return substitute([part], {stand_in: symbol})[0]
 
 

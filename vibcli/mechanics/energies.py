@@ -12,7 +12,7 @@ def rate(scene, s):
 
 def potential(scene):
     """V = Σ (N s + ½ k s²) + Σ f s + what is written out."""
-    return scene.table.sum(*_stored(scene.springs, scene.weights), *_quadratic(scene, "K", scene.q),
+    return scene.table.sum(*_stored(scene, scene.springs, scene.weights), *_quadratic(scene, "K", scene.q),
                            (scene.energies["V"], ONE))
 
 
@@ -20,27 +20,26 @@ def potential_as_drawn(scene):
     """V with the driven displacements as symbols that are zero as drawn."""
     if not scene.shaken:
         return potential(scene)
-    laws = [(scene.law_at(law._replace(s=term.s), law.energy) - scene.law_at(law, law.energy), ONE)
-            for law, term in zip(scene.laws, scene.shaken["laws"], strict=True) if not law.damper]
-    return scene.table.sum(*_stored(scene.shaken["springs"], scene.shaken["weights"]), *laws,
+    laws = [(undriven.potential(scene) - law.potential(scene), ONE)
+            for law, undriven in zip(scene.laws, scene.shaken["laws"], strict=True) if not law.damper]
+    return scene.table.sum(*_stored(scene, scene.shaken["springs"], scene.shaken["weights"]), *laws,
                            *_quadratic(scene, "K", scene.q), (scene.energies["V"], ONE))
 
 
-def _stored(springs, weights):
+def _stored(scene, *kinds):
     """N s + ½ k s² and f s of each term, as terms of a sum."""
-    return [*((term.force * term.s + term.weight * term.s * term.s * HALF, ONE) for term in springs),
-            *((term.weight * term.s, ONE) for term in weights)]
+    return [(term.potential(scene), ONE) for terms in kinds for term in terms]
 
 
 def kinetic(scene):
     """T = ½ Σ w ṡ² + what is written out."""
-    return scene.table.sum(*_squared_rates(scene, scene.inertias), *_quadratic(scene, "M", scene.v),
+    return scene.table.sum(*((term.energy(scene), ONE) for term in scene.inertias), *_quadratic(scene, "M", scene.v),
                            (scene.energies["T"], ONE))
 
 
 def dissipation(scene):
     """Φ = ½ Σ c ṡ² + what is written out."""
-    return scene.table.sum(*_squared_rates(scene, scene.dampers), *_quadratic(scene, "C", scene.v),
+    return scene.table.sum(*((term.potential(scene), ONE) for term in scene.dampers), *_quadratic(scene, "C", scene.v),
                            (scene.energies["Phi"], ONE))
 
 
@@ -48,11 +47,6 @@ def generalised_force(scene, i):
     """Q_q = Σ F ∂s/∂q of the forces and moments, from their virtual work δA = Σ F δs = Σ Q_q δq."""
     q, zero = scene.q[i], scene.table.zero
     return scene.table.sum(*((term.weight * gradient(term.s).get(q, zero), ONE) for term in scene.forces))
-
-
-def _squared_rates(scene, terms):
-    """½ weight ṡ² of each term, as terms of a sum."""
-    return [(term.weight * rate(scene, term.s) ** 2, HALF) for term in terms]
 
 
 def _quadratic(scene, key, symbols):
@@ -78,12 +72,12 @@ def textbook_energies(scene):
 def _textbook_potential(scene):
     """V with the energy ½ k d² of each spring kept as it is read off the figure; weights collected."""
     table, rest, parts = scene.table, [(scene.energies["V"], ONE)], []
-    rest += [(term.weight * term.s, ONE) for term in scene.weights]
+    rest += _stored(scene, scene.weights)
     if "K" in scene.matrices:
         rest += _quadratic(scene, "K", scene.q)
     for term in scene.springs:
         stretch = textbook(term.s)
-        rest.append((term.force * stretch, ONE))
+        rest.append((term.offset * stretch, ONE))
         if stretch.op == "sum":
             parts.append((table.product((term.weight, ONE), (stretch, ONE + ONE)), HALF))
         else:

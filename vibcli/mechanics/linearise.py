@@ -34,7 +34,7 @@ def linearise(scene, still=False):
     for term in scene.at_still("springs"):
         row = _row(term.s, number)
         found.springs.append((term.weight, row))
-        found.curved.append((term.force + term.weight * term.s, _curvature(row, number), row))
+        found.curved.append((term.force(scene), _curvature(row, number), row))
     for term in scene.weights:
         row = _row(term.s, number)
         found.curved.append((term.weight, _curvature(row, number), row))

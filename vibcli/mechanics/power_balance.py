@@ -37,23 +37,18 @@ class Powers(NamedTuple):
 def powers(scene, ties=()):
     """The Powers of a scene; `ties`: the conditions G that multipliers hold."""
     table, T, V = scene.table, kinetic(scene), potential(scene)
-    zero, loads, drags = table.zero, _loads(scene), _drags(scene)
+    zero, loads = table.zero, _forces(scene, scene.forces)
+    drags = _forces(scene, [*scene.dampers, *(law for law in scene.laws if law.damper)])
     timed = gradient(V).get(scene.time, zero) - gradient(T).get(scene.time, zero)
-    return Powers(T + V, T, _summed(table, (F * scene.rate(s) for F, s in loads)),
+    return Powers(T + V, T, _summed(table, (term.power(scene) for term in scene.forces)),
                   _slopes(scene, dissipation(scene)) + _prescribed(scene, drags),
                   timed - _prescribed(scene, loads) + _prescribed(scene, drags), _carried(scene),
                   [gradient(node).get(scene.time, zero) for node in ties])
 
 
-def _loads(scene):
-    """[(F, s)] of the loads."""
-    return [(term.weight, term.s) for term in scene.forces]
-
-
-def _drags(scene):
-    """[(F, s)] of the dampers."""
-    return [*((term.weight * scene.rate(term.s), term.s) for term in scene.dampers),
-            *((scene.law_at(law, law.force), law.s) for law in scene.laws if law.damper)]
+def _forces(scene, terms):
+    """[(F, s)]."""
+    return [(term.force(scene), term.s) for term in terms]
 
 
 def _prescribed(scene, forces):
@@ -63,7 +58,7 @@ def _prescribed(scene, forces):
 
 def _carried(scene):
     """b: 2T − Σ q̇ ∂T/∂q̇."""
-    moved = _prescribed(scene, [(term.weight * scene.rate(term.s), term.s) for term in scene.inertias])
+    moved = _prescribed(scene, [(term.momentum(scene), term.s) for term in scene.inertias])
     T = scene.energies["T"]
     return moved if T.is_zero else moved + textbook(2 * T - _slopes(scene, T))
 

@@ -6,7 +6,7 @@ from vibcli.mechanics.energies import dissipation, kinetic, potential, potential
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.rationals import ONE
 
 
 def moving(problem, text, primes=0):
@@ -41,30 +41,15 @@ def energy(scene, text, primes=0):
 
 def _along(scene, name, part):
     """The tension or energy of a spring, the force or power of a damper; None of another force."""
-    for law in scene.laws:
-        if law.owner == name:
-            return _of_law(scene, law, part)
-    springs = [term for term in scene.springs if term.owner == name]
-    rates = [(term.weight, scene.rate(term.s)) for term in scene.dampers if term.owner == name]
-    table = scene.table
-    if springs and part == "energy":
-        return table.sum(*(((term.force + term.weight * term.s) ** 2 / term.weight, HALF) for term in springs))
-    if rates and part == "power":
-        return table.sum(*((c * rate * rate, ONE) for c, rate in rates))
-    forces = [term.force + term.weight * term.s for term in springs] or [c * rate for c, rate in rates]
-    if part != "force" or not forces:
-        return None
-    return forces[0] if len(forces) == 1 else table.sqrt(table.sum(*((force * force, ONE) for force in forces)))
-
-
-def _of_law(scene, law, part):
-    """The force of a nonlinear element, the energy of a spring, the power of a damper; None of what it has not."""
-    force = scene.law_at(law, law.force)
     if part == "force":
-        return force
-    if part == "energy" and not law.damper:
-        return scene.law_at(law, law.energy)
-    return force * scene.rate(law.s) if part == "power" and law.damper else None
+        return scene.force_of(name)
+    nodes = []
+    if part == "energy":
+        nodes = [term.energy(scene) for term in scene.terms_of(name)]
+    elif part == "power":
+        nodes = [term.power(scene) for term in scene.terms_of(name)]
+    nodes = [(node, ONE) for node in nodes if node is not None]
+    return scene.table.sum(*nodes) if nodes else None
 
 
 def force(problem, text):
@@ -109,9 +94,7 @@ def _of_outputs(problem, text):
 
 def _tension(problem, name):
     scene = problem.scene.resting
-    terms = [term for term in scene.springs if term.owner == name]
-    nodes = [term.force + term.weight * term.s for term in terms] or scene.law_forces(name)
-    values = evaluate(nodes, Floats, problem.at_rest)
+    values = evaluate([term.force(scene) for term in scene.terms_of(name)], Floats, problem.at_rest)
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 

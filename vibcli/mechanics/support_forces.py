@@ -5,6 +5,7 @@ An element with tension F pulls each of its ends towards the other.
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inputs_outputs.linear_functions import combined, product, rate
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 PARTS = {"force": "slide", "moment": "turn"}
 
@@ -74,12 +75,15 @@ def _moves(opened, node):
 
 def _forces(opened, section, name):
     """The Rows of the force of an element; those of its components where it has no free length."""
-    laws = opened.scene.law_forces(name)
-    if laws:
-        return opened.rows(laws)
-    terms = [term for term in getattr(opened.scene, section) if term.owner == name]
-    if section == "springs":
-        return opened.rows([term.force + term.weight * term.s for term in terms])
-    weights = opened.rows([term.weight for term in terms])
-    return [combined([(c.constant, rate(row, opened.scene))]) for c, row in
-            zip(weights, opened.rows([term.s for term in terms]), strict=True)]
+    scene, terms = opened.scene, opened.scene.terms_of(name)
+    if section == "springs" or scene.terms_of(name, "laws"):
+        return opened.rows([term.force(scene) for term in terms])
+    return [combined([pair]) for pair in damper_rates(opened, name)]
+
+
+def damper_rates(opened, name):
+    """[(c, LinearFunction of ṡ)] of a linear damper."""
+    terms = opened.scene.terms_of(name, "dampers")
+    coefficients = evaluate([term.weight for term in terms], Floats, opened.values)
+    rows = opened.rows([term.s for term in terms])
+    return [(c, rate(row, opened.scene)) for c, row in zip(coefficients, rows, strict=True)]

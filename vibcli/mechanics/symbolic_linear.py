@@ -3,7 +3,6 @@
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
-from vibcli.mechanics.inputs_outputs.outputs import tension
 from vibcli.mechanics.linearisation import at_position
 from vibcli.mechanics.support_forces import PARTS, along_the_axis
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
@@ -81,28 +80,26 @@ def _node(opened, text):
     """A signal as a function of the coordinates and velocities of the opened scene; None where it is not known."""
     name, _, part = text.partition(".")
     found = displacement(opened.scene, text)
-    if found is None and part == "force" and name in (opened.problem.spec.get("springs") or {}):
-        return tension(opened.scene, name)
-    if found is None and part == "force" and name in (opened.problem.spec.get("dampers") or {}):
-        return _damping(opened.scene, name)
+    if found is None and part == "force" and name != "ground":
+        return _force(opened, name)
     return _on_the_ground(opened, part) if found is None and name == "ground" and part in PARTS else found
 
 
-def _damping(scene, name):
-    """The force of a damper between two ends on a line."""
-    terms = [term for term in scene.dampers if term.owner == name]
-    return terms[0].weight * scene.rate(terms[0].s) if len(terms) == 1 else None
+def _force(opened, name):
+    """The force of a spring or a linear damper; None of another element."""
+    known = name in (opened.problem.spec.get("springs") or {}) or opened.scene.terms_of(name, "dampers")
+    return opened.scene.force_of(name) if known else None
 
 
 def _on_the_ground(opened, kind):
     """Σ of what springs and dampers exert on the ground of a scene with one axis; None of other scenes."""
     total, spec = opened.scene.table.zero, opened.problem.spec
-    for section, force in (("springs", tension), ("dampers", _damping)):
+    for section in ("springs", "dampers"):
         for name, record in (spec.get(section) or {}).items():
             sign = along_the_axis(opened, record, kind) if "between" in record else None
             if sign is None:
                 return None
-            total = total + sign * force(opened.scene, name) if sign else total
+            total = total + sign * _force(opened, name) if sign else total
     return total
 
 

@@ -10,16 +10,44 @@ BENT = ("abs", "sign", "min", "max", "step", "ramp")
 
 
 class Law(NamedTuple):
-    """The element `owner` with the stretch s; `energy`, its V or Φ, and `force` as functions of x, which is s of a
-    spring and ṡ of a damper; `bound`: the largest force of dry friction at rest over that in motion."""
+    """The element `owner` with the stretch s; `integral`, its V or Φ, and `derivative`, its force, as functions of x,
+    which is s of a spring and ṡ of a damper; `bound`: the largest force of dry friction at rest over that in motion."""
 
     owner: str
     s: object
     x: object
-    energy: object
-    force: object
+    integral: object
+    derivative: object
     damper: bool = False
     bound: object = None
+
+    @property
+    def nodes(self):
+        """The expressions of the coordinates that it is made of."""
+        return [self.s]
+
+    def over(self, new):
+        """Itself with its stretch replaced, {node: node}."""
+        return self._replace(s=new[self.s])
+
+    def potential(self, scene):
+        """V of a spring, Φ of a damper, as a function of the coordinates and velocities."""
+        return self._at(scene, self.integral)
+
+    def force(self, scene):
+        """F = dV/ds, or dΦ/dṡ."""
+        return self._at(scene, self.derivative)
+
+    def energy(self, scene):
+        """V of a spring; None of a damper, which stores nothing."""
+        return None if self.damper else self.potential(scene)
+
+    def power(self, scene):
+        """F ṡ, which a damper dissipates; None of a spring."""
+        return self.force(scene) * scene.rate(self.s) if self.damper else None
+
+    def _at(self, scene, node):
+        return substitute([node], {self.x: scene.rate(self.s) if self.damper else self.s})[0]
 
 
 class Laws:
@@ -49,21 +77,13 @@ class Laws:
         """Add all laws to V and Φ."""
         for law in self.laws:
             key = "Phi" if law.damper else "V"
-            self.energies[key] = self.energies[key] + self.law_at(law, law.energy)
-
-    def law_at(self, law, node):
-        """A function of a law's variable, of the coordinates and velocities."""
-        return substitute([node], {law.x: self.rate(law.s) if law.damper else law.s})[0]
-
-    def law_forces(self, owner):
-        """The forces of a nonlinear element, empty where it is none."""
-        return [self.law_at(law, law.force) for law in self.laws if law.owner == owner]
+            self.energies[key] = self.energies[key] + law.potential(self)
 
     def law_switches(self):
         """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws."""
         owners, bounds = {}, {}
         for law in self.laws:
-            for part in reachable([self.law_at(law, law.energy)]):
+            for part in reachable([law.potential(self)]):
                 if part.name in BENT and part.mask:
                     u = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]
                     sign = self.table.call("sign", u)

@@ -1,23 +1,13 @@
 """The terms that the elements of a scene add: inertias, springs, dampers, weights, energies, matrices."""
 
-from typing import NamedTuple
-
 from vibcli.scene.bounded_motion import stays_bounded
 from vibcli.scene.constraints import Constraint
+from vibcli.scene.energy_terms import AppliedLoad, Damper, Inertia, Spring, Weight
 from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.rationals import ONE
 
-SHAKEN = ("inertias", "springs", "dampers", "weights", "forces")  # kept as functions of driven displacements
-
-
-class Term(NamedTuple):
-    """One scalar function s of the coordinates with its weight; `force` is the tension at s = 0 of a spring, of a load
-    in time that part which depends on it through driven frames alone; `owner` is the name of the element that it came
-    from."""
-
-    weight: object
-    s: object
-    force: object = None
-    owner: str = None
+SHAKEN = ("inertias", "springs", "dampers", "weights", "forces", "laws")  # kept as functions of driven displacements
+CONNECTIONS = ("springs", "dampers", "laws")
 
 
 class Terms:
@@ -33,28 +23,41 @@ class Terms:
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
         if s.mask and not weight.is_zero:
-            self.inertias.append(Term(weight, s, owner=self.owner))
+            self.inertias.append(Inertia(weight, s, owner=self.owner))
 
     def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""
         if self.gravity is not None:
             for g, s in zip(self.gravity, (x, y), strict=True):
                 if s.mask and not g.is_zero:
-                    self.weights.append(Term(-mass * g, s, owner=self.owner))
+                    self.weights.append(Weight(-mass * g, s, owner=self.owner))
 
     def add_spring(self, k, preload, s):
         """preload·s + ½·k·s² to V."""
-        self.springs.append(Term(k, s, preload, self.owner))
+        self.springs.append(Spring(k, s, preload, self.owner))
 
     def add_damper(self, c, s):
         """½·c·ṡ² to Φ."""
-        self.dampers.append(Term(c, s, owner=self.owner))
+        self.dampers.append(Damper(c, s, owner=self.owner))
 
     def add_force(self, steady, in_time, s):
         """The virtual work δA = force·δs of a load in two parts, which depend on coordinates and velocities as they
         like."""
         if (s.mask or self.opened) and not (steady.is_zero and in_time.is_zero):
-            self.forces.append(Term(steady + in_time, s, None if in_time.is_zero else steady, self.owner))
+            self.forces.append(AppliedLoad(steady + in_time, s, None if in_time.is_zero else steady, self.owner))
+
+    def terms_of(self, name, *kinds, undriven=False):
+        """The springs, dampers and laws of an element, or those of the given kinds; `undriven`: as functions of the
+        symbols of driven displacements."""
+        return [term for kind in kinds or CONNECTIONS
+                for term in (self.undriven(kind) if undriven else getattr(self, kind)) if term.owner == name]
+
+    def force_of(self, name):
+        """The force of a spring or damper, of a spring without free length its magnitude; None of another element."""
+        forces = [term.force(self) for term in self.terms_of(name)]
+        if len(forces) > 1:
+            return self.table.sqrt(self.table.sum(*((force * force, ONE) for force in forces)))
+        return forces[0] if forces else None
 
     def add_constraint(self, record, node, form, part=""):
         """The condition node = 0."""
@@ -68,7 +71,7 @@ class Terms:
         terms = [term for group, kind in lists for term in group[kind]]
         frames = {id(body.frame): body.frame for body in self.bodies.values() if body.frame is not None}.values()
         lumps = [body for body in self.bodies.values() if body.lumped is not None]
-        nodes = [node for term in terms for node in term[:3] if node is not None]
+        nodes = [node for term in terms for node in term.nodes]
         nodes += [node for frame in frames for node in (*frame.place, frame.angle)]
         nodes += [body.lumped[1] for body in lumps] + list(self.energies.values())
         nodes += [constraint.node for constraint in self.constraints] + [law.s for law in self.laws]
@@ -77,8 +80,7 @@ class Terms:
         nodes += [node for _, place in self.points.values() for node in place]
         new = dict(zip(nodes, self.unrooted(substitute(nodes, values)), strict=True))
         for group, kind in lists:
-            group[kind] = [Term(*(node if node is None else new[node] for node in term[:3]), term.owner)
-                           for term in group[kind]]
+            group[kind] = [term.over(new) for term in group[kind]]
         for frame in frames:
             frame.place, frame.angle = tuple(new[node] for node in frame.place), new[frame.angle]
         for body in lumps:
@@ -88,7 +90,7 @@ class Terms:
         self.points = {name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place)
                        in self.points.items()}
         self.energies = {key: new[node] for key, node in self.energies.items()}
-        self.laws = [law._replace(s=new[law.s]) for law in self.laws]
+        self.laws = [law.over(new) for law in self.laws]
         self.constraints = [constraint._replace(node=new[constraint.node]) for constraint in self.constraints]
 
     def put(self, values):
@@ -103,12 +105,12 @@ class Terms:
             return self.forces
         found, zero = [], self.table.zero
         for still, term in zip(self.at_still("forces"), self.forces, strict=True):
-            if term.force is None:
+            if term.offset is None:
                 found.append(still)
                 continue
-            if not still.force.is_zero:
-                found.append(still._replace(weight=still.force, force=None))
-            found.append(term._replace(weight=term.weight - term.force, force=zero))
+            if not still.offset.is_zero:
+                found.append(still._replace(weight=still.offset, offset=None))
+            found.append(term._replace(weight=term.weight - term.offset, offset=zero))
         return found
 
     @property
@@ -119,9 +121,8 @@ class Terms:
         return self.resting if tied else self
 
     def keep_shaken(self):
-        """Keep the terms as functions of the symbols of driven displacements, and the stretches of the laws."""
-        kept = {kind: list(getattr(self, kind)) for kind in SHAKEN}
-        return {**kept, "laws": [Term(self.table.one, law.s, owner=law.owner) for law in self.laws]}
+        """Keep the terms and the laws as functions of the symbols of driven displacements."""
+        return {kind: list(getattr(self, kind)) for kind in SHAKEN}
 
     def undriven(self, kind):
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
@@ -136,9 +137,8 @@ class Terms:
         moved = {symbol: node for symbol, node in self.driven.items() if symbol not in held}
         found = []
         for term in self.shaken[kind]:
-            nodes = [node for node in term[:3] if node is not None]
-            new = dict(zip(nodes, substitute(nodes, {**held, **moved}), strict=True))
-            found.append(Term(*(node if node is None else new[node] for node in term[:3]), term.owner))
+            new = dict(zip(term.nodes, substitute(term.nodes, {**held, **moved}), strict=True))
+            found.append(term.over(new))
         return found
 
     def oscillates(self, symbol):
@@ -159,12 +159,12 @@ class Terms:
     def _open(self, name, s, load):
         symbol = self.add_input(name)
         self.inputs[symbol] = self.inputs[symbol]._replace(load=load)
-        self.forces.append(Term(symbol, s, owner=name))
+        self.forces.append(AppliedLoad(symbol, s, owner=name))
 
     def depends_on_time(self):
         """Does anything in the scene depend on the time explicitly?"""
         terms = (*self.inertias, *self.springs, *self.dampers, *self.weights, *self.forces)
-        nodes = [node for term in terms for node in term[:3] if node is not None] + list(self.energies.values())
+        nodes = [node for term in terms for node in term.nodes] + list(self.energies.values())
         return any(node.mask & self.time.mask for node in nodes)
 
     def static_preload(self, record):

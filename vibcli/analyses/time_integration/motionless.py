@@ -37,7 +37,7 @@ def stay(march, stops, in_equilibrium):
 def _of_time(system):
     """What holds the time: in the equations, in the places of bodies and points, and in loads on what is driven."""
     scene = system.scene
-    loads = [node for term in scene.forces for node in term[:3] if node is not None]
+    loads = [node for term in scene.forces for node in term.nodes]
     nodes = dict.fromkeys([*system.parts.nodes(), *system.parts.gaps, *driven_places(scene), *loads,
                            *scene.energies.values()])
     return [node for node in nodes if node.mask & scene.time.mask]

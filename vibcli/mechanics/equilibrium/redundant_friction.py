@@ -79,7 +79,7 @@ def shared(owner):
 def require_fixed_at_rest(problem, owner):
     """PhysicsError where the force of an element with dry friction is not fixed in equilibrium."""
     scene = problem.scene
-    if not any(law.owner == owner and signs_of_speeds(scene, scene.law_at(law, law.force)) for law in scene.laws):
+    if not any(signs_of_speeds(scene, law.force(scene)) for law in scene.terms_of(owner, "laws")):
         return
     import numpy as np
 
@@ -103,7 +103,7 @@ def signs_of_speeds(scene, node):
 def _of_laws(scene):
     found = []
     for law in scene.laws:
-        force, speed = scene.law_at(law, law.force), scene.rate(law.s)
+        force, speed = law.force(scene), scene.rate(law.s)
         for sign in signs_of_speeds(scene, force) if law.damper else ():
             size = _slope(scene, force, sign)
             found.append(_held(scene, law.owner, sign, size, tuple(size * slope for slope in _slopes(scene, speed))))

@@ -6,7 +6,6 @@ rigid-body mode) from one that terms of third and higher order hold or drive awa
 
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.rationals import HALF
 
 STEPS = (-0.1, -0.02, 0.02, 0.1)
 ROUNDING = 1e-11
@@ -48,9 +47,9 @@ def _along(problem, shape):
 def _gains(problem, place, direction):
     """V(q + t d) − V(q) at each step; 0 where it is rounding."""
     scene = problem.scene
-    terms = [term.force * term.s + term.weight * term.s * term.s * HALF for term in scene.springs]
+    terms = [term.potential(scene) for term in scene.springs]
     terms += [-term.weight * term.s for term in scene.forces]
-    terms += [term.weight * term.s for term in scene.weights] + [scene.energies["V"], -scene.energies["T"]]
+    terms += [term.potential(scene) for term in scene.weights] + [scene.energies["V"], -scene.energies["T"]]
     start = evaluate(terms, Floats, place(0.0))
     for step in STEPS:
         parts = [a - b for a, b in zip(evaluate(terms, Floats, place(step)), start, strict=True)]

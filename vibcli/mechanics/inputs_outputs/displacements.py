@@ -17,9 +17,8 @@ def displacement(scene, text):
     if part == "angle":
         return scene.bodies[name].frame.angle
     if part == "stretch":
-        kinds = "springs", "dampers", "laws"
-        drawn, = scene.at_drawn(_stretch(scene, name, map(scene.undriven, kinds)))
-        return _stretch(scene, name, (getattr(scene, kind) for kind in kinds)) - drawn
+        drawn, = scene.at_drawn(_stretch(scene, scene.terms_of(name, undriven=True)))
+        return _stretch(scene, scene.terms_of(name)) - drawn
     return None
 
 
@@ -34,8 +33,7 @@ def _lumped(body, part):
     return node
 
 
-def _stretch(scene, name, kinds):
-    terms = [term for kind in kinds for term in kind if term.owner == name]
+def _stretch(scene, terms):
     if len(terms) == 1:
         return terms[0].s
     square = scene.table.sum(*((term.s * term.s, 1) for term in terms))   # of a spring without free length

@@ -9,9 +9,8 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import combined, rate
-from vibcli.mechanics.support_forces import on_the_ground
+from vibcli.mechanics.support_forces import damper_rates, on_the_ground
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.rationals import ONE
 
 QUADRATIC = ("energy", "power")
 
@@ -42,43 +41,24 @@ def _row(problem, text):
     node = displacement(scene, text)
     if node is not None:
         return opened.rows([node])[0]
-    if name in (problem.spec.get("springs") or {}):
-        return opened.rows([tension(scene, name)])[0]
-    if name in (problem.spec.get("dampers") or {}):
-        laws = scene.law_forces(name)
-        return opened.rows(laws)[0] if laws else combined((c, row) for c, row in _rates(opened, name))
-    return problem.moving_reactions.row(text)
-
-
-def tension(scene, name):
-    """The tension of a spring as an expression; of one without free length its magnitude."""
-    forces = [term.force + term.weight * term.s for term in scene.springs if term.owner == name]
-    forces = forces or scene.law_forces(name)
-    if len(forces) == 1:
-        return forces[0]
-    return scene.table.sqrt(scene.table.sum(*((force * force, ONE) for force in forces)))
-
-
-def _rates(opened, name):
-    """[(c, LinearFunction of ṡ)] of a damper."""
-    terms = [term for term in opened.scene.dampers if term.owner == name]
-    coefficients = evaluate([term.weight for term in terms], Floats, opened.values)
-    return [(c, rate(row, opened.scene)) for c, row in zip(coefficients, opened.rows([term.s for term in terms]),
-                                                            strict=True)]
+    if scene.terms_of(name, "dampers"):
+        return combined(damper_rates(opened, name))
+    force = scene.force_of(name)
+    return problem.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
 
 def squares(problem, text):
     """[(weight, LinearFunction)] of a signal that is a sum of squares."""
     opened = problem.opened
     name, _, part = text.partition(".")
-    if opened.scene.law_forces(name):
+    if opened.scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
     if part == "power":
-        return _rates(opened, name)
-    terms = [term for term in opened.scene.springs if term.owner == name]
+        return damper_rates(opened, name)
+    terms = opened.scene.terms_of(name, "springs")
     stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
     if not all(stiffnesses):
         raise PhysicsError(f"'{name}' has no stiffness: its energy is not a square of its force",
                            f"ask for {name}.force")
-    rows = opened.rows([term.force + term.weight * term.s for term in terms])
+    rows = opened.rows([term.force(opened.scene) for term in terms])
     return [(0.5 / k, row) for k, row in zip(stiffnesses, rows, strict=True)]

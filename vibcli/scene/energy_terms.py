@@ -1,0 +1,114 @@
+"""The terms of the energies: scalar functions s of coordinates and time, each with its weight.
+
+    T = ½ Σ w ṡ²        V = Σ (N s + ½ k s²) + Σ f s        Φ = ½ Σ c ṡ²        δA = Σ F δs
+
+The force of a spring or damper is positive in lengthening.
+"""
+
+from typing import NamedTuple
+
+from vibcli.symbolic.rationals import HALF
+
+
+class Term(NamedTuple):
+    """One function s with its weight; `offset` is the tension N at s = 0 of a spring, of a load in time its steady
+    part; `owner` is the name of the element that it came from."""
+
+    weight: object
+    s: object
+    offset: object = None
+    owner: str = None
+
+    @property
+    def nodes(self):
+        """The expressions that it is made of."""
+        return [node for node in self[:3] if node is not None]
+
+    def over(self, new):
+        """Itself with its expressions replaced, {node: node}."""
+        return self._make((*(node if node is None else new[node] for node in self[:3]), self.owner))
+
+
+class Inertia(Term):
+    """½ w ṡ² of T."""
+
+    __slots__ = ()
+
+    def momentum(self, scene):
+        """w ṡ."""
+        return self.weight * scene.rate(self.s)
+
+    def energy(self, scene):
+        """½ w ṡ²."""
+        return self.weight * scene.rate(self.s) ** 2 * HALF
+
+
+class Spring(Term):
+    """N s + ½ k s² of V."""
+
+    __slots__ = ()
+
+    def force(self, _scene):
+        """N + k s."""
+        return self.offset + self.weight * self.s
+
+    def potential(self, _scene):
+        """N s + ½ k s², which is the energy but for a constant."""
+        return self.offset * self.s + self.weight * self.s * self.s * HALF
+
+    def energy(self, scene):
+        """F²/2k, counted from where the spring is undeformed."""
+        return self.force(scene) ** 2 / self.weight * HALF
+
+    def power(self, _scene):
+        """None: it dissipates nothing."""
+
+
+class Damper(Term):
+    """½ c ṡ² of Φ."""
+
+    __slots__ = ()
+
+    def force(self, scene):
+        """c ṡ."""
+        return self.weight * scene.rate(self.s)
+
+    def potential(self, scene):
+        """½ c ṡ², its share of Φ."""
+        return self.weight * scene.rate(self.s) ** 2 * HALF
+
+    def energy(self, _scene):
+        """None: it stores nothing."""
+
+    def power(self, scene):
+        """c ṡ², which it dissipates."""
+        return self.force(scene) * scene.rate(self.s)
+
+
+class Weight(Term):
+    """f s of V."""
+
+    __slots__ = ()
+
+    def potential(self, _scene):
+        """f s."""
+        return self.weight * self.s
+
+
+class AppliedLoad(Term):
+    """F δs of δA; F may depend on coordinates, velocities and the time."""
+
+    __slots__ = ()
+
+    @property
+    def steady(self):
+        """What of F depends on the time through driven frames alone."""
+        return self.weight if self.offset is None else self.offset
+
+    def force(self, _scene):
+        """F."""
+        return self.weight
+
+    def power(self, scene):
+        """F ṡ, which it brings in."""
+        return self.weight * scene.rate(self.s)
