@@ -14,7 +14,6 @@ from scenes import problem, problem_of
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import equilibrium_to
 from vibcli.notation.numbers import figure
-from vibcli.report.sections.data import TURN
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, shapes
 from vibcli.symbolic.evaluation import multiprecision
 
@@ -54,7 +53,7 @@ def rows_supported(found):
     for mode in found.modes:
         if mode.omega:
             omega = float(mode.omega)
-            for text, value in zip(mode_row(mode)[1:4], (omega, omega / TURN, TURN / omega), strict=True):
+            for text, value in zip(mode_row(mode)[1:4], (omega, omega / math.tau, math.tau / omega), strict=True):
                 assert_supported(text, value, mode.error)
                 count += 1
     for mode in found.damped or ():
@@ -62,7 +61,7 @@ def rows_supported(found):
             continue
         size = abs(complex(mode.eigenvalue))        # the error of λ falls on its parts, however small
         for text, value, part in zip(damped_row(mode)[1:6], (mode.omega, mode.zeta, mode.omega_d,
-                                                             TURN / float(mode.omega_d), mode.decay),
+                                                             math.tau / float(mode.omega_d), mode.decay),
                                      (size, mode.decay, mode.omega_d, mode.omega_d, mode.decay), strict=True):
             if value:
                 assert_supported(text, float(value), float(mode.error * size / abs(float(part))))

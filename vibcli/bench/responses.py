@@ -6,6 +6,7 @@ coordinate at a few times against an independent method in 25 digits, over the l
 """
 
 import json
+import math
 from statistics import median
 from time import process_time
 
@@ -68,7 +69,7 @@ def _driven(M, C, K, periods, runs):
     from vibcli.analyses.transient.linear_response import linear_motion
 
     lowest = np.sqrt(np.linalg.eigvals(np.linalg.solve(M, K)).real.min())
-    times = np.linspace(0, 2 * np.pi * periods / lowest, POINTS)
+    times = np.linspace(0, math.tau * periods / lowest, POINTS)
     forcing = Forcing(DEGREES, [Segment(0.0, (Wave(DEGREES - 1, 5.0, 0, 7j),))])
     q0, v0, output = np.full(DEGREES, 0.1), np.zeros(DEGREES), LinearOutput(q={3: 1.0})
     inverse = np.linalg.inv(M)

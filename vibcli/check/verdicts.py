@@ -5,6 +5,7 @@ bound; equations of motion up to a non-zero factor, V up to a constant, at rando
 checked at several sets of random values of its symbols.
 """
 
+import math
 import re
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
@@ -232,12 +233,11 @@ def _small_oscillation(problem, i, at):
     return total
 
 
-_TURN = 6.283185307179586
 MISTAKES = (
-    (("omega", "omega_d"), 1 / _TURN, "the expected value looks like a frequency in Hz, not rad/s"),
-    (("frequency",), _TURN, "the expected value looks like an angular frequency in rad/s, not Hz"),
-    (("period",), 1 / _TURN, "the expected value looks like 1/ω, not 2π/ω"),
-    (("equilibrium", "mode"), 180 / 3.141592653589793, "the expected value looks like degrees, not radians"),
+    (("omega", "omega_d"), 1 / math.tau, "the expected value looks like a frequency in Hz, not rad/s"),
+    (("frequency",), math.tau, "the expected value looks like an angular frequency in rad/s, not Hz"),
+    (("period",), 1 / math.tau, "the expected value looks like 1/ω, not 2π/ω"),
+    (("equilibrium", "mode"), 180 / math.pi, "the expected value looks like degrees, not radians"),
     (("omega", "frequency", "omega_d"), 0.5, "half of it: is a factor 4 missing under the root?"),
     (("omega", "frequency", "omega_d"), 2.0, "twice of it: is a factor 4 too much under the root?"),
     (("zeta", "C"), 2.0, "twice of it: c/m instead of c/(2m)?"),

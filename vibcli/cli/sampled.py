@@ -39,7 +39,7 @@ def asked(text, option):
 def size(text, option, unit, wants, exact=False):
     """A positive quantity given on the command line, in SI units; a bare number is one of `unit`, cycles are 2π.
     `exact`: as a Fraction, where it may be zero."""
-    from math import pi
+    from math import tau
 
     from vibcli.base.units import parse_unit
     from vibcli.symbolic.parser import ExpressionError, parse
@@ -55,7 +55,7 @@ def size(text, option, unit, wants, exact=False):
         raise click.UsageError(f"{option} {text}: expected {wants}")
     if exact:
         return literal.value * found.value     # of times, which have no roots
-    return found.in_si(literal.value) * (2 * pi if found.cycles else 1)
+    return found.in_si(literal.value) * (tau if found.cycles else 1)
 
 
 def plot_width():

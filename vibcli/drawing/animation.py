@@ -1,6 +1,6 @@
 """The frames of a mode, or of any motion given in time, as a GIF or a page."""
 
-from math import ceil, pi
+from math import ceil, tau
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import compose
@@ -60,8 +60,8 @@ def _span(problem, until):
     if not speeds:
         return until, MOST
     if problem.end is None:
-        until = min(until, PERIODS * 2 * pi / min(speeds))
-    return until, max(FRAMES, min(MOST, ceil(SEEN * until * max(speeds) / (2 * pi))))
+        until = min(until, PERIODS * tau / min(speeds))
+    return until, max(FRAMES, min(MOST, ceil(SEEN * until * max(speeds) / tau)))
 
 
 def _modes(problem):

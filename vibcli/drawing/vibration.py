@@ -5,7 +5,7 @@ largest displacement is a readable part of the figure, and smaller where the loo
 """
 
 from cmath import exp, phase
-from math import pi
+from math import pi, tau
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import plane
@@ -134,7 +134,7 @@ def room(stage, sketches):
 
 def phases(count):
     """Phases of one period from rest on: 0 the largest displacement."""
-    return [2 * pi * i / count - pi / 2 for i in range(count)]
+    return [tau * i / count - pi / 2 for i in range(count)]
 
 
 def response(stage, positions, times=None, unit=None):

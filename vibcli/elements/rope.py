@@ -87,7 +87,7 @@ def _sides_are_named(record, scene):
 
 def _touches(record, scene, stops):
     """Does the taut rope lie against every pulley on the side that is named, as drawn?"""
-    from math import atan2, hypot, pi, sqrt
+    from math import atan2, hypot, pi, sqrt, tau
 
     directions = []
     for one, two in pairwise(stops):
@@ -99,8 +99,8 @@ def _touches(record, scene, stops):
         if stop.side is None:
             continue
         sense = stop.sense or _sense(record, scene, stops, stops.index(stop), peg=True)
-        wrap = (leaving - arriving) * sense % (2 * pi)
-        if 1.25 * pi < wrap < 2 * pi - 1e-9:
+        wrap = (leaving - arriving) * sense % tau
+        if 1.25 * pi < wrap < tau - 1e-9:
             scene.report(item.where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
                          "name the other side, or draw the pulley where the rope bends round it")
             return False

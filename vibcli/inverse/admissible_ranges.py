@@ -43,7 +43,7 @@ def ends(problem, name, turning):
     record, parameter = problem.spec.choices[name], problem.spec.parameters[name]
     low, high = -math.inf if parameter.get("sign") == "any" else 0.0, math.inf
     if turning:
-        low, high = (0.0, 2 * math.pi) if low == 0.0 else (-math.pi, math.pi)
+        low, high = (0.0, math.tau) if low == 0.0 else (-math.pi, math.pi)
     bounds = [_bound(problem, record[key]) if key in record else None for key in ("from", "to")]
     if bounds[0] is not None and (bounds[0] > low or low):
         low = bounds[0]

@@ -1,6 +1,6 @@
 """Why a parameter cannot be chosen, in words."""
 
-from math import inf, isfinite, pi
+from math import inf, isfinite, pi, tau
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError, SpecError
@@ -153,7 +153,7 @@ def _within(system, span):
     unit = units.text(system.problem.spec.dimensions.of(system.names[0]))
 
     def end(x):
-        known = {0.0: "0", inf: "∞", -inf: "−∞", pi: "π", -pi: "−π", 2 * pi: "2π"}
+        known = {0.0: "0", inf: "∞", -inf: "−∞", pi: "π", -pi: "−π", tau: "2π"}
         return known.get(x) or f"{figure(x)} {unit}".strip()
 
     if (span.low, span.high) == (-inf, inf):

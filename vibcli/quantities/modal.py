@@ -1,6 +1,6 @@
 """Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
-from math import pi, sqrt, tau
+from math import sqrt, tau
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import coordinate_name
@@ -112,7 +112,7 @@ def _decrement(problem, indices, attribute):
     if not zeta < 1:
         raise PhysicsError(f"damped mode {indices[0]} does not oscillate: it has no logarithmic decrement",
                            f"ask for decay[{indices[0]}]")
-    return 2 * pi * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
+    return tau * zeta / sqrt((1 - zeta) * (1 + zeta)), 4 * error
 
 
 def _sensitivity(problem, indices, attribute):

@@ -6,6 +6,7 @@ constant factors is exact at any time; products and powers are evaluated instant
 
 from fractions import Fraction
 from functools import cached_property
+from math import tau
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.base.errors import PhysicsError
@@ -175,7 +176,7 @@ class SmallMotion(Response):
             last = max((piece.start for piece in forcing.pieces), default=0.0)
             speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         else:
-            last, speeds = 0.0, [6.283185307179586 / forcing.turn]
+            last, speeds = 0.0, [tau / forcing.turn]
         modes = () if problem.damped or not self.alone.blocks else problem.modes
         return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
 

@@ -1,12 +1,11 @@
 """Numbers that are read off one signal of a small motion in free vibration: after the last change of the loads
 x = A e^{−δt} cos(ω_d t − φ), beside what the loads that do not oscillate add."""
 
-from math import inf, pi
+from math import inf, tau
 
 from vibcli.analyses.excitation.forcing import oscillates
 from vibcli.base.errors import PhysicsError
 
-TURN = 2 * pi
 ALONE = 1e-10       # amplitude of another vibration, relative to the largest, that counts as none
 UNDYING = 1e-13     # decay, relative to the angular frequency, that counts as none
 
@@ -78,7 +77,7 @@ def cycles_to(signal, fraction):
     from vibcli.analyses.transient.free_vibration import cycles_to
 
     part = _decaying(signal)
-    return cycles_to(fraction, -TURN * part.rate / part.omega)
+    return cycles_to(fraction, -tau * part.rate / part.omega)
 
 
 def _decaying(signal):
@@ -101,7 +100,7 @@ def beat_period(signal):
 
 
 def free_period(signal):
-    return TURN / vibration(signal).omega
+    return tau / vibration(signal).omega
 
 
 def mean(signal):

@@ -2,6 +2,7 @@
 that are composed of them."""
 
 from functools import cached_property
+from math import tau
 
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
@@ -64,10 +65,10 @@ class LinearSignal(Signal):
     @cached_property
     def period(self):
         """After which the steady state repeats itself, None where it does not; of others, None."""
-        from vibcli.results.steady_features import TURN, fundamental
+        from vibcli.results.steady_features import fundamental
 
         try:
-            return TURN / fundamental(self) if self.part == "steady" else None
+            return tau / fundamental(self) if self.part == "steady" else None
         except PhysicsError:
             return None
 

@@ -1,10 +1,9 @@
 """Numbers that are read off the steady state of a signal which loads keep up."""
 
-from math import pi
+from math import tau
 
 from vibcli.base.errors import PhysicsError
 
-TURN = 2 * pi
 COMMENSURATE, MOST = 1e-9, 1000
 ALONE = 1e-10       # amplitude of another harmonic, relative to the largest, that counts as none
 
@@ -23,7 +22,7 @@ def fundamental(signal):
     """The angular frequency of a periodic steady state; PhysicsError where it is not periodic."""
     steady = signal.motion.steady
     if steady.period is not None:
-        return TURN / steady.period
+        return tau / steady.period
     speeds = [Omega for Omega, _ in harmonics(signal)]
     if not speeds:
         raise PhysicsError("this steady state is at rest: it has no period", "ask for max(steady(x))")
@@ -49,5 +48,5 @@ def amplitude(signal):
         found = harmonics(signal)
         if len(found) < 2:
             return abs(found[0][1]) if found else 0.0
-    period, steady = TURN / fundamental(signal), signal.steady
+    period, steady = tau / fundamental(signal), signal.steady
     return 0.5 * (steady.extreme(0.0, period, 1)[1] - steady.extreme(0.0, period, -1)[1])

@@ -58,7 +58,7 @@ def on_arrays():
         return np.where(np.mod(below, 2) == 0, 1.0, -1.0)
 
     def sawtooth(u, order=0):
-        turns = np.asarray(u, dtype=float) / (2 * np.pi)
+        turns = np.asarray(u, dtype=float) / math.tau
         below = np.floor(turns)
         if np.any(order):
             return np.where(turns == below, np.nan, (1 / np.pi) * (np.asarray(order) == 1))

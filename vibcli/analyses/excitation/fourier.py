@@ -25,7 +25,7 @@ class FourierSeries(NamedTuple):
 
 def fourier(forcing, channel, harmonics):
     """The Series of one channel of a periodic Forcing up to a number of harmonics."""
-    P, omega = forcing.period, 2 * math.pi / forcing.period
+    P, omega = forcing.period, math.tau / forcing.period
     pieces = _one_period(forcing, channel)
     found = []
     for n in range(harmonics + 1):

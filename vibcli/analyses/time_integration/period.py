@@ -100,7 +100,7 @@ def _by_midpoints(slope, inertia, left, right):
         drops = _drops(slope, middle, reach, theta)
         q_theta = middle + reach * np.sin(theta)
         with np.errstate(all="ignore"):
-            found = 2 * math.pi / points * np.sum(reach * np.cos(theta) * np.sqrt(inertia(q_theta) / (2 * drops)))
+            found = math.tau / points * np.sum(reach * np.cos(theta) * np.sqrt(inertia(q_theta) / (2 * drops)))
         last, change = change, abs(found - before)
         if change <= ACCURACY * found or (change <= ENOUGH * found and change > 0.25 * last):
             return float(found), float(change / found)

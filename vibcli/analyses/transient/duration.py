@@ -1,7 +1,7 @@
 """How long a motion is looked at where nobody says: until it has died out, or for some of its longest periods."""
 
 from itertools import pairwise
-from math import log, pi
+from math import log, tau
 
 DYING, PERIODS, MOST = log(1000), 10, 60
 
@@ -14,7 +14,7 @@ def duration(modes, damped, last, speeds):
         frequencies = [mode.omega_d for mode in damped if mode.omega_d]
         decays = [-mode.eigenvalue.real for mode in damped if mode.eigenvalue.real < 0]
     growths = [mode.growth_rate for mode in (damped or modes) if mode.growth_rate]
-    longest = max((2 * pi / float(omega) for omega in (*frequencies, *speeds)), default=0.0)
+    longest = max((tau / float(omega) for omega in (*frequencies, *speeds)), default=0.0)
     if growths:
         return last + min(DYING / float(max(growths)), PERIODS * longest or float("inf"))
     if decays:
@@ -29,4 +29,4 @@ def _beat(frequencies):
     """The longest beat period of neighbouring frequencies, 0 of one alone."""
     ordered = sorted(map(float, frequencies))
     gaps = [b - a for a, b in pairwise(ordered) if b > a]
-    return 2 * pi / min(gaps) if gaps else 0.0
+    return tau / min(gaps) if gaps else 0.0

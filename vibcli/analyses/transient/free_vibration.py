@@ -12,7 +12,7 @@ SETTLED = 40.0
 
 def decrement(rate, omega_d):
     """δ = ln(x_k / x_{k+1}) = 2π · decay / ω_d of e^{rate t} cos(ω_d t)."""
-    return -2 * math.pi * rate / omega_d
+    return -math.tau * rate / omega_d
 
 
 def decrement_of_peaks(first, later, cycles=1):
@@ -22,7 +22,7 @@ def decrement_of_peaks(first, later, cycles=1):
 
 def zeta_of_decrement(delta):
     """ζ = δ / √(4π² + δ²)."""
-    return delta / math.hypot(2 * math.pi, delta)
+    return delta / math.hypot(math.tau, delta)
 
 
 def time_to(fraction, rate):
@@ -48,7 +48,7 @@ def beat_period(motion, output, segment=0):
     apart = abs(parts[0].omega - parts[1].omega)
     if not 0 < apart < CLOSE * (parts[0].omega + parts[1].omega) / 2:
         return None
-    period = 2 * math.pi / apart
+    period = math.tau / apart
     return period if all(-part.rate * period < 1 for part in parts) else None
 
 

@@ -4,6 +4,7 @@
 curvature has no bound; at a jump the slope has none either.
 """
 
+import math
 from fractions import Fraction
 
 import numpy as np
@@ -116,7 +117,7 @@ def _square(u, order=None):
 
 
 def _sawtooth(u):
-    jumps, below = _turns(u.value, 2 * np.pi)
+    jumps, below = _turns(u.value, math.tau)
     inside = u.value * inverse(Intervals.pi) + exact(-2 * below - 1)
     value = Interval(np.where(jumps, -1.0, inside.low), np.where(jumps, 1.0, inside.high))
     first = inverse(Intervals.pi)

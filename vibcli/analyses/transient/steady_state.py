@@ -145,7 +145,7 @@ def _growth(B, t):
 
 def harmonic(motion, forcing, n):
     """(s, Q, F) of the n-th harmonic of periodic forcing: F = (2/T) ∫ f e^{−st} dt over a period, s = 2πin/T."""
-    s = complex(0, 2 * math.pi * n / forcing.period)
+    s = complex(0, math.tau * n / forcing.period)
     row = np.zeros(forcing.channels, complex)
     for piece, after in zip(forcing.pieces, [*forcing.pieces[1:], Segment(forcing.period)], strict=True):
         length, turn = np.array([after.start - piece.start]), cmath.exp(-s * piece.start)

@@ -1,6 +1,6 @@
 """Vectors of the plane as pairs of floats: what drawing needs and no more."""
 
-from math import acos, atan2, cos, hypot, pi, sin
+from math import acos, atan2, cos, hypot, pi, sin, tau
 
 FLAT, FINEST = 0.06, 0.01       # points by which a polyline may leave its arc; radians
 
@@ -79,7 +79,7 @@ def arc(centre, radius, start, end):
 
 
 def circle(centre, radius):
-    return arc(centre, radius, 0.0, 2 * pi)[:-1]
+    return arc(centre, radius, 0.0, tau)[:-1]
 
 
 def box(centre, width, height, angle=0.0):

@@ -1,6 +1,6 @@
 """Torsion springs and rotary dampers, at the joint about which they turn."""
 
-from math import pi
+from math import pi, tau
 
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import damper, spring, support
@@ -68,7 +68,7 @@ def draw(sketch, looks):
                 found += support.wall(tip, plane.polar((0.0, 0.0), 1.0, start), 6.0)
             where[name] = plane.polar(centre, radius + 3, start + pi / 3), plane.polar((0, 0), 1.0, start + pi / 3)
             continue
-        span = SPAN if other is None else (start - heading) % (2 * pi)
+        span = SPAN if other is None else (start - heading) % tau
         span = span if 0.3 * pi < span < 1.7 * pi else SPAN
         begin, end = heading - span + held, heading + moved
         found += damper.bent(centre, ARC, begin, 1, ARC * (end - begin))

@@ -1,6 +1,6 @@
 """What a placed body looks like: outlines as drawn, which its frame then carries along."""
 
-from math import pi
+from math import tau
 from typing import NamedTuple
 
 from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline
@@ -44,9 +44,9 @@ def teeth(points, pitch=7.0, height=1.7):
     """The outline of a gear about its pitch circle."""
     left, bottom, right, top = plane.bounds(points)
     centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
-    count = max(8, round(2 * pi * radius / pitch))
+    count = max(8, round(tau * radius / pitch))
     found = []
     for i in range(count):
         for part, side in ((0.0, -1), (0.12, 1), (0.5, 1), (0.62, -1)):
-            found.append(plane.polar(centre, radius + side * height, 2 * pi * (i + part) / count))
+            found.append(plane.polar(centre, radius + side * height, tau * (i + part) / count))
     return found

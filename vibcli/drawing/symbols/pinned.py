@@ -1,6 +1,6 @@
 """Looks of bodies without a shape that turn about a pin: pendulums, hubs, arms."""
 
-from math import pi
+from math import tau
 
 from vibcli.drawing.canvas.primitives import BEHIND, BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
@@ -38,7 +38,7 @@ def _blob(pivot, centre):
     a, b = (high - low) / 2, min(40.0, max(12.0, 0.26 * (high - low)))
     at = plane.along(pivot, centre)
     points = [at((low + high) / 2 + a * x, b * y * (1 + 0.35 * x)) for x, y in
-              [plane.polar((0, 0), 1.0, 2 * pi * i / 60) for i in range(60)]]
+              [plane.polar((0, 0), 1.0, tau * i / 60) for i in range(60)]]
     return Look([Polygon(tuple(points)), *centre_mark(centre)], "blob")
 
 

@@ -1,7 +1,7 @@
 """Ropes and belts: tangents between circles, arcs around them."""
 
 from itertools import pairwise
-from math import pi, sqrt
+from math import sqrt, tau
 from typing import NamedTuple
 
 from vibcli.drawing.canvas.primitives import Arc, Polyline
@@ -102,8 +102,8 @@ def draw(chain, sketch, role="rope", closed=False):
     for arriving, leaving, centre, stop in corners:
         if stop.sense:
             start = plane.heading(plane.minus(arriving[1], centre))
-            turn = stop.sense * (plane.heading(plane.minus(leaving[0], centre)) - start) % (2 * pi)
-            if turn < 2 * pi - 1e-6:
+            turn = stop.sense * (plane.heading(plane.minus(leaving[0], centre)) - start) % tau
+            if turn < tau - 1e-6:
                 found.append(Arc(centre, stop.radius, start, start + stop.sense * turn, role, 1.6))
     return found
 

@@ -1,6 +1,6 @@
 """Springs: a zigzag between two ends, a spiral about a joint."""
 
-from math import pi
+from math import pi, tau
 
 from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
@@ -23,8 +23,8 @@ def zigzag(start, end, drawn):
 
 def spiral(centre, from_angle, to_angle, radius=13.0):
     """A torsion spring about a joint, from its core to the two that it turns."""
-    turns = 2 * pi + (to_angle - from_angle) % (2 * pi)
-    turns += 2 * pi * (turns < 3 * pi)
+    turns = tau + (to_angle - from_angle) % tau
+    turns += tau * (turns < 3 * pi)
     count = 70
     points = [plane.polar(centre, 4.0 + (radius - 4.0) * i / count, from_angle + turns * i / count)
               for i in range(count + 1)]

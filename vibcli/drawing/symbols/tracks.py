@@ -1,6 +1,6 @@
 """Fixed surfaces: the ground under what rolls or slides on lines, circles and curves."""
 
-from math import isfinite, pi
+from math import isfinite, pi, tau
 
 from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
 from vibcli.drawing.layout import plane
@@ -59,9 +59,9 @@ def visible(record, places, sketch):
     """Points of a circle as far as it is drawn: all of one that bodies run on outside or that is carried."""
     centre, radius = sketch.pair(record["circle"]), sketch.length(record["radius"])
     if record.get("side") != "inside" or "body" in record:
-        return plane.arc(centre, radius, 0.0, 2 * pi)
+        return plane.arc(centre, radius, 0.0, tau)
     angles = [plane.heading(plane.minus(place, centre)) for place in places] or [-pi / 2]
-    turns = [(angle - angles[0] + pi) % (2 * pi) - pi for angle in angles]
+    turns = [(angle - angles[0] + pi) % tau - pi for angle in angles]
     return plane.arc(centre, radius, angles[0] + min(turns) - SPREAD, angles[0] + max(turns) + SPREAD)
 
 

@@ -6,13 +6,13 @@ ch. 5). What such boxes leave is halved until F, or Y F by the theorem of the me
 about which that cannot be said is a place to search on from.
 """
 
+import math
 from itertools import product
 
 import numpy as np
 
 from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium.newton import zero_from
-from vibcli.mechanics.equilibrium.scaled_forces import TURN
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.discontinuous_functions import PULSES
@@ -66,7 +66,7 @@ def _turned(forces, z, box):
     """z and its places a turn of periodic angles apart, as far as they lie in the box or next to it."""
     turns = product(*((-1, 0, 1) if periodic else (0,) for periodic in forces.periodic))
     for turn in turns:
-        there = z + TURN * np.array(turn)
+        there = z + math.tau * np.array(turn)
         if np.all(there > box[0] - NEAR) and np.all(there < box[1] + NEAR):
             yield there
 

@@ -6,11 +6,12 @@ affine map near to F there, and on each piece of the boundary some ℓ with ℓ�
 arithmetic. An angle over its whole turn has no boundary; with one G cannot have a degree but 0.
 """
 
+import math
+
 import numpy as np
 
 from vibcli.mechanics.equilibrium.completeness import chunks, halved, summed
 from vibcli.mechanics.equilibrium.multistart import halton
-from vibcli.mechanics.equilibrium.scaled_forces import TURN
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import exact, outward
@@ -25,7 +26,7 @@ def degree(enclosed, low, high):
     wraps = [_wraps(enclosed, i) for i in range(len(low))]
     if None in wraps or enclosed.jumps or not _continuous(enclosed, low, high):
         return None
-    wrapped = np.array(wraps) & (high - low >= TURN * (1 - 1e-12))
+    wrapped = np.array(wraps) & (high - low >= math.tau * (1 - 1e-12))
     if wrapped.all():
         return 0
     Y, centre, sign = _reference(enclosed, low, high, ~wrapped)

@@ -1,10 +1,12 @@
 """The zeros that a search has met: each once, within the box, isolated or as a member of a family."""
 
+import math
+
 import numpy as np
 
 from vibcli.mechanics.equilibrium.families import Family, free_directions
 from vibcli.mechanics.equilibrium.newton import settled
-from vibcli.mechanics.equilibrium.scaled_forces import TURN, TooMuch
+from vibcli.mechanics.equilibrium.scaled_forces import TooMuch
 
 MOST, NEAR, SAME = 200, 1e-2, 1e-9
 BETWEEN = (0.31, 0.69)         # not the middle, where a third zero may lie
@@ -47,8 +49,8 @@ class Found:
     def _in_box(self, place):
         """The place, its periodic angles turned into the box; None if it lies outside."""
         low, high = self.box
-        turns = np.where(self.forces.periodic, np.ceil((place.z - high) / TURN - 1e-12), 0.0)
-        z, slack = place.z - TURN * turns, 1e-9 * (high - low)
+        turns = np.where(self.forces.periodic, np.ceil((place.z - high) / math.tau - 1e-12), 0.0)
+        z, slack = place.z - math.tau * turns, 1e-9 * (high - low)
         if np.any(z < low - slack) or np.any(z > high + slack):
             return None
         if not turns.any():

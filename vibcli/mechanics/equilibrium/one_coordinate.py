@@ -5,11 +5,10 @@ throughout but for rounding. A cell is judged by F and its derivative J at both 
 zeros and close pairs are seen where F does not change sign. A pole changes sign too, but F is not small there.
 """
 
+import math
 from itertools import pairwise
 
 import numpy as np
-
-from vibcli.mechanics.equilibrium.scaled_forces import TURN
 
 CELLS, WIDEST = 256, 16           # cells a turn, or a length of 2π times the figure; turns up to which they are added
 NARROW, WIDE, STEEP = 1e-10, 1e-2, 1e3
@@ -20,7 +19,7 @@ EDGE = {False: 1e-6, True: 1e-4}  # how far cells are cut where forces end, or l
 def zeros(forces, low, high, finest=1):
     """[(place, (from, to) or None)]: isolated zeros, and stretches along which no force acts; `finest`: the least
     part of a turn that is cut into as many cells as a part of it holds."""
-    cells = int(CELLS * np.clip((high - low) / TURN, finest, WIDEST))
+    cells = int(CELLS * np.clip((high - low) / math.tau, finest, WIDEST))
     edges = _edges(forces, np.linspace(low, high, cells + 1))
     found, flat = [], []
     for a, b in pairwise(edges):

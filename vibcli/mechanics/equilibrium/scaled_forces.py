@@ -4,6 +4,8 @@ z = q/D, D being 1 for angles and the size of the figure for lengths; F = D r/E 
 typical of the scene. So the search does not depend on units.
 """
 
+import math
+
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
@@ -14,7 +16,6 @@ from vibcli.symbolic.evaluation import Floats
 HUGE, MOST_CLOSED, JUMP = 1e140, 1000, 1.5
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere
 FAINT, SHORT, TINY = 2.0**-49, 1e-3, 1e-9      # of the forces elsewhere; of the size of the figure, both
-TURN = 2 * np.pi
 
 
 class Place:
@@ -130,7 +131,7 @@ class Forces:
         places = [place for place in map(self.at, near_drawn(self, 2)) if place is not None]
         for i in np.flatnonzero(self.angle | self.open):
             turned = np.zeros(len(self.D))
-            turned[i] = TURN
+            turned[i] = math.tau
             self.periodic[i] = bool(places) and all(self._same(place, turned) for place in places)
         self.angle |= self.open & self.periodic
 
@@ -149,7 +150,7 @@ class Forces:
     def gap(self, one, other):
         """one − other, of periodic angles the shorter way round."""
         d = one - other
-        return np.where(self.periodic, d - TURN * np.round(d / TURN), d)
+        return np.where(self.periodic, d - math.tau * np.round(d / math.tau), d)
 
 
 def near_drawn(forces, count):

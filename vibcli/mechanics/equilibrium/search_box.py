@@ -3,7 +3,7 @@
 import math
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.equilibrium.scaled_forces import TURN, typical_length
+from vibcli.mechanics.equilibrium.scaled_forces import typical_length
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 REACH = 2.0
@@ -17,7 +17,7 @@ def bounds(problem, forces, rests):
         if name in given:
             low, high = given[name]
             centre = 0.5 * (low + high)
-            found[name] = (centre - math.pi, centre + math.pi) if periodic and high - low > TURN else (low, high)
+            found[name] = (centre - math.pi, centre + math.pi) if periodic and high - low > math.tau else (low, high)
         elif angle:
             centre = 0.0 if abs(drawn) <= math.pi else drawn
             found[name] = (centre - math.pi, centre + math.pi)

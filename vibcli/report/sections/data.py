@@ -1,6 +1,7 @@
 """Results as plain data with the documented keys of --json: SI units, null where there is nothing."""
 
 from fractions import Fraction
+from math import tau
 
 from vibcli.notation.equation_sides import equation
 from vibcli.notation.latex import latex
@@ -10,7 +11,6 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, expanded
 from vibcli.symbolic.rationals import ONE
 
-TURN = 6.283185307179586
 ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is zero then
 
 
@@ -198,7 +198,7 @@ def modes_data(problem, modes, normalise="first", write=float):
 def turn(value):
     """2π in the arithmetic of a value."""
     if isinstance(value, (int, float)):
-        return TURN
+        return tau
     import mpmath
 
     return 2 * mpmath.pi

@@ -1,6 +1,6 @@
 """Frequency responses: amplitude at rest, resonances and antiresonances; amplitudes in letters of few degrees."""
 
-from math import isfinite
+from math import isfinite, tau
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.numbers import figure
@@ -8,7 +8,6 @@ from vibcli.report import blocks
 from vibcli.report.blocks import TableBlock, line, paragraph, section
 from vibcli.report.sections.requested_signals import curves_asked, symbol
 
-TURN = 6.283185307179586
 LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
 
 
@@ -62,10 +61,10 @@ def _in_letters(problem, name, driver):
 def _in_numbers(problem, name, driver, unit):
     curve, rows = problem.frequency_response(name, driver), []
     for number, (Omega, value) in enumerate(curve.peaks, 1):
-        rows.append((f"peak {number}", figure(Omega), figure(Omega / TURN), figure(value) if isfinite(value) else "∞",
+        rows.append((f"peak {number}", figure(Omega), figure(Omega / tau), figure(value) if isfinite(value) else "∞",
                      *_bandwidth(curve, number)))
     for number, Omega in enumerate(curve.antiresonances, 1):
-        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / TURN),
+        rows.append((f"antiresonance {number}", figure(Omega), figure(Omega / tau),
                      "0" if curve.transfer.undamped else figure(abs(curve.at(Omega)[0])), "", "", ""))
     head = ("", "Ω [rad/s]", "f [Hz]", f"|H| [{unit}]", "Ω₁ [rad/s]", "Ω₂ [rad/s]", "Q")
     yield _static(curve, unit)
@@ -80,7 +79,7 @@ def _fixed_points(problem, curve, unit):
     dampers = list(problem.spec.get("dampers") or {})
     if len(problem.scene.q) != LETTERS or len(dampers) != 1 or curve.signal.startswith(f"{dampers[0]}."):
         return
-    rows = [(f"fixed point {number}", figure(Omega), figure(Omega / TURN), figure(value))
+    rows = [(f"fixed point {number}", figure(Omega), figure(Omega / tau), figure(value))
             for number, (Omega, value) in enumerate(curve.fixed_points(dampers[0]), 1)]
     if rows:
         yield paragraph(f"Fixed points, the same for every value of '{dampers[0]}':")

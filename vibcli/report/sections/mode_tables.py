@@ -2,11 +2,10 @@
 
 from cmath import polar as to_polar
 from itertools import pairwise
-from math import degrees, hypot
+from math import degrees, hypot, tau
 
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, TableBlock, maths, paragraph
-from vibcli.report.sections.data import TURN
 
 ZERO_MODES = {"free": "rigid-body mode", "held": "no linear restoring force", "falling": "unstable: V falls beyond the "
               "linear terms"}
@@ -36,7 +35,7 @@ def mode_row(mode, kind=None, same=False):
     if not mode.omega:
         return number, "–", "–", "–", error, remark
     omega = float(mode.omega)
-    return number, *(figure(x, mode.error) for x in (omega, omega / TURN, TURN / omega)), error, remark
+    return number, *(figure(x, mode.error) for x in (omega, omega / tau, tau / omega)), error, remark
 
 
 def damped_row(mode):
@@ -51,7 +50,7 @@ def damped_row(mode):
     of_decay, of_omega_d = bounds(mode)
     return (str(mode.index), figure(_float(mode.omega), mode.error), figure(_float(mode.zeta), of_decay),
             figure(_float(mode.omega_d), of_omega_d),
-            figure(TURN / float(mode.omega_d), of_omega_d) if mode.omega_d else "–",
+            figure(tau / float(mode.omega_d), of_omega_d) if mode.omega_d else "–",
             figure(_float(mode.decay), of_decay), error, note)
 
 

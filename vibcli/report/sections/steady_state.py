@@ -10,7 +10,6 @@ from vibcli.report.blocks import TableBlock, paragraph, section
 FIRST, SMALL = 9, 1e-9     # harmonics of a periodic steady state that are listed
 PHASES = {"sine": ("X·sin(Ω·t − θ)", 1, -0.25), "cosine": ("X·cos(Ω·t − θ)", 1, 0.0),
           "lead": ("X·sin(Ω·t + α)", -1, -0.25)}
-TURN = 6.283185307179586
 NOTHING = 1e-12
 
 
@@ -52,7 +51,7 @@ def phase_in(convention, X):
     from vibcli.quantities.frequency_response import wrapped
 
     _, sign, turn = PHASES[convention]
-    return wrapped(sign * (-cmath.phase(X) + turn * TURN))
+    return wrapped(sign * (-cmath.phase(X) + turn * math.tau))
 
 
 def harmonics_of(signal):
@@ -75,5 +74,5 @@ def steady_rows(asked, convention):
         for Omega, X in harmonics_of(one.signal):
             if Omega:
                 theta = phase_in(convention, X)
-                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / TURN), figure(TURN / Omega),
+                yield (f"{one.label} [{one.unit}]", figure(Omega), figure(Omega / math.tau), figure(math.tau / Omega),
                        figure(abs(X)), figure(theta), figure(degrees(theta), digits=4))
