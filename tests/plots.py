@@ -8,7 +8,6 @@ from vibcli.plots.eigenvalues import argand
 from vibcli.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.plots.frequency import nyquist, of_frequency_response
 from vibcli.plots.response import of_response
-from vibcli.plots.shapes import mode_bars
 
 EVIL = "$\\frac{1}{0}$ <b>&amp; ]]> --> {x} % _a^b # ~ \\ \x1b[31m\u202e"
 LENGTH, FORCE = {"m": 1}, {"kg": 1, "m": 1, "s": -2}
@@ -55,7 +54,6 @@ FIGURES = {
     "argand": argand(pairs((5, 12, 20, 31, 40), (0.02, 0.05, 0.1, 0.3, 0.15)),
                      [f"λ{i}" for i in range(10)], title="Eigenvalues"),
     "round": argand([*pairs((5, 12), (0.5, 0.7)), -9 + 0j], title="Eigenvalues"),
-    "modes": mode_bars(["x₁", "x₂"], [[1, 1], [1, -1]], ["ω₁ = 10 rad/s", "ω₂ = 17.3 rad/s"]),
     "noise": of_response([i / 100 for i in range(4000)], [("a", {"m": 1, "s": -2}, noise(4000))]),
     "zero": of_response(TIMES, [("x", "m", [0.0] * 1001)]),
     "constant": of_response(TIMES, [("F", "N", [5000.0] * 1001)]),

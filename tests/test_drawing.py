@@ -333,7 +333,8 @@ def test_a_page_needs_nothing_else_and_escapes_titles():
 
 def test_any_motion_can_be_shown():
     given = problem(PENDULUM)
-    frames, _, names = animation.of_motion(given, lambda t: {"phi": 0.5 * math.sin(3 * t)}, [0.1 * i for i in range(9)])
+    times = [0.1 * i for i in range(9)]
+    frames, _, names = animation.of_positions(given, [{"phi": 0.5 * math.sin(3 * t)} for t in times], times)
     assert len(frames) == 9 and names[1] == "0.1 s"
     bobs = [next(part for part in frame if isinstance(part, Polygon) and len(part.points) > 20) for frame in frames]
     middle = [plane.middle(*[(box[0], box[1]), (box[2], box[3])]) for box in (plane.bounds(b.points) for b in bobs)]
@@ -368,7 +369,8 @@ def test_large_animations_lose_frames(monkeypatch):
 
 def test_small_motions_are_magnified():
     given = problem(PENDULUM)
-    _, words, _ = animation.of_motion(given, lambda t: {"phi": 1e-4 * math.sin(t)}, [0.0, 1.0, 2.0])
+    times = [0.0, 1.0, 2.0]
+    _, words, _ = animation.of_positions(given, [{"phi": 1e-4 * math.sin(t)} for t in times], times)
     factor = float(words.partition("×")[2])
     assert factor > 100 and f"{factor:g}"[0] in "125"
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import mpmath
 import pytest
+from fourier import coefficients, integral
 
 from vibcli.analyses.excitation.decompose import forcing_of
-from vibcli.analyses.excitation.fourier import fourier, integral
 from vibcli.analyses.excitation.impulses import nearest
 from vibcli.analyses.excitation.rounding import Floating
 from vibcli.analyses.excitation.tabulated import TabulatedFunction
@@ -279,29 +279,17 @@ def test_a_rate_of_an_impulse_is_refused():
     ("F*square(W*t)", lambda n: 5 * 2 / (1j * math.pi * n) if n % 2 else 0),
     ("F*sawtooth(W*t)", lambda n: 5 * 1j / (math.pi * n) if n else 0),
     ("abs(sin(W*t/2))", lambda n: 2 / (math.pi * (1 - 4 * n * n))),
-    ("max(0, sin(W*t))", lambda n: -0.25j if n == 1 else (1 + (-1) ** n) / (2 * math.pi * (1 - n * n))),
-    ("abs(sawtooth(W*t)) + 0*square(W*t)", None)])
+    ("max(0, sin(W*t))", lambda n: -0.25j if n == 1 else (1 + (-1) ** n) / (2 * math.pi * (1 - n * n)))])
 def test_series(text, coefficient):
     """Textbook series of the square, sawtooth and rectified waves."""
-    if coefficient is None:
-        return
-    found = fourier(forcing(text), 0, 9)
-    assert found.omega == pytest.approx(VALUES["W"])
-    for n, c in enumerate(found.coefficients):
+    for n, c in enumerate(coefficients(forcing(text), 0, 9)):
         assert c == pytest.approx(complex(coefficient(n)), abs=1e-14)
-
-
-def test_the_rest_of_a_series_is_what_is_left_out():
-    found = fourier(forcing("square(W*t)"), 0, 7)
-    left = 1 - sum(8 / (math.pi * n) ** 2 for n in (1, 3, 5, 7))
-    assert found.rest == pytest.approx(math.sqrt(left), rel=1e-12)
 
 
 def test_series_of_impulses():
     node, time = expression("square(W*t)")
-    found = fourier(forcing_of({0: gradient(node)[time]}, time, VALUES), 0, 3)
-    assert found.rest is None
-    assert found.coefficients[1] == pytest.approx(2 * VALUES["W"] / math.pi)
+    found = coefficients(forcing_of({0: gradient(node)[time]}, time, VALUES), 0, 3)
+    assert found[1] == pytest.approx(2 * VALUES["W"] / math.pi)
 
 
 @pytest.mark.parametrize("k", [0, 1, 2, 5])

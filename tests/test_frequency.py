@@ -11,11 +11,11 @@ from scenes import problem
 from vibcli.analyses.closed_form.frequency_response import formula
 from vibcli.analyses.frequency_response import large_systems
 from vibcli.analyses.frequency_response.direct import direct, scales
-from vibcli.analyses.frequency_response.evaluate import frf, phase_lag, sampled, sloped
+from vibcli.analyses.frequency_response.evaluate import frf, sampled, sloped
 from vibcli.analyses.frequency_response.extremes import extremes
 from vibcli.analyses.frequency_response.fixed_points import fixed_points
 from vibcli.analyses.frequency_response.frequency_grid import adaptive
-from vibcli.analyses.frequency_response.peaks import antiresonances, bandwidth, half_power, peaks, quality, static_value
+from vibcli.analyses.frequency_response.peaks import antiresonances, half_power, peaks
 from vibcli.analyses.frequency_response.transfer_function import Transfer, transfer
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -194,7 +194,7 @@ def test_peak_of_one_degree(zeta):
 
 def test_beyond_the_last_peak():
     assert not peaks(oscillator(0.8)) and not peaks(oscillator(3.0))
-    assert static_value(oscillator(0.8)) == 0.01
+    assert frf(oscillator(0.8), 0.0) == 0.01
 
 
 def test_half_power_of_one_degree():
@@ -205,8 +205,7 @@ def test_half_power_of_one_degree():
         low, high = half_power(system, peak)
         assert (low, high) == pytest.approx((10 * (math.hypot(1, zeta) - zeta), 10 * (math.hypot(1, zeta) + zeta)),
                                             rel=1e-13)
-        assert quality(system, peak) == pytest.approx(1 / (2 * zeta), rel=1e-12)
-        assert bandwidth(system, peak) == pytest.approx(20 * zeta, rel=1e-12)
+        assert peak.Omega / (high - low) == pytest.approx(1 / (2 * zeta), rel=1e-12)
 
 
 def test_no_half_power_point_below_a_flat_peak():
@@ -311,12 +310,6 @@ def test_the_grid_sees_every_peak(kind, log):
         exactly, missing = np.abs(sampled(system, at)[0]), (np.abs(values[1:]) * np.abs(values[:-1])) ** 0.5
         far = np.all([np.abs(at / one.Omega - 1) > 1e-3 for one in known if not one.value] or [at > 0], axis=0)
         assert np.abs(np.log(exactly / missing))[far].max() < 0.15
-
-
-def test_lag_is_positive():
-    values = frf(oscillator(0.1), np.array([0.0, 5.0, 10.0, 50.0]))
-    assert phase_lag(values) == pytest.approx([0.0, math.atan2(10, 75), math.pi / 2, math.pi - math.atan2(100, 2400)])
-    assert phase_lag(frf(oscillator(0.0), 20.0)) == math.pi
 
 
 def test_slopes_of_derivatives():

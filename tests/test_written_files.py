@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from vibcli.base.errors import PhysicsError
+from vibcli.base.output_files import refuse_unwritable, write_whole
 from vibcli.cli import COMMANDS, new, pictures, run
 from vibcli.cli.reports import SUFFIXES
 
@@ -120,3 +122,21 @@ def test_without_a_home_nothing_is_said_of_caches(scene):
     done = subprocess.run([sys.executable, "-m", "vibcli", "draw", "scene.yaml"], capture_output=True, text=True,
                           env={**kept, **there})
     assert done.returncode == 0 and done.stderr == "wrote scene.png\n"
+
+
+def test_a_wrong_path_is_refused_in_words(tmp_path):
+    folder = tmp_path / "pictures"
+    folder.mkdir()
+    (folder / "there.png").write_bytes(b"kept")
+    (folder / "link.png").symlink_to(folder / "there.png")
+    (folder / "folder.png").mkdir()
+    for name, words in (("plot.jpg", "'.jpg'"), ("plot", "no suffix"), ("none/plot.png", "no folder"),
+                        ("link.png", "is a link"), ("folder.png", "no file"), ("x" * 300 + ".png", "too long"),
+                        ("\0.png", "null")):
+        with pytest.raises(PhysicsError, match=words) as found:
+            refuse_unwritable(folder / name, (".png", ".svg", ".pdf"))
+            write_whole(folder / name, b"new")
+        assert found.value.hint
+    refuse_unwritable(folder / "there.png", (".png",))
+    assert (folder / "there.png").read_bytes() == b"kept"
+    assert sorted(entry.name for entry in folder.iterdir()) == ["folder.png", "link.png", "there.png"]

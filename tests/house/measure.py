@@ -5,6 +5,10 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))       # run as a script it finds what lies beside it
+
+from house.uses import Uses
+
 PACKAGE = Path(__file__).resolve().parents[2] / "vibcli"
 FLOORS = (      # from the ground up; a room imports rooms of lower floors only
     ("base",), ("numerics", "symbolic", "plots"), ("notation", "language"), ("elements",), ("scene",),
@@ -144,6 +148,10 @@ class House:
                     found[node.name].append(module)
         return {name: modules for name, modules in found.items() if len(modules) > 1}
 
+    def unused(self):
+        """{(module, name): lines} of what nothing in the package uses."""
+        return Uses(self.package.name, self.trees).unused()
+
     def lines(self):
         return sum(path.read_text(encoding="utf-8").count("\n") for path in self.package.rglob("*.py"))
 
@@ -208,6 +216,7 @@ def main():
          f"{len({place.split(':')[0] for place in house.set_from_outside()})} files"),
         ("annotated parameters", f"{house.annotated():.0%}"),
         ("class names that mean several things", len(house.class_names())),
+        ("names that nothing in vibcli uses", len(house.unused())),
         ("lines", house.lines()), ("files", len(house.trees))]
     for what, figure in rows:
         print(f"{what:66} {figure}")

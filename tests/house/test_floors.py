@@ -86,6 +86,23 @@ def test_a_circle_is_seen(planted):
     assert house.circles() == [("vibcli.scene.a", "vibcli.scene.b", "vibcli.scene.c")]
 
 
+def test_what_is_defined_is_used_by_the_program():
+    assert sorted(HOUSE.unused()) == []
+
+
+def test_what_only_something_unused_uses_is_seen(planted):
+    house = planted({
+        "scene/a.py": "LEFT = 1\n\n\ndef outer():\n    return inner()\n\n\ndef inner():\n    return outer()\n",
+        "scene/b.py": "import click\n\nfrom vibcli.scene import c\n\n\nclass Kind(click.Group):\n"
+                      "    def called_by_click(self):\n        return c.used().taken()\n\n\nprint(Kind)\n",
+        "scene/c.py": "def used():\n    return Value()\n\n\ndef taken():\n    pass\n\n\nclass Value:\n"
+                      "    def taken(self):\n        return getattr(self, 'in_' + 'time')\n\n    def in_time(self):\n"
+                      "        pass\n\n    def left(self):\n        pass\n"})
+    assert sorted(house.unused()) == [("vibcli.scene.a", "LEFT"), ("vibcli.scene.a", "inner"),
+                                      ("vibcli.scene.a", "outer"), ("vibcli.scene.c", "Value.left"),
+                                      ("vibcli.scene.c", "taken")]
+
+
 @pytest.mark.parametrize(("face", "folder"), [
     pytest.param(elements, "elements", id="elements"), pytest.param(of_language, "language/sections", id="language"),
     pytest.param(of_questions, "reader/sections", id="reader")])

@@ -20,12 +20,6 @@ def of_mode(problem, index, normalise="first"):
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
 
-def of_motion(problem, position, times):
-    """The same of a motion: `position(t)` gives {coordinate: value}, at each of the times in seconds."""
-    times = list(times)
-    return _of_positions(problem, [dict(position(t)) for t in times], times)
-
-
 def of_response(problem):
     """The same of the motion that the scene asks for: a few of the slowest periods unless it is said until when."""
     import numpy as np
@@ -35,12 +29,15 @@ def of_response(problem):
     times = np.linspace(0.0, *_span(problem, problem.motion.known))
     names = problem.scene.coordinates
     values = [problem.motion.signal(parse(name)).values(times).tolist() for name in names]
-    return _of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],
+    return of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],
                          times.tolist())
 
 
-def _of_positions(problem, positions, times):
-    """The frames; what could not be seen, and is not driven, is magnified about its mean."""
+def of_positions(problem, positions, times):
+    """The same of a motion given as {coordinate: value} at each of the times in seconds.
+
+    What could not be seen, and is not driven, is magnified about its mean.
+    """
     stage = compose.Scenery(problem.scene)
     sketches, unit = response(stage, positions, times)
     if all(one == positions[0] for one in positions) and not problem.scene.driven:

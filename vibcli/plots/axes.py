@@ -7,9 +7,9 @@ from vibcli.plots.lettering import fitted
 from vibcli.plots.marking import draw_marks, draw_names
 from vibcli.plots.paper import thinned
 from vibcli.plots.ticks import minor, ticks
-from vibcli.plots.words import printable, shortened
+from vibcli.plots.words import printable
 
-_MARGIN, _SIDE = 0.05, 0.06     # of the height, above and below the curves; of the width, beside bars
+_MARGIN = 0.05      # of the height, above and below the curves
 
 
 def draw(axes, sheet, last, renderer):
@@ -18,7 +18,7 @@ def draw(axes, sheet, last, renderer):
     Returns what stands in the legend: [(artist, label)].
     """
     panel = sheet.panel
-    x, y = _with_margin(sheet.x, _SIDE if panel.names else _MARGIN * panel.equal), _with_margin(sheet.y, _MARGIN)
+    x, y = _with_margin(sheet.x, _MARGIN * panel.equal), _with_margin(sheet.y, _MARGIN)
     axes.set_xlim(x.low, x.high)
     axes.set_ylim(y.low, y.high)
     _frame(axes, sheet)
@@ -68,8 +68,7 @@ def _ticks(axes, panel, x, y, last):
     from matplotlib.ticker import FixedFormatter, FixedLocator
 
     high = axes.get_position().height * style.ROOM
-    along = ([(x.place(at), shortened(printable(text), 16)) for at, text in panel.names] if panel.names
-             else ticks(x.low, x.high, lambda found: _fits_across(found, x, style.WIDTH - 1.0), x.log))
+    along = ticks(x.low, x.high, lambda found: _fits_across(found, x, style.WIDTH - 1.0), x.log)
     up = ticks(y.low, y.high, lambda found: _fits_up(found, y, high), y.log, y.degrees)
     for axis, found, of in ((axes.xaxis, along, x), (axes.yaxis, up, y)):
         axis.set_major_locator(FixedLocator([place for place, _ in found]))
@@ -111,10 +110,10 @@ def _curves(axes, sheet):
     """Draw the curves; [(artist, label)] of those that stand in the legend."""
     handles, lines, points = [], 0, 0
     for curve, runs in zip(sheet.panel.curves, sheet.strokes, strict=True):
-        if curve.kind in ("markers", "stem"):
+        if curve.kind == "markers":
             colour, marker = style.POINTS[points % len(style.POINTS)]
             points += 1
-            artist = _points(axes, sheet, curve, runs, colour, marker)
+            artist = _points(axes, runs, colour, marker)
         elif curve.kind in ("envelope", "guide"):
             envelope = curve.kind == "envelope"
             artist = _line(axes, sheet, runs, style.GREY if envelope else style.MIDDLE, (0, (4, 2.5)), 0.9 if envelope
@@ -154,14 +153,11 @@ def _joined(runs):
     return [x for x, _ in points], [y for _, y in points]
 
 
-def _points(axes, sheet, curve, runs, colour, marker):
+def _points(axes, runs, colour, marker):
     points = [point for run in runs for point in run]
-    if curve.kind == "stem":
-        axes.vlines([x for x, _ in points], max(0.0, sheet.y.low), [y for _, y in points], color=colour, linewidth=1.3)
-        marker = "o"
     artist, = axes.plot([x for x, _ in points], [y for _, y in points], linestyle="", marker=marker, color=colour,
                         markersize=6 if marker == "x" else 5, markeredgewidth=1.4, zorder=3, scalex=False, scaley=False,
-                        markerfacecolor=colour if curve.kind == "stem" else "none", clip_on=False)
+                        markerfacecolor="none", clip_on=False)
     return artist
 
 

@@ -52,8 +52,7 @@ def _in_words(figure, said):
     return figure._replace(panels=tuple(panel._replace(
         title=text(panel.title), x_label=text(panel.x_label), y_label=text(panel.y_label),
         curves=tuple(map(curve, panel.curves)), marks=tuple(mark._replace(label=text(mark.label))
-                                                            for mark in panel.marks),
-        names=tuple((at, text(name)) for at, name in panel.names)) for panel in figure.panels))
+                                                            for mark in panel.marks)) for panel in figure.panels))
 
 
 def _equal(sheet, columns, rows):
@@ -125,11 +124,7 @@ def _x_axis(sheet, canvas, margin, last, said):
     def fits(found):
         return _row(placed(found), canvas, margin, gap=3) is not None
 
-    if panel.names:
-        found = [(axis.place(place), shortened(label, 12)) for place, label in panel.names]
-        found = found[::next(n for n in range(1, len(found) + 1) if n == len(found) or fits(found[::n]))]
-    else:
-        found = ticks(axis.low, axis.high, fits, axis.log)
+    found = ticks(axis.low, axis.high, fits, axis.log)
     at = {column for column, _ in placed(found)}
     lines = [" " * (margin - 1) + "└" + "".join("┬" if column in at else "─" for column in range(canvas.columns))]
     if not last:

@@ -17,10 +17,11 @@ def draw(canvas, sheet, ascii=False):
     curves, samples, lines, points = sheet.panel.curves, [], [], 0
     alone = sum(curve.kind in ("line", "steady") for curve in curves) == 1
     for number, (curve, runs) in enumerate(zip(curves, sheet.strokes, strict=True)):
-        if curve.kind in ("markers", "stem"):
+        if curve.kind == "markers":
             samples.append(_POINTS[points % len(_POINTS)])
             points += 1
-            _points(canvas, sheet, curve, runs, canvas.layer("|"), samples[-1])
+            canvas.layer()      # no dots: layers are counted as the curves are
+            _points(canvas, sheet, runs, samples[-1])
             continue
         mark = "." if curve.kind in _OF_KIND else "" if alone else _MARKS[len(lines) % len(_MARKS)]
         pattern = _OF_KIND.get(curve.kind) or _PATTERNS[len(lines) % len(_PATTERNS)]
@@ -61,11 +62,9 @@ def _cell(canvas, sheet, x, y):
     return canvas.row(sheet.y.part(y)), canvas.column(sheet.x.part(x))
 
 
-def _points(canvas, sheet, curve, runs, layer, letter):
+def _points(canvas, sheet, runs, letter):
     for run in runs:
         for x, y in run:
-            if curve.kind == "stem":
-                canvas.polyline(layer, _dots(canvas, sheet, [(x, max(0.0, sheet.y.low)), (x, y)]))
             canvas.write(*_cell(canvas, sheet, x, y), letter)
 
 

@@ -2,14 +2,12 @@
 
 from typing import NamedTuple
 
-KINDS = ("line", "steady", "envelope", "guide", "markers", "stem")
-
 
 class Curve(NamedTuple):
     """Points in the units of the panel's labels; NaN breaks the line. `names`: a text beside each point, '' for none.
 
     Kinds: `line`; `steady`, the part that stays; `envelope`, bounds of a line; `guide`, a thin line of reference
-    without entry in the legend; `markers`, points; `stem`, points on lines from zero.
+    without entry in the legend; `markers`, points.
     """
 
     label: str
@@ -29,7 +27,7 @@ class Mark(NamedTuple):
 
 class Panel(NamedTuple):
     """Axes with their curves. `equal`: one scale for both; `degrees`: ticks of y at parts of a turn; `tall`: height as
-    a part of the usual one; `names`: (x, text) in place of numbers along x."""
+    a part of the usual one."""
 
     title: str
     x_label: str
@@ -43,7 +41,6 @@ class Panel(NamedTuple):
     tall: float = 1.0
     x_range: tuple | None = None
     y_range: tuple | None = None
-    names: tuple = ()
 
 
 class Figure(NamedTuple):

@@ -50,8 +50,7 @@ def sheets(figure):
 
 def shares_x(one, other):
     """Can these panels stand above each other with one set of ticks?"""
-    return (one.x_label, one.x_log, one.names) == (other.x_label, other.x_log, other.names) and not (
-        one.equal or other.equal)
+    return (one.x_label, one.x_log) == (other.x_label, other.x_log) and not (one.equal or other.equal)
 
 
 def repeats(panel, above):
@@ -74,8 +73,6 @@ def _y_axis(panel, strokes):
     values = [y for runs in strokes for run in runs for _, y in run]
     marked = [_place(mark.at, panel.y_log) for mark in panel.marks if mark.axis == "y"]
     values += [value for value in marked if value is not None]
-    if any(curve.kind == "stem" for curve in panel.curves) and not panel.y_log:
-        values.append(0.0)
     return Axis(*_limits(values, panel.y_log, panel.y_range), panel.y_log, panel.degrees)
 
 

@@ -32,12 +32,6 @@ def sloped(system, Omega):
     return _at(system, Omega, True)
 
 
-def phase_lag(values):
-    """θ = −arg H in (−π, π], so that cos Ωt gives |H| cos(Ωt − θ)."""
-    angle = -np.angle(values)
-    return np.where(angle <= -np.pi, np.pi, angle) + 0.0
-
-
 def _at(system, Omega, steep):
     shape = np.shape(Omega)
     s = 1j * np.atleast_1d(np.asarray(Omega, dtype=float)).ravel()

@@ -1,4 +1,4 @@
-"""What is read off the graph of |H(iΩ)|: resonance peaks, antiresonances, half-power points, quality, bandwidth.
+"""What is read off the graph of |H(iΩ)|: resonance peaks, antiresonances, half-power points.
 
 A peak is a maximum that a pole makes, an antiresonance a minimum that a zero makes (a zero itself without damping). The
 half-power points of a peak are where |H| = peak/√2 on either side of it; Q = Ω_peak/(Ω₂ − Ω₁).
@@ -67,19 +67,3 @@ def _beyond(system, Omega, level):
         if abs(sampled(system, Omega)[0]) < level:
             break
     return Omega
-
-
-def bandwidth(system, peak, known=None):
-    """Ω₂ − Ω₁ of the half-power points."""
-    low, high = half_power(system, peak, known)
-    return high - low
-
-
-def quality(system, peak, known=None):
-    """Q = Ω_peak/(Ω₂ − Ω₁)."""
-    return peak.Omega / bandwidth(system, peak, known)
-
-
-def static_value(system):
-    """H(0), a real number."""
-    return float(frf(system, 0.0).real)

@@ -31,10 +31,6 @@ class Transfer:
         odd = self.C.any() or self.b[1].any() or self.c[1].any() or self.d[1]
         return not odd and not any(np.iscomplexobj(part) and part.imag.any() for part in (self.b, self.c, self.d))
 
-    def differentiated(self, times):
-        """The same of the derivative of the output."""
-        return Transfer(self.M, self.C, self.K, self.b, self.c, self.d, self.order + times)
-
 
 def polynomial(coefficients, s):
     """Σ coefficientₖ sᵏ; s (N,) gives (N, …)."""

@@ -1,28 +1,15 @@
-"""Numbers that are read off free vibrations: decrement, decay, overshoot, beats."""
+"""Numbers that are read off free vibrations: decrement, decay, beats."""
 
 import math
-
-import numpy as np
 
 from vibcli.analyses.transient.textbook_form import formula
 
 EQUAL, CLOSE = 0.2, 0.25
-SETTLED = 40.0
 
 
 def decrement(rate, omega_d):
     """δ = ln(x_k / x_{k+1}) = 2π · decay / ω_d of e^{rate t} cos(ω_d t)."""
     return -math.tau * rate / omega_d
-
-
-def decrement_of_peaks(first, later, cycles=1):
-    """δ = ln(x_k / x_{k+cycles}) / cycles."""
-    return math.log(first / later) / cycles
-
-
-def zeta_of_decrement(delta):
-    """ζ = δ / √(4π² + δ²)."""
-    return delta / math.hypot(math.tau, delta)
 
 
 def time_to(fraction, rate):
@@ -50,31 +37,3 @@ def beat_period(motion, output, segment=0):
         return None
     period = math.tau / apart
     return period if all(-part.rate * period < 1 for part in parts) else None
-
-
-def horizon(motion):
-    """A time by which the transient has died out, to e^{−SETTLED}; infinite where it never does."""
-    starts = motion.pieces(math.inf).timeline.starts if motion.forcing.period is None else [motion.forcing.since]
-    slowest = max((node.real for block in motion.blocks for node in block.nodes), default=0.0)
-    return float(starts[-1]) - SETTLED / slowest if slowest < 0 else math.inf
-
-
-def overshoot(motion, output, start=0.0):
-    """By how much the output goes beyond its final value, over the whole change from its value at `start`."""
-    last = motion.final(output)
-    change = last - float(motion.values(output, np.array([start]))[0])
-    if not change:
-        return None
-    _, peak = motion.extreme(output, start, horizon(motion), "max" if change > 0 else "min")
-    return max(0.0, (peak - last) / change)
-
-
-def settling_time(motion, output, within=0.02, start=0.0):
-    """The last time the output is further from its final value than `within` of the whole change."""
-    last = motion.final(output)
-    room = within * abs(last - float(motion.values(output, np.array([start]))[0]))
-    if not room:
-        return None
-    end = horizon(motion)
-    times = [motion.crossings(output, last + side * room, start, end) for side in (-1, 1)]
-    return float(max((found[-1] for found in times if len(found)), default=start))

@@ -65,10 +65,6 @@ class LinearMotion:
         """All times from `start` to `end` where the output passes or touches zero, ascending."""
         return zeros(self.pieces(end), output, start, end, self.work)
 
-    def crossings(self, output, level, start, end):
-        """All times from `start` to `end` where the output passes or touches a level, ascending."""
-        return self.zeros(output._replace(constant=output.constant - level), start, end)
-
     def final(self, output):
         """The limit of the output as t → ∞; PhysicsError where there is none."""
         from vibcli.analyses.transient.final_value import final

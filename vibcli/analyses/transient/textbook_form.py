@@ -10,7 +10,6 @@ import numpy as np
 
 SAME = 1e-6
 NOTHING, ROUNDING = 1e-14, 1e-15
-REGIMES = ("undamped", "under-damped", "critically damped", "over-damped", "relaxation")
 
 
 class Part(NamedTuple):
@@ -30,7 +29,8 @@ class Part(NamedTuple):
 
 
 def regime(M, C, K):
-    """What free motion of one degree of freedom is called: one of REGIMES, "rigid", "drag" or "unstable"."""
+    """What free motion of one degree of freedom is called: "undamped", "under-damped", "critically damped",
+    "over-damped", "relaxation", "rigid", "drag" or "unstable"."""
     from vibcli.analyses.transient.single_degree import poles
 
     m, c, k = (float(np.ravel(matrix)[0]) for matrix in (M, C, K))

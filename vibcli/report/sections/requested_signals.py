@@ -10,8 +10,6 @@ from vibcli.reader.quantity_dimensions import input_dimension, inputs, output_di
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.symbolic.syntax import NameRef
 
-POINTS = 1001
-
 
 class RequestedSignal(NamedTuple):
     """A signal that is asked for: its text, its tree, its dimension, and the Signal."""
