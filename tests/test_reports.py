@@ -188,7 +188,7 @@ def test_hostile_words_in_markdown(hostile):
 @pytest.mark.parametrize("kind", [*FORMATS, "text"])
 def test_control_characters_pass_in_no_format(kind):
     found = Document("a\x1b]52;c;x\x07b\u202ec\r\x9b1m", "s\x1b[2J", ("q\x00",), (), None)
-    text = render_text.render(found) if kind == "text" else render([found], kind)
+    text = render_text.render([found]) if kind == "text" else render([found], kind)
     assert not re.search("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202e]", text)
 
 

@@ -49,7 +49,7 @@ def text(problem):
     report = Report(problem, wanted=WANTED)
     for name in ("response", "frequency_response"):
         report.add(name)
-    assert not NO_NUMBER.findall(render(report.document(question=False)).partition("\n")[2])
+    assert not NO_NUMBER.findall(render([report.document(question=False)]).partition("\n")[2])
     if report.refusal:
         raise report.refusal
 

@@ -1,5 +1,6 @@
 """Which way imports run, by ast: each rule of the house with the change that it would notice."""
 
+import ast
 import re
 import subprocess
 import sys
@@ -8,8 +9,11 @@ import pytest
 
 from house.measure import FLOOR, FLOORS, House, room_of
 from vibcli import elements, quantities
+from vibcli.cli import COMMANDS
 from vibcli.language import sections as of_language
 from vibcli.reader import sections as of_questions
+from vibcli.report import formats
+from vibcli.report import sections as of_report
 
 MOST_ARROWS, MOST_FLOORS = 106, 14
 HOUSE = House()
@@ -103,13 +107,57 @@ def test_what_only_something_unused_uses_is_seen(planted):
                                       ("vibcli.scene.c", "taken")]
 
 
-@pytest.mark.parametrize(("face", "folder"), [
-    pytest.param(elements, "elements", id="elements"), pytest.param(of_language, "language/sections", id="language"),
-    pytest.param(of_questions, "reader/sections", id="reader")])
-def test_a_face_lists_its_folder(face, folder):
+FACES = ("elements", "language/sections", "quantities", "reader/sections", "report/formats", "report/sections")
+
+
+def defines(path, name):
+    """Does a file define a function, class or value of that name?"""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    return name in {getattr(node, "name", None) for node in tree.body} | {
+        target.id for node in tree.body if isinstance(node, ast.Assign) for target in node.targets
+        if isinstance(target, ast.Name)}
+
+
+@pytest.mark.parametrize("folder", FACES)
+def test_a_face_imports_nothing(folder):
+    tree = ast.parse((HOUSE.package / folder / "__init__.py").read_text(encoding="utf-8"))
+    assert all(isinstance(node, (ast.Expr, ast.Assign)) for node in tree.body)
+
+
+@pytest.mark.parametrize(("table", "folder"), [
+    pytest.param(elements.NAMES, "elements", id="elements"),
+    pytest.param(of_language.NAMES, "language/sections", id="language"),
+    pytest.param(of_questions.NAMES, "reader/sections", id="reader")])
+def test_a_face_tells_of_every_file_of_its_folder(table, folder):
     files = {path.stem for path in (HOUSE.package / folder).glob("*.py")} - {"__init__"}
-    assert set(face.NAMES) == files
-    assert list(face.NAMES) == sorted(face.NAMES)
+    assert list(table) == sorted(files)
+    assert [name for name, about in table.items() if not is_a_line(about)] == []
+
+
+def is_a_line(about):
+    return 0 < len(about) <= 90 and "\n" not in about
+
+
+def test_formats_are_the_files_that_render():
+    files = (HOUSE.package / "report" / "formats").glob("*.py")
+    assert {path.stem for path in files if defines(path, "render")} == set(formats.FORMATS)
+    assert all(is_a_line(about) for _, _, about in formats.FORMATS.values())
+
+
+def test_sections_of_a_report_are_the_generators_of_their_files():
+    """A section is a generator that takes the problem and the report, which it may not need."""
+    found = {(node.name, module.rpartition(".")[2]) for module, tree in HOUSE.trees.items()
+             if module.startswith("vibcli.report.sections.") for node in tree.body
+             if isinstance(node, ast.FunctionDef) and [arg.arg for arg in node.args.args] in (
+                 ["problem", "report"], ["problem", "_"]) and not node.name.startswith("_")
+             and any(isinstance(part, (ast.Yield, ast.YieldFrom)) for part in ast.walk(node))}
+    assert found == {(name, file) for name, (file, _) in of_report.SECTIONS.items()}
+    assert all(is_a_line(about) for _, about in of_report.SECTIONS.values())
+
+
+def test_commands_are_the_files_that_define_one():
+    files = (HOUSE.package / "cli").glob("*.py")
+    assert {path.stem for path in files if defines(path, "command")} == set(COMMANDS)
 
 
 def test_families_of_quantities_are_the_values_of_their_files():
@@ -126,8 +174,6 @@ def test_only_algebra_and_closed_forms_import_sympy():
 
 
 def _top_imports(tree):
-    import ast
-
     names = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):

@@ -79,7 +79,7 @@ def _at_once(output):
 
 def _print_at_once(found, case, output):
     if _at_once(output):
-        click.echo(("\n\n" if len(found) > 1 else "") + render(found[case]))
+        click.echo(("\n\n" if len(found) > 1 else "") + render([found[case]]))
 
 
 def _refused(document, spec, case, error):

@@ -1,16 +1,18 @@
 """Reports as files and in other formats: their options, and writing documents and the pictures beside them."""
 
 from functools import reduce
+from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 
 import click
 
+from vibcli.base.enumeration import listed
 from vibcli.cli.pictures import FILE
+from vibcli.report.formats import FORMATS, WITHIN
 
-SUFFIXES = {"text": (".txt",), "markdown": (".md", ".markdown"), "latex": (".tex",), "html": (".html", ".htm"),
-            "json": (".json",)}
-PICTURES = {"markdown": "svg", "latex": "pdf"}        # written beside the report
+SUFFIXES = {name: suffixes for name, (suffixes, _, _) in FORMATS.items()} | {"json": (".json",)}
+ILLUSTRATED = {name: where for name, (_, where, _) in FORMATS.items() if where}
 
 
 class Output(NamedTuple):
@@ -25,10 +27,10 @@ class Output(NamedTuple):
 def report_options(function):
     """Options of the commands that print a report."""
     options = [
-        click.option("--format", "kind", type=click.Choice([kind for kind in SUFFIXES if kind != "json"]),
+        click.option("--format", "kind", type=click.Choice(list(FORMATS)),
                      help="How to write the report; by the suffix of -o unless named, else text."),
         click.option("-o", "--output", metavar="FILE", type=FILE,
-                     help="Write the report to a file: .txt, .md, .tex, .html or .json."),
+                     help=f"Write the report to a file: {listed([s for s, *_ in SUFFIXES.values()], 'or')}."),
         click.option("--force", is_flag=True, help="Replace files that exist."),
         click.option("--pictures", is_flag=True, help="Also draw the scene and its mode shapes (not in text)."),
     ]
@@ -43,10 +45,10 @@ def output_of(file, as_json, kind, output, force, pictures):
     kind = "json" if as_json else kind or _by_suffix(output)
     if pictures and kind == "json":
         raise click.UsageError("--pictures does not go with JSON")
-    if pictures and kind == "text":
-        raise click.UsageError("--pictures needs --format markdown, latex or html")
+    if pictures and kind not in ILLUSTRATED:
+        raise click.UsageError(f"--pictures needs --format {listed(ILLUSTRATED, 'or')}")
     if output in (None, "-"):
-        if pictures and kind in PICTURES:
+        if pictures and ILLUSTRATED[kind] != WITHIN:
             raise click.UsageError(f"--pictures in {kind} are files beside the report: name it with -o FILE")
         return Output(kind, None, pictures)
     from vibcli.cli.pictures import target
@@ -76,11 +78,11 @@ def write_documents(documents, output):
     def place(picture):
         from vibcli.cli.pictures import slug
 
-        name = f"{slug(output.path.stem, str(len(placed) + 1), picture.name)}.{PICTURES[output.kind]}"
+        name = f"{slug(output.path.stem, str(len(placed) + 1), picture.name)}{ILLUSTRATED[output.kind]}"
         placed.append((output.path.with_name(name), picture))
         return name
 
-    text = _render(documents, output.kind, place)
+    text = import_module(f"vibcli.report.formats.{output.kind}").render(documents, place)
     if placed:
         from vibcli.cli.pictures import target, write
 
@@ -89,19 +91,3 @@ def write_documents(documents, output):
         for path, picture in placed:
             write(path, picture.draw(path.suffix[1:]), output.force)
     write_text(text, output)
-
-
-def _render(documents, kind, place):
-    if kind == "html":
-        from vibcli.report.formats.html import render
-
-        return render(documents)
-    if kind == "latex":
-        from vibcli.report.formats.latex import render
-    elif kind == "markdown":
-        from vibcli.report.formats.markdown import render
-    else:
-        from vibcli.report.formats.text import render
-
-        return "\n\n\n".join(map(render, documents))
-    return render(documents, place)

@@ -9,6 +9,7 @@ substituted into a scene built anew; solutions of scenes with letters at several
 
 from fractions import Fraction
 
+from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
 from vibcli.inverse.conditions import ConditionSystem
@@ -51,7 +52,7 @@ def _balanced_first(problem):
 
 def _in_numbers(problem, rest, thorough):
     system, solutions, refusal = ConditionSystem(problem), [], None
-    with problem.work.task(f"the search for {infeasible.listed(problem.spec.choices)}", MOST):
+    with problem.work.task(f"the search for {listed(problem.spec.choices)}", MOST):
         found = solve(rest, thorough, system.limits) if rest.spec.choices else [((), ())]
     for values, nodes in found:
         everything = _all_values(problem, rest, values)

@@ -3,6 +3,7 @@
 from math import inf, isfinite, pi, tau
 
 from vibcli.base import units
+from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.work import longer
 from vibcli.inverse.conditions import misfit
@@ -206,8 +207,3 @@ def never_in_letters(problem):
     return PhysicsError(f"no admissible value of {listed(problem.spec.choices)} was found that gives {texts(problem)}, "
                         "at any of the values of the letters that were tried",
                         "give the other parameters values with --set, to see what is possible", _where(problem))
-
-
-def listed(names):
-    *first, last = names
-    return f"{', '.join(first)} and {last}" if first else last

@@ -1,4 +1,7 @@
-"""Texts of the manual on pictures, reports and data files. Data alone."""
+"""Texts of the manual on pictures, reports and data files."""
+
+from vibcli.base.enumeration import listed
+from vibcli.report.formats import FORMATS, WITHIN
 
 PICTURES = [
     [
@@ -17,18 +20,18 @@ PICTURES = [
     ".html. No file is replaced without `--force`. A scene with symbols can be drawn; its modes need numbers.",
 ]
 
+_BESIDE = [f"{suffixes[0]} ({where})" for suffixes, where, _ in FORMATS.values() if where not in (None, WITHIN)]
+_WITHIN = [suffixes[0] for suffixes, where, _ in FORMATS.values() if where == WITHIN]
 REPORTS = [
-    "`solve`, `equations`, `frequencies`, `response` and `frf` print their report as text. `--format markdown`, "
-    "`latex` or `html` writes it otherwise; `-o FILE` writes it to a file, in the form of the suffix.",
+    "`solve`, `equations`, `frequencies`, `response` and `frf` print their report as text. `--format "
+    f"{listed([f'`{name}`' for name in FORMATS if name != 'text'], 'or')[1:]} writes it otherwise; `-o FILE` writes "
+    "it to a file, in the form of the suffix.",
     [
-        (".txt", "as in the terminal"),
-        (".md", "Markdown with formulas between dollar signs"),
-        (".tex", "a LaTeX document of its own"),
-        (".html", "a page complete in itself, its formulas in MathML"),
+        *((suffixes[0], about) for suffixes, _, about in FORMATS.values()),
         (".json", "the same as `--json`: `vibcli explain json`"),
     ],
-    "`--pictures` adds the figure of the scene and the shapes of its modes, within .html, as files beside .md (.svg) "
-    "and .tex (.pdf). `vibcli solve problem.yaml -o report.html --pictures` writes the whole.",
+    f"`--pictures` adds the figure of the scene and the shapes of its modes, within {listed(_WITHIN)}, as files beside "
+    f"{listed(_BESIDE)}. `vibcli solve problem.yaml -o report.html --pictures` writes the whole.",
 ]
 
 DATA = [

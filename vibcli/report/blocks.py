@@ -1,6 +1,6 @@
 """What a report consists of: plain data that every format renders.
 
-A section is a generator `name(problem, report)` in one of the files that `document.SECTIONS` lists; it yields
+A section is a generator `name(problem, report)` in one of the files that `sections.SECTIONS` lists; it yields
 
     Section("Potential energy", (Equations((line("V = ", node),)),))
 

@@ -1,6 +1,6 @@
 """The report about one problem: sections of blocks, each computed when it is added, and only if it was asked for.
 
-A section is a generator of the same name in the module that SECTIONS gives; blocks.py tells how one is written.
+A section is a generator of the same name in the file that sections.SECTIONS gives; blocks.py tells how one is written.
 """
 
 import re
@@ -9,15 +9,10 @@ from importlib import import_module
 from vibcli.base.errors import PhysicsError
 from vibcli.reader.read import QUOTE
 from vibcli.report.blocks import Document, Name, maths
+from vibcli.report.sections import SECTIONS
 from vibcli.report.wanted import Wanted
 from vibcli.symbolic.parser import plain_name
 
-SECTIONS = {"given": "parameters", "chosen": "design_parameters", "coordinates": "parameters", "equilibrium":
-            "equilibrium", "virtual_work": "statics", "energies": "equations_of_motion", "equations":
-            "equations_of_motion", "frequencies": "spectrum", "damping": "spectrum", "modes": "spectrum",
-            "equilibria": "equilibria", "reactions": "statics", "response": "response", "frequency_response":
-            "frequency_response", "shares": "insight", "sensitivities": "insight", "estimates": "insight",
-            "schematic": "illustrations", "mode_pictures": "illustrations"}
 EVERYTHING = ("given", "chosen", "coordinates", "equilibrium", "virtual_work", "energies", "equations", "frequencies",
               "damping", "modes")
 
@@ -35,7 +30,7 @@ class Report:
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""
         if name == "chosen" and self.problem.chosen is None:
             return
-        write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name]}"), name)
+        write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
         try:
             for found in write(self.problem, self):
                 self.sections.append(found)

@@ -1,3 +1,7 @@
-"""Sections of a scene file that name quantities, one to a file; a test compares this list with the folder."""
+"""Sections of a scene file that name quantities, one to a file."""
 
-NAMES = ("answer", "choose", "find")
+NAMES = {
+    "answer": "expected answers, which `check` compares",
+    "choose": "parameters that conditions determine",
+    "find": "what is asked of the scene",
+}

@@ -16,7 +16,7 @@ _PROLOGUE = re.compile(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>|<metadata>.*?</metadata>",
 _DEFINED = re.compile(r'\bid="|href="#|url\(#')
 
 
-def render(documents):
+def render(documents, _=None):
     """The page with all documents, the first at its top, the others below it as cases."""
     contents = _contents(documents) if len(documents) > 1 else ""
     articles = [_article(number, document) for number, document in enumerate(documents)]

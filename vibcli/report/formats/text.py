@@ -10,8 +10,12 @@ COLUMNS = 100
 NARROW = 98     # of what explains the lines above
 
 
-def render(document):
-    """The text of one Document."""
+def render(documents, _=None):
+    """The text of all documents."""
+    return "\n\n\n".join(map(_document, documents))
+
+
+def _document(document):
     lines = [document.title, "=" * width(document.title)]
     lines += [f"Source: {document.source}"] if document.source else []
     lines += ["", *wrapped(running(document.question), indent=0)] if document.question else []
