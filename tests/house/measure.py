@@ -13,7 +13,7 @@ PACKAGE = Path(__file__).resolve().parents[2] / "vibcli"
 FLOORS = (      # from the ground up; a room imports rooms of lower floors only
     ("base",), ("numerics", "symbolic", "plots"), ("notation", "language"), ("elements",), ("scene",),
     ("mechanics", "drawing"), ("analyses",), ("results",), ("quantities",), ("reader",), ("inverse", "report"),
-    ("check", "manual"), ("cli",), ("bench", "__main__"))
+    ("check", "manual"), ("api",), ("cli",), ("bench", "__main__"))
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 GROUND = 3          # floors that serve everyone: what is called there counts as no visit
 TREES = ("tree", "quantity", "literal")
@@ -29,6 +29,12 @@ def room_of(module):
     return [*module.split("."), "__init__"][1]
 
 
+def lines_for_types(tree):
+    """The lines under `if TYPE_CHECKING:`, which never run."""
+    return {line for node in ast.walk(tree) if isinstance(node, ast.If) and _last_name(node.test) == "TYPE_CHECKING"
+            for line in range(node.lineno, node.end_lineno + 1)}
+
+
 class House:
     """The files of a package with their syntax trees and imports."""
 
@@ -39,8 +45,9 @@ class House:
         self.imports = {module: sorted(self._imports(module, tree)) for module, tree in self.trees.items()}
 
     def _imports(self, module, tree):
-        """{(module imported, line)}, at any depth of the file; relative imports are none of the project's."""
-        found = set()
+        """{(module imported, line)}, at any depth of the file, those of types alone left out; relative imports are none
+        of the project's."""
+        found, for_types = set(), lines_for_types(tree)
         for node in ast.walk(tree):
             if isinstance(node, ast.Import):
                 names = [alias.name for alias in node.names]
@@ -48,6 +55,8 @@ class House:
                 assert node.level == 0, f"{module}:{node.lineno}: relative import"
                 names = [f"{node.module}.{alias.name}" for alias in node.names]
             else:
+                continue
+            if node.lineno in for_types:
                 continue
             for name in names:
                 if name.split(".")[0] == self.package.name:
@@ -57,9 +66,9 @@ class House:
         return found - {(module, line) for _, line in found}
 
     def upward(self):
-        """Imports from a room on the same floor or a higher one, as text."""
+        """Imports from a room on the same floor or a higher one, as text; the package itself opens the door, api/."""
         return [f"{module}:{line} imports {name}" for module, imports in self.imports.items() for name, line in imports
-                if room_of(name) not in (room_of(module), "__init__")
+                if room_of(name) not in (room_of(module), "__init__") and room_of(module) != "__init__"
                 and FLOOR[room_of(name)] >= FLOOR[room_of(module)]]
 
     def arrows(self):
@@ -150,7 +159,8 @@ class House:
 
     def unused(self):
         """{(module, name): lines} of what nothing in the package uses."""
-        return Uses(self.package.name, self.trees).unused()
+        page = self.package / "manual" / "python.py"
+        return Uses(self.package.name, self.trees, page.read_text(encoding="utf-8") if page.exists() else "").unused()
 
     def lines(self):
         return sum(path.read_text(encoding="utf-8").count("\n") for path in self.package.rglob("*.py"))

@@ -17,8 +17,9 @@ FUNCTION = (ast.FunctionDef, ast.AsyncFunctionDef)
 class Uses(ast.NodeVisitor):
     """What the files of a package define, and what they use of it, each with the definitions around the use."""
 
-    def __init__(self, package, trees):
-        self.package, self.modules = package, set(trees)
+    def __init__(self, package, trees, door=""):
+        """`door`: the manual's page of the room `api`, the names of which Python calls from outside."""
+        self.package, self.modules, self.door = package, set(trees), set(re.findall(r"\w+", door))
         self.defined, self.found, self.patterns = {}, {}, {}
         self.offered_to_others, self.by_name = set(), set()
         for module, tree in trees.items():
@@ -101,6 +102,8 @@ class Uses(ast.NodeVisitor):
         owner, _, word = name.rpartition(".")
         if owner and (word.startswith("__") or (module, owner) in self.offered_to_others):
             return (module, owner) in used
+        if module.startswith(self.package + ".api.") and word in self.door:
+            return not owner or (module, owner) in used
         by_name = module in self.by_name or module.removeprefix(self.package + ".").startswith(FACES)
         ways = [self.found.get((module, word), ())] if not owner else []
         ways += [self.found.get((of, word), ()) for of in (None, "text") if owner or by_name]

@@ -25,7 +25,8 @@ class Diagnostic:
         self.where, self.message, self.hint = where, message, hint
 
     def __repr__(self):
-        place = f"{self.where.line}:{self.where.column}" if self.where else "-"
+        where = self.where
+        place = "-" if not where else f"{where.line}:{where.column}" if where.width else where.file
         return f"{place}: {self.message}" + (f" (hint: {self.hint})" if self.hint else "")
 
 
@@ -43,6 +44,11 @@ class PhysicsError(Exception):
     def __init__(self, message, hint=None, where=None):
         super().__init__(message)
         self.message, self.hint, self.where = message, hint, where
+
+    @property
+    def diagnostics(self):
+        """The refusal as what is wrong with an input is told: the same for both kinds of errors."""
+        return [Diagnostic(self.where, self.message, self.hint)]
 
     def told(self, where=None, hint=None):
         """The same refusal at a place, if it has none, or with another hint: one that is kept is met at many."""

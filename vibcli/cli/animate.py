@@ -3,7 +3,7 @@
 import click
 
 from vibcli.cli.common import load
-from vibcli.cli.pictures import moving, one, picture_options, target, write
+from vibcli.cli.pictures import one, picture_options, target, write
 
 SUFFIXES = (".gif", ".html")
 
@@ -26,9 +26,10 @@ def command(file, settings, case, output, force, patience, index, response, unti
         from vibcli.cli.response import set_end
 
         set_end([(None, problem)], until)
+    from vibcli.api.source import settled
     from vibcli.drawing.animation import data, of_mode, of_response
 
     title = problem.spec.get("title") or path.stem
-    problem = moving(problem)
+    problem = settled(problem)
     frames = of_response(problem) if response else of_mode(problem, index or 1)
     write(path, data(*frames, title=title, kind=path.suffix[1:].lower()), force)

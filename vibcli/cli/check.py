@@ -5,6 +5,7 @@ import os
 
 import click
 
+from vibcli.api.source import settled
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.cli.common import _sources, color_option, load, patience_option, show_diagnostics, show_refusal
 
@@ -88,10 +89,7 @@ def _settle(problem):
     """Refused where the scene or a case of it cannot be drawn, or what it chooses cannot be found."""
     problem.draw()
     for part in (problem, *map(problem.case, problem.spec.cases)):
-        if part.spec.choices:
-            from vibcli.inverse import settled
-
-            settled(part)
+        settled(part)
 
 
 def _name(verdict):

@@ -4,13 +4,12 @@ import os
 import sys
 from functools import reduce
 from math import ceil
-from time import perf_counter
 
 import click
 
+from vibcli.api.source import file_source, problem_of
 from vibcli.base.errors import SpecError
 from vibcli.base.work import Work
-from vibcli.language.document.document import read_file
 
 MOST = 600      # steps of a million products, for --digits
 _sources = {}
@@ -67,24 +66,17 @@ def _set_color(context, parameter, value):
 def load(file, settings=(), patience=1):
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
-    start = perf_counter()
     try:
-        node, diagnostics, lines = read_file(file)
+        source = file_source(file)
     except FileNotFoundError:
         raise click.UsageError(f"there is no file '{file}'{_near(file)}") from None
-    _sources.pop(os.fsdecode(file), None)
-    _sources[os.fsdecode(file)] = lines
-    middle = perf_counter()
-    if node is None:
-        raise SpecError(diagnostics)
+    _sources.pop(source.file, None)
+    _sources[source.file] = source.lines
+    if source.node is None:
+        raise SpecError(source.diagnostics)
     from vibcli.cli.progress import teller
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
 
-    spec = read_spec(node, os.fsdecode(file), diagnostics, _settings(settings, node))
-    problem = Problem(spec, work=Work(patience, teller()))
-    problem.costs.update(read=middle - start, spec=perf_counter() - middle)
-    return problem
+    return problem_of(source, _settings(settings, source.node), Work(patience, teller()))
 
 
 def _near(file):
@@ -102,34 +94,18 @@ def _settings(settings, node):
     """{name: (tree, scalar)} of the --set options."""
     if not settings:
         return {}
-    from vibcli.base.errors import Where
-    from vibcli.language.document.document import Mapping, Scalar
-    from vibcli.language.fields import nearest
-    from vibcli.symbolic.parser import ExpressionError, parse, plain_name
+    from vibcli.api.given import parameters_of, setting
 
-    sections = [node.entries[key][1] for key in ("parameters", "choose") if node is not None and key in node.entries]
-    known = {plain_name(key) for section in sections if isinstance(section, Mapping) for key in section.entries}
-    found = {}
-    for setting in settings:
-        name, equals, text = setting.partition("=")
-        name = plain_name(name.strip())
+    found, known = {}, parameters_of(node)
+    for option in settings:
+        name, equals, text = option.partition("=")
         if not equals or not text.strip():
-            raise click.UsageError(f"--set {setting}: write NAME=VALUE, as in --set k=500 or --set 'k=0.5 N/mm'")
-        if node is not None and name not in known:
-            raise click.UsageError(f"--set {setting}: the file has no parameter '{name}'"
-                                   + said(nearest(name, known)))
+            raise click.UsageError(f"--set {option}: write NAME=VALUE, as in --set k=500 or --set 'k=0.5 N/mm'")
         try:
-            scalar = Scalar(text.strip(), Where(f"--set {name}", 1, 1, len(text.strip())), False, 0)
-            found[name] = (parse(text.strip()), scalar)
-        except ExpressionError as error:
-            hint = f" ({error.hint})" if error.hint else ""
-            raise click.UsageError(f"--set {setting}: {error.message}{hint}") from None
+            found |= setting(name, text, known, "--set")
+        except ValueError as error:
+            raise click.UsageError(f"--set {option}: {error}") from None
     return found
-
-
-def said(hint):
-    """A hint behind a message, if there is one."""
-    return f"; {hint}" if hint else ""
 
 
 def chosen(problem, case):
@@ -137,6 +113,7 @@ def chosen(problem, case):
     if case is None:
         return [(None, problem)] + [(name, problem.case(name)) for name in problem.spec.cases]
     if case not in problem.spec.cases:
+        from vibcli.api.given import said
         from vibcli.language.fields import nearest
 
         raise click.UsageError(f"the file has no case '{case}'" + said(nearest(case, problem.spec.cases)))

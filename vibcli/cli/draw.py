@@ -3,7 +3,7 @@
 import click
 
 from vibcli.cli.common import load
-from vibcli.cli.pictures import moving, one, picture_options, target, write
+from vibcli.cli.pictures import one, picture_options, target, write
 
 SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -19,16 +19,6 @@ def command(file, settings, case, output, force, patience, index, both):
         raise click.UsageError("--both belongs to --mode")
     problem = one(load(file, settings, patience), case)
     path = target(file, output, SUFFIXES, force, case, f"mode{index}" if index else None)
-    from vibcli.drawing.canvas.matplotlib_canvas import picture
+    from vibcli.api.pictures import SceneDrawing
 
-    write(path, picture(_primitives(problem, index, both), path.suffix[1:].lower()), force)
-
-
-def _primitives(problem, index, both):
-    if index is None:
-        from vibcli.drawing.drawing import draw
-
-        return draw(problem)
-    from vibcli.drawing.symbols.mode_shape import draw
-
-    return draw(moving(problem), index, both)
+    write(path, SceneDrawing.of(problem, index, both).data(path.suffix[1:].lower()), force)

@@ -45,15 +45,6 @@ def one(problem, case):
     return chosen(problem, case)[0][1]
 
 
-def moving(problem):
-    """The problem with what it chooses, where its modes are asked for."""
-    if not problem.spec.choices:
-        return problem
-    from vibcli.inverse import settled
-
-    return settled(problem)
-
-
 def target(file, output, suffixes, force, *parts):
     """The Path to write to, before anything is computed; a usage error where that cannot be."""
     path = Path(output) if output else Path(slug(Path(file).stem, *parts) + suffixes[0])

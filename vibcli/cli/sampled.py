@@ -24,38 +24,22 @@ def curve_options(function):
 
 def asked(text, option):
     """A signal given on the command line as an Expression."""
-    from vibcli.base.errors import Where
-    from vibcli.language.document.document import Scalar
-    from vibcli.language.reader import Expression
-    from vibcli.symbolic.parser import ExpressionError, parse
+    from vibcli.api.given import expression
 
     try:
-        return Expression(Scalar(text, Where(option, 1, 1, len(text)), False, 0), parse(text), None, None)
-    except ExpressionError as error:
-        hint = f" ({error.hint})" if error.hint else ""
-        raise click.UsageError(f"{option} {text}: {error.message}{hint}") from None
+        return expression(text, option)
+    except ValueError as error:
+        raise click.UsageError(f"{option} {text}: {error}") from None
 
 
 def size(text, option, unit, wants, exact=False):
-    """A positive quantity given on the command line, in SI units; a bare number is one of `unit`, cycles are 2π.
-    `exact`: as a Fraction, where it may be zero."""
-    from math import tau
-
-    from vibcli.base.units import parse_unit
-    from vibcli.symbolic.parser import ExpressionError, parse
-    from vibcli.symbolic.semantics import literal_unit, whole_literal
+    """A positive quantity given on the command line, in SI units: see vibcli/api/given.py."""
+    from vibcli.api import given
 
     try:
-        literal = whole_literal(parse(text))
-    except ExpressionError as error:
-        raise click.UsageError(f"{option} {text}: {error.message}") from None
-    found = literal_unit(literal.units if literal and literal.units else parse(f"1 {unit}").units)
-    if not literal or not (literal.value > 0 or exact) or text.lstrip().startswith("-") or (
-            found.dimension != parse_unit(unit).dimension):
-        raise click.UsageError(f"{option} {text}: expected {wants}")
-    if exact:
-        return literal.value * found.value     # of times, which have no roots
-    return found.in_si(literal.value) * (tau if found.cycles else 1)
+        return given.size(text, unit, wants, exact)
+    except ValueError as error:
+        raise click.UsageError(f"{option} {text}: {error}") from None
 
 
 def plot_width():

@@ -17,7 +17,7 @@ from vibcli.symbolic.syntax import QuantityRef
 def side(problem, expression):
     """A side of a condition as an expression of the parameters."""
     scene = problem.scene
-    found = {tree.text: _quantity(problem, tree) for tree in quantities_in(expression.tree)}
+    found = {tree.text: quantity_in_letters(problem, tree) for tree in quantities_in(expression.tree)}
     return lowered(expression, scene.table, lambda name, primes, tree: found[name] if isinstance(tree, QuantityRef)
                    else scene.parameters.nodes[name])
 
@@ -31,7 +31,8 @@ def one_degree(problem):
     return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
 
 
-def _quantity(problem, tree):
+def quantity_in_letters(problem, tree):
+    """A quantity as an expression of the parameters; NotInLetters where it is found in numbers."""
     head, indices, attribute = tree.head, tree.indices, tree.component
     scene = problem.scene
     response = response_of(problem, tree)

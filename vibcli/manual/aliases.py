@@ -20,6 +20,8 @@ ALIASES = {
     "resonances": "frequency_response", "absorber": "frequency_response", "isolation": "frequency_response",
     "receptance": "frequency_response", "mobility": "frequency_response", "bandwidth": "frequency_response",
     "bode": "frequency_response", "nyquist": "frequency_response", "q factor": "quality",
+    "import": "python", "api": "python", "notebook": "python", "jupyter": "python", "numpy": "python",
+    "sympy": "python",
     "nonlinear": "law", "dry friction": "friction", "coulomb": "friction", "stop": "gap", "clearance": "gap",
     "slack": "acts", "cable": "acts",
     "draw": "pictures", "animate": "pictures", "animation": "pictures", "figure": "pictures", "plot": "pictures",

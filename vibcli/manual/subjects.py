@@ -5,6 +5,7 @@ from vibcli.elements.body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
+from vibcli.manual.python import EXAMPLE
 from vibcli.notation.scene_language import language
 from vibcli.quantities import quantity
 from vibcli.quantities.quantity import ASKED, VALUE
@@ -22,10 +23,15 @@ def topic_page(catalogue, word):
     about, parts = topics.TOPICS[word]
     head = [f"{word} — {about}"]
     made = {"units": units_table, "functions": functions_table, "quantities": quantities_table, "exit": exit_table,
-            "json": json_table, "shapes": shapes_table, "motions": motions_table}
+            "json": json_table, "shapes": shapes_table, "motions": motions_table,
+            "python": python_example}
     own = made[word](catalogue) if word in made else []
     texts = [paragraph(part) if isinstance(part, str) else table(part) for part in parts or ()]
     return blocks(head, *texts, *own)
+
+
+def python_example(catalogue):
+    return [["An example that runs:"], ["  " + line if line else "" for line in EXAMPLE.split("\n")]]
 
 
 def exit_table(catalogue):

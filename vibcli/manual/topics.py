@@ -4,6 +4,7 @@ A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMA
 """
 
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
+from vibcli.manual.python import PYTHON
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.manual.time_and_work import PATIENCE, TIME
 from vibcli.quantities.quantity import SEVERAL as HEADS
@@ -275,5 +276,6 @@ TOPICS = {
     "reports": ("text, Markdown, LaTeX, HTML", REPORTS),
     "data": ("responses as numbers for other programs", DATA),
     "json": ("the keys of --json", None),
+    "python": ("scenes in Python: `import vibcli`", PYTHON),
     "editors": ("completion and checking in an editor", EDITORS),
 }

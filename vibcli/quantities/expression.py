@@ -53,16 +53,11 @@ def _with_arguments(problem, tree):
 
 def value_of(problem, expression):
     """(value, relative error bound) of an expression of parameters and quantities."""
-    scene, values, worst, tree = problem.scene, dict(problem.floats), 0.0, expression.tree
-    for quantity in quantities_in(tree):
+    values, worst = dict(problem.floats), 0.0
+    for quantity in quantities_in(expression.tree):
         values[quantity.text], error = measure(problem, quantity)
         worst = max(worst, error)
-    table = scene.table
-
-    def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if isinstance(part, QuantityRef) else scene.parameters.nodes[name]
-
-    value = evaluate([lowered(expression, table, symbol)], Floats, values)[0]
+    value = evaluated(problem, expression, values)
     if isinstance(value, complex) or not isfinite(value):
         if isinstance(value, complex) and isfinite(abs(value)):
             raise PhysicsError("this is complex: it is compared by its parts", "ask for re, im, abs or arg of it",
@@ -70,6 +65,17 @@ def value_of(problem, expression):
         raise PhysicsError("this is not a finite real number", "mind the signs under roots, and what may vanish",
                            expression.where)
     return value, worst
+
+
+def evaluated(problem, expression, values):
+    """An expression, given {parameter, or quantity as it is written: value}."""
+    scene = problem.scene
+    table = scene.table
+
+    def symbol(name, primes, part):
+        return table.parameter(name, positive=False) if isinstance(part, QuantityRef) else scene.parameters.nodes[name]
+
+    return evaluate([lowered(expression, table, symbol)], Floats, values)[0]
 
 
 def lowered(expression, table, symbol):

@@ -36,6 +36,13 @@ def check_answers(spec, reader):
         _answer(spec, reader, answer)
 
 
+def check_question(spec, reader, asked):
+    """Report whatever is wrong with a quantity, or an expression of some, that is asked without an expected value."""
+    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
+    if is_asked(spec, reader, asked) and check(spec, reader, asked, spec.parameters, None):
+        check_terms(spec, reader, asked)
+
+
 def _is_parameter(spec, name):
     """Is a name that can be asked for, such as T, that of a chosen parameter or of one that measures something else?"""
     measured = spec.dimensions.of(name) if name in spec.parameters else None
@@ -49,14 +56,13 @@ def as_quantity(spec, tree):
     return tree
 
 
-def _answer(spec, reader, answer):
-    """The quantity asked for must exist, and the expected value must have its dimension."""
-    asked, expected = answer.asked, answer.expected
+def is_asked(spec, reader, asked):
+    """Is this a quantity, or an expression of some, that can be asked of the scene? Reports what is wrong with it; a
+    name alone becomes the quantity that it stands for."""
     tree = asked.tree = as_quantity(spec, asked.tree)
     whole = isinstance(tree, QuantityRef)
-    for quantity in quantities_in(tree):
-        if not can_be_asked(spec, reader, asked, quantity):
-            return
+    if not all(can_be_asked(spec, reader, asked, quantity) for quantity in quantities_in(tree)):
+        return False
     names = {name for name, *_ in names_in(tree)} - {"pi"}
     of_parameters = names & set(spec.choices) or (names and names <= set(spec.parameters))
     if not whole and not quantities_in(tree) and not of_parameters:
@@ -68,7 +74,17 @@ def _answer(spec, reader, answer):
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
             reader.report(asked.where, f"{quoted(asked.text)} is not a quantity", nearest(asked.text, ASKED) or ALL)
+        return False
+    return True
+
+
+def _answer(spec, reader, answer):
+    """The quantity asked for must exist, and the expected value must have its dimension."""
+    asked, expected = answer.asked, answer.expected
+    if not is_asked(spec, reader, asked):
         return
+    tree = asked.tree
+    whole = isinstance(tree, QuantityRef)
     head = tree.head if whole else None
     if head == "stable":
         if expected.text not in ("true", "false"):

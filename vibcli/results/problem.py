@@ -57,6 +57,12 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
         vars(found).update({stage: value for stage, value in vars(self).items() if stage in SHARED})
         return found
 
+    def ending(self, end):
+        """The same scene with its motion looked at until an instant [s]."""
+        found = self.sharing({})
+        found.chosen, found.end = self.chosen, end
+        return found
+
     def at_equilibrium(self, equilibrium):
         """The same scene about another of its equilibria."""
         found = self.sharing({})

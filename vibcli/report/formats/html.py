@@ -23,6 +23,11 @@ def render(documents, _=None):
     return page(documents[0].title, contents + "\n".join(articles))
 
 
+def fragment(document):
+    """One document as a piece of a page."""
+    return _article(0, document)
+
+
 def _contents(documents):
     items = "".join(f'<li><a href="#scene{i}">{words(one.title)}</a></li>' for i, one in enumerate(documents))
     return f'<nav aria-label="Contents"><ul>{items}</ul></nav>\n'

@@ -30,6 +30,11 @@ def render(documents, place):
     return HEAD + "\n\\clearpage\n".join(_document(document, place) for document in documents) + "\n\\end{document}"
 
 
+def fragment(document):
+    """One document without pictures as a piece of a LaTeX document."""
+    return _document(document, None)
+
+
 def _document(document, place):
     parts = [rf"\section*{{{escaped(document.title)}}}"]
     parts += [f"Source: {escaped(document.source)}\n"] if document.source else []

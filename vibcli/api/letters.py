@@ -1,0 +1,87 @@
+"""Quantities of scenes in letters: modes of several degrees by their closed forms, others as conditions take them."""
+
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters
+from vibcli.inverse.symbolic_response_conditions import response_of, size_of
+from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.quantities.expression import lowered
+from vibcli.quantities.matrices import coordinate_number
+from vibcli.symbolic.semantics import quantities_in
+from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedMode
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.expression import Node
+
+OF_MODES = ("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "decay")
+GIVE_VALUES = "give the letters values: with_values(…), or --set"
+
+
+def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node":
+    """An expression of quantities as one of the letters; NotInLetters where it is found in numbers alone."""
+    scene, tree = problem.scene, expression.tree
+    response = response_of(problem, tree)
+    if response is not None:
+        return size_of(problem, response)
+    found = {part.text: _quantity(problem, part) for part in quantities_in(tree)}
+    return lowered(expression, scene.table, lambda name, primes, part: found[part.text]
+                   if isinstance(part, QuantityRef) else scene.parameters.nodes[name])
+
+
+def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
+    """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
+    if tree.head in ("T", "V", "Phi"):
+        return problem.energies[tree.head]
+    i = coordinate_number(problem, tree.indices[0])
+    if tree.head == "Q":
+        return generalised_force_at_rest(problem, i)
+    equations, name = problem.equations, problem.scene.coordinates[i]
+    if tree.head == "motion" and equations.full:
+        return equations.full[equations.names.index(name)]
+    if tree.head == "equation" and equations.refusal is not None:
+        raise equations.refusal
+    if tree.head == "equation" and equations.in_letters:
+        return equations.linear[i] - equations.drive.get(i, problem.scene.table.zero)
+    raise NotInLetters(f"'{tree.text}' is not found in letters", "matrices of numbers are M[x, x], C[x, x], K[x, x]")
+
+
+def closed_modes(problem: "Problem") -> list["ClosedMode"]:
+    """The modes in letters, all of them; NotInLetters where they are not found."""
+    forms = problem.closed_forms
+    if forms is None or forms.polynomials:
+        raise NotInLetters("the modes are not all found in letters", GIVE_VALUES)
+    return sorted(forms.modes, key=lambda mode: mode.index)
+
+
+def _quantity(problem, tree):
+    if tree.head not in OF_MODES or tree.args or len(tree.indices) != 1 + (tree.head == "mode"):
+        return quantity_in_letters(problem, tree)
+    number, modes = int(tree.indices[0]), closed_modes(problem)
+    if number > len(modes):
+        raise PhysicsError(f"there is no mode {number}: this scene has {len(modes)}", "ask for one that it has")
+    return _of_mode(problem, tree, modes[number - 1])
+
+
+def _of_mode(problem, tree, mode):
+    table, head = problem.scene.table, tree.head
+    if head == "mode":
+        if mode.shape is None or tree.indices[1] not in problem.scene.coordinates:
+            raise NotInLetters(f"'{tree.text}' is found in numbers", GIVE_VALUES)
+        return mode.shape[problem.scene.coordinates.index(tree.indices[1])]
+    if head == "growth_rate" or mode.unstable:
+        if head != "growth_rate" or not mode.unstable:
+            raise PhysicsError(f"mode {mode.index} is {'un' * mode.unstable}stable: it has no such number",
+                               f"ask for {'growth_rate' if mode.unstable else 'omega'}[{mode.index}]")
+        return mode.omega
+    if head in ("zeta", "omega_d", "decay") and mode.zeta is None:
+        return quantity_in_letters(problem, tree)
+    if head == "period" and mode.omega.is_zero:
+        raise PhysicsError(f"mode {mode.index} is a rigid-body mode: it has no period", f"ask for omega[{mode.index}]")
+    forms = {"omega": lambda: mode.omega, "frequency": lambda: mode.omega / (2 * table.pi),
+             "period": lambda: 2 * table.pi / mode.omega, "zeta": lambda: mode.zeta, "omega_d": lambda: mode.omega_d,
+             "decay": lambda: mode.zeta * mode.omega}
+    return forms[head]()

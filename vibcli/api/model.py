@@ -1,0 +1,194 @@
+"""A scene and its answers, for Python: quantities by name, responses, reports, pictures."""
+
+from collections.abc import Mapping
+from functools import cached_property
+from math import nan
+from typing import TYPE_CHECKING
+
+from vibcli.api import given
+from vibcli.api.mapping import text_of
+from vibcli.api.source import SceneSource, problem_of, settled
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
+
+if TYPE_CHECKING:
+    from numpy import ndarray
+    from numpy.typing import ArrayLike
+
+    from vibcli.api.expressions import MotionEquation, SymbolicExpression
+    from vibcli.api.pictures import SceneDrawing
+    from vibcli.api.response import SampledResponse
+    from vibcli.api.values import QuantityValue
+    from vibcli.report.blocks import Document
+    from vibcli.results.problem import Problem
+
+__all__ = ["Model", "PhysicsError", "SpecError"]
+
+
+class Model:
+    """A scene, or a case of it. Its answers are found when they are asked for, and kept; PhysicsError where there is no
+    such answer. Values are in SI units; those of a scene in letters are SymbolicExpressions."""
+
+    def __init__(self, source: SceneSource, problem: "Problem", settings: dict[str, tuple] | None = None,
+                 case: str | None = None):
+        self._source, self._as_read, self._settings, self._case = source, problem, settings or {}, case
+
+    @cached_property
+    def _problem(self):
+        """The Problem, with values for what it chooses."""
+        return settled(self._as_read)
+
+    @property
+    def coordinates(self) -> list[str]:
+        """The names of the degrees of freedom."""
+        return list(self._problem.scene.coordinates)
+
+    @property
+    def cases(self) -> list[str]:
+        """The names of the cases of the file."""
+        return list(self._as_read.spec.cases)
+
+    def case(self, name: str) -> "Model":
+        """A case of the file."""
+        return Model(self._source, case_of(self._as_read, name), self._settings, name)
+
+    def with_values(self, **values: float | str) -> "Model":
+        """The scene with other values of parameters: numbers in the unit of the file, texts with their own."""
+        known, found = given.parameters_of(self._source.node), dict(self._settings)
+        for name, value in values.items():
+            try:
+                found |= given.setting(name, text_of(value) or "", known, "with_values")
+            except ValueError as error:
+                raise SpecError([Diagnostic(Where(f"with_values {name}", 1, 1, 0), str(error))]) from None
+        problem = problem_of(self._source, found)
+        return Model(self._source, problem if self._case is None else case_of(problem, self._case), found, self._case)
+
+    @property
+    def omega(self) -> "ndarray | list[SymbolicExpression]":
+        """Natural angular frequencies [rad/s], an array of n ascending ones, the dampers left out; NaN of a mode that
+        grows."""
+        if self._problem.symbolic:
+            return [self._letters(mode.omega) for mode in self._closed_modes(stable=True)]
+        import numpy as np
+
+        return np.array([nan if mode.omega is None else float(mode.omega) for mode in self._problem.modes])
+
+    @property
+    def zeta(self) -> "ndarray | list[SymbolicExpression]":
+        """Damping ratios, an array in the order of the damped modes, none where nothing damps; NaN of a mode that has
+        none."""
+        if self._problem.symbolic:
+            return [self._letters(mode.zeta) for mode in self._closed_modes() if mode.zeta is not None]
+        import numpy as np
+
+        found = {mode.index: mode.zeta for mode in reversed(self._problem.damped or ())}
+        return np.array([nan if found[index] is None else float(found[index]) for index in sorted(found)])
+
+    @property
+    def modes(self) -> "ndarray | list[list[SymbolicExpression]]":
+        """Mode shapes, the first coordinate that moves being 1: an array of n coordinates × m modes, complex where
+        phases differ; in letters a list of modes, each a list of amplitudes."""
+        if self._problem.symbolic:
+            from vibcli.api.letters import GIVE_VALUES
+            from vibcli.base.errors import NotInLetters
+
+            modes = self._closed_modes()
+            if any(mode.shape is None for mode in modes):
+                raise NotInLetters("the mode shapes are not all found in letters", GIVE_VALUES)
+            return [[self._letters(part) for part in mode.shape] for mode in modes]
+        import numpy as np
+
+        shapes = [[complex(part) for part in self._problem.shape(mode)] for mode in self._problem.modes]
+        found = np.array(shapes, dtype=complex).reshape(len(shapes), len(self.coordinates)).T
+        return found if found.imag.any() else found.real
+
+    @property
+    def equations(self) -> "dict[str, MotionEquation]":
+        """{coordinate: its equation of motion}."""
+        from vibcli.api.expressions import equations_of
+
+        return equations_of(self._problem)
+
+    @property
+    def equilibrium(self) -> "dict[str, float] | dict[str, SymbolicExpression]":
+        """{coordinate: its value in equilibrium}."""
+        if self._problem.symbolic:
+            from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+
+            return {name: self._letters(node) for name, node in equilibrium_in_letters(self._problem).items()}
+        return {name: float(self._problem.equilibrium.values[name]) for name in self.coordinates}
+
+    def __getitem__(self, quantity: str) -> "QuantityValue":
+        """Any quantity that `answers` of a scene may ask for, or an expression of some."""
+        from vibcli.api.values import quantity_value
+
+        return quantity_value(self._problem, quantity)
+
+    def response(self, until: float | str | None = None, points: int = 1001) -> "SampledResponse":
+        """The motion in time, up to an instant [s] or as the file says, at so many instants."""
+        from vibcli.api.response import response
+
+        return response(self._problem, until, points)
+
+    def frf(self, signal: str, driver: str, *, omega: "ArrayLike | None" = None,
+            f: "ArrayLike | None" = None) -> "ndarray":
+        """Complex frequency response of a signal to a unit of an input, at angular frequencies `omega` [rad/s] or at
+        frequencies `f` [Hz]: an array of their shape. NaN where an undamped scene is in resonance."""
+        from vibcli.api.response import frequency_response
+
+        return frequency_response(self._problem, signal, driver, omega, f)
+
+    def draw(self, mode: int | None = None, both: bool = False) -> "SceneDrawing":
+        """The scene as a figure, or the shape of a mode on it: shown by a notebook, or written by `.save(path)`."""
+        from vibcli.api.pictures import SceneDrawing
+
+        return SceneDrawing.of(self._as_read if mode is None else self._problem, mode, both)
+
+    def __repr__(self) -> str:
+        from vibcli.report.document import title_of
+
+        return f"<Model: {title_of(self._as_read.spec, self._case)}>"
+
+    def _repr_html_(self) -> str:
+        from vibcli.report.formats.html import fragment
+
+        return fragment(self._document(pictures=True))
+
+    def _repr_latex_(self) -> str:
+        from vibcli.report.formats.latex import fragment
+
+        return fragment(self._document())
+
+    def _document(self, pictures: bool = False) -> "Document":
+        """The solution, as `vibcli solve` writes it."""
+        from vibcli.api.reports import report, solution
+        from vibcli.report.blocks import Refusal
+
+        made = report(self._problem, [*["schematic"] * pictures, *solution(self._problem)], pictures=pictures)
+        document, refusal = made.document(self._case), made.refusal
+        return document if refusal is None else document._replace(refusal=Refusal(refusal.message, refusal.hint))
+
+    def _closed_modes(self, stable=False):
+        from vibcli.api.letters import closed_modes
+
+        found = closed_modes(self._problem)
+        growing = next((mode.index for mode in found if mode.unstable), None) if stable else None
+        if growing is not None:
+            raise PhysicsError(f"mode {growing} is unstable: it has a growth rate, no frequency",
+                               f"ask for growth_rate[{growing}]")
+        return found
+
+    def _letters(self, node):
+        from vibcli.api.expressions import SymbolicExpression
+
+        return SymbolicExpression(node)
+
+
+def case_of(problem: "Problem", name: str) -> "Problem":
+    """The Problem of a case; SpecError where the file has none of that name."""
+    cases: Mapping = problem.spec.cases
+    if name not in cases:
+        from vibcli.language.reader import nearest
+
+        where = Where(problem.spec.file, 1, 1, 0)
+        raise SpecError([Diagnostic(where, f"the file has no case '{name}'", nearest(name, cases))])
+    return problem.case(name)

@@ -1,0 +1,47 @@
+"""The scene as a figure, or a mode shape on it."""
+
+from os import PathLike
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.api.source import settled
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+SUFFIXES = (".png", ".svg", ".pdf")
+
+
+class SceneDrawing(NamedTuple):
+    """A figure: the strokes, areas and letters that it is made of."""
+
+    primitives: list[object]
+
+    @classmethod
+    def of(cls, problem: "Problem", mode: int | None = None, both: bool = False) -> "SceneDrawing":
+        """The scene as drawn, or the shape of a mode over it; `both`: displaced the other way as well, dashed."""
+        if mode is None:
+            from vibcli.drawing.drawing import draw
+
+            return cls(draw(problem))
+        from vibcli.drawing.symbols.mode_shape import draw as draw_mode
+
+        return cls(draw_mode(settled(problem), mode, both))
+
+    def data(self, kind: str = "svg") -> bytes:
+        """The bytes of a png, svg or pdf."""
+        from vibcli.drawing.canvas.matplotlib_canvas import picture
+
+        return picture(self.primitives, kind)
+
+    def save(self, path: "str | PathLike[str]") -> None:
+        """Write a .png, .svg or .pdf file, in the place of one that is there."""
+        from pathlib import Path
+
+        from vibcli.base.output_files import refuse_unwritable, write_whole
+
+        path = Path(path)
+        refuse_unwritable(path, SUFFIXES)
+        write_whole(path, self.data(path.suffix[1:].lower()))
+
+    def _repr_svg_(self) -> str:
+        return self.data("svg").decode()

@@ -1,0 +1,159 @@
+"""What is found about a problem, as a Report of sections or as data with the keys of --json."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import Inertless, Kinked, NotInLetters, PhysicsError
+from vibcli.quantities.quantity import INSIGHT, ON_REQUEST, RESPONSES
+from vibcli.report.blocks import paragraph, section
+from vibcli.report.document import EVERYTHING, Report
+from vibcli.report.wanted import Wanted
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+SLOPES = ("frequencies", "modes", "damping", *INSIGHT)         # what needs a slope of the forces
+FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
+            "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
+            "damping": ("damping",), "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}
+
+
+def solution(problem: "Problem", insight: bool = False) -> Sequence[str]:
+    """The sections of the solution of a scene: all that is cheap, or what its `find` asks for."""
+    wanted = problem.spec.get("find")
+    if wanted is None:
+        return EVERYTHING + INSIGHT * insight
+    asked = {"given", "chosen", "coordinates", *INSIGHT * insight} | {s for word in wanted for s in FOUND_BY[word]}
+    return [s for s in EVERYTHING + ON_REQUEST if s in asked]
+
+
+def illustrated(sections: Sequence[str]) -> list[str]:
+    """The sections, with pictures of the scene and of its modes."""
+    return ["schematic", *(part for name in sections
+                           for part in ((name, "mode_pictures") if name == "modes" else (name,)))]
+
+
+def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],
+         wanted: Wanted | None = None) -> dict[str, object]:
+    """The results with the keys of --json: those of its `parts`, and what is asked for among the sections."""
+    from vibcli.report.sections.data import energies_data, equations_data, matrices_data, sticking_data
+
+    if digits is not None:
+        _require_numbers(problem)
+    found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
+    if problem.chosen is not None:
+        from vibcli.report.sections.design_parameters import chosen_data
+
+        found["chosen"] = chosen_data(problem)
+    if "frequencies" in parts:
+        found |= _frequencies(problem, parts, normalise, digits, sections)
+    if "equilibria" in sections:
+        from vibcli.report.sections.equilibria import equilibria_data
+
+        found |= equilibria_data(problem)
+    if "equations" in parts:
+        refusal = problem.equations.refusal
+        if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
+                            or _listed_alone(problem, sections)):
+            raise refusal
+        if problem.sticking is not None:
+            found["sticking"] = sticking_data(problem)
+        found["energies"] = energies_data(problem)
+        found["equations"] = equations_data(problem)
+        if "frequencies" not in parts:
+            known = not refusal or isinstance(refusal, NotInLetters)
+            found["matrices"] = matrices_data(problem) if known else None
+    if asked := [word for word in sections if word in RESPONSES]:
+        from vibcli.report.sections import response_data
+
+        for word in asked:
+            beside = word not in parts and problem.symbolic     # of letters `find` asks formulas, which texts have
+            found[word] = None if beside else getattr(response_data, word + "_data")(problem, wanted or Wanted())
+    if words := [word for word in sections if word in INSIGHT]:
+        found["insight"] = _insight(problem, words, sections)
+    return found
+
+
+def _insight(problem, words, sections):
+    from vibcli.report.sections.insight_data import insight_data
+
+    try:
+        return insight_data(problem, words)
+    except PhysicsError as error:
+        if not _without_slope(problem, error, sections):
+            raise
+        return None
+
+
+def _frequencies(problem, parts, normalise, digits, sections):
+    """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
+    from vibcli.report.sections.data import equilibrium_data, frequencies_data, matrices_data
+
+    try:
+        return frequencies_data(problem, normalise, digits)
+    except PhysicsError as error:
+        letters = isinstance(error, NotInLetters) and "equations" in parts
+        if not (letters or _without_slope(problem, error, sections) or _listed_alone(problem, sections)):
+            raise
+        found = dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
+        if isinstance(error, Inertless):
+            found |= {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
+        return found
+
+
+def _without_slope(problem, refusal, sections):
+    """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
+    if not isinstance(refusal, (Kinked, Inertless)) and problem.sticking is None:
+        return False
+    asked = problem.spec.get("find") or ()
+    beside = "equations" in sections or "frequencies" not in sections
+    return beside and not any(word in sections and word in asked for word in SLOPES)
+
+
+def _listed_alone(problem, sections):
+    """Is a list of all equilibria asked, and nothing about the one that is reached from the drawn position?"""
+    asked = problem.spec.get("find") or ()
+    return "equilibria" in sections and not any(word in asked for word in ("equilibrium", "equations", *SLOPES))
+
+
+def report(problem: "Problem", sections: Sequence[str], normalise: str = "first", digits: int | None = None,
+           pictures: bool = False, wanted: Wanted | None = None) -> Report:
+    """The Report of a problem with these sections; its refusal, where something that is asked for is not found."""
+    made, beside = Report(problem, normalise, pictures, wanted), None
+    for name in sections:
+        made.add(name)
+        if name not in RESPONSES and made.refusal and _without_slope(problem, made.refusal, sections):
+            beside, made.refusal = beside or made.refusal, None     # it is said beside the equations
+    if isinstance(made.refusal, NotInLetters) and "equations" in sections:
+        remark = paragraph(f"{made.refusal.message}: {made.refusal.hint}", hang=0)
+        made.sections += section("Not found in letters", remark)
+        made.refusal = None
+    if isinstance(beside, Inertless):
+        made.sections += section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0))
+    if digits is not None:
+        _digits(made, problem, digits)
+    return made
+
+
+def _digits(made, problem, digits):
+    from vibcli.report.sections.data import frequencies_data
+
+    _require_numbers(problem)
+    found = frequencies_data(problem, digits=digits)
+    lines = []
+    for mode in found["modes"]:
+        values = [f"ω = {mode['omega']} rad/s"] if mode["omega"] is not None else []
+        values += [f"growth rate {mode['growth_rate']} 1/s"] if mode["growth_rate"] is not None else []
+        lines.append(f"mode {mode['index']}:  {', '.join(values)}")
+    for mode in found["damped"] or ():
+        lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
+    made.sections += section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines))
+
+
+def _require_numbers(problem):
+    if problem.symbolic:
+        raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
+
+
+def _signed(text):
+    return "− " + text[1:] if text.startswith("-") else "+ " + text

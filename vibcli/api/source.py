@@ -1,0 +1,55 @@
+"""A scene as it was read, and the Problem of it."""
+
+import os
+from time import perf_counter
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.base.errors import Diagnostic, SpecError
+from vibcli.base.work import Work
+from vibcli.language.document.document import read_file
+from vibcli.language.document.nodes import Mapping
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
+
+class SceneSource(NamedTuple):
+    """A scene as it was read: the name of its file, the top of its document (None where reading had to stop), what is
+    wrong with it so far, its lines, and what reading it cost [s]."""
+
+    file: str
+    node: Mapping | None
+    diagnostics: list[Diagnostic]
+    lines: list[str]
+    cost: float = 0.0
+
+
+def file_source(path: "str | os.PathLike[str]") -> SceneSource:
+    """A scene file as it is read; FileNotFoundError where there is none."""
+    start = perf_counter()
+    node, diagnostics, lines = read_file(path)
+    return SceneSource(os.fsdecode(path), node, diagnostics, lines, perf_counter() - start)
+
+
+def problem_of(source: SceneSource, settings: dict | None = None, work: Work | None = None) -> "Problem":
+    """The Problem of a scene; SpecError where it is invalid. settings: {parameter: (syntax tree, text)} that replace
+    values of the file; work: what counts its long work."""
+    if source.node is None:
+        raise SpecError(source.diagnostics)
+    from vibcli.reader.read import read_spec
+    from vibcli.results.problem import Problem
+
+    start = perf_counter()
+    problem = Problem(read_spec(source.node, source.file, source.diagnostics, settings or {}), work=work)
+    problem.costs.update(read=source.cost, spec=perf_counter() - start)
+    return problem
+
+
+def settled(problem: "Problem", thorough: bool = False) -> "Problem":
+    """The problem with values for what it chooses. `thorough`: SymPy may look for closed forms that the project's own
+    algebra does not find."""
+    if not problem.spec.choices:
+        return problem
+    from vibcli import inverse
+
+    return inverse.settled(problem, thorough)

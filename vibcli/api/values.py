@@ -1,0 +1,117 @@
+"""A quantity asked for by its text: its value with unit and error bound, or its expression in letters."""
+
+from contextlib import suppress
+from typing import TYPE_CHECKING, NamedTuple
+
+from vibcli.api import given
+from vibcli.api.expressions import SymbolicExpression
+from vibcli.base import units
+from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
+from vibcli.language.reader import Reader
+from vibcli.quantities.expression import evaluated, measure, value_of
+from vibcli.quantities.frequency_response import ERROR
+from vibcli.quantities.quantity import IN_FREQUENCY, ROUNDING, SIGNAL, STATE_FUNCTIONS, declared, is_choice
+from vibcli.quantities.size import size_of
+from vibcli.reader.answer_check import check_question, dimension_of, unit_asked
+from vibcli.reader.quantity_dimensions import asked_dimension
+from vibcli.symbolic.semantics import quantities_in
+from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.reader.read import Spec
+    from vibcli.results.problem import Problem
+
+
+class QuantityValue(NamedTuple):
+    """value: in SI units, complex or a truth value where the quantity is one, None where it is an expression; error: an
+    absolute bound of it in `unit`; expression: of the letters of the scene, or of its coordinates and velocities."""
+
+    text: str
+    value: float | complex | bool | None
+    unit: str
+    error: float
+    expression: SymbolicExpression | None = None
+
+    def __float__(self) -> float:
+        if self.value is None:
+            raise TypeError(f"'{self.text}' is an expression: {self.expression}")
+        return float(self.value)
+
+
+def quantity_value(problem: "Problem", text: str) -> QuantityValue:
+    """What a scene answers to a quantity, or to an expression of some."""
+    asked = quantity_asked(problem.spec, text)
+    tree, unit = asked.tree, unit_of(problem.spec, asked)
+    if problem.symbolic or (isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS):
+        from vibcli.api.letters import expression_in_letters, state_function
+
+        of_state = isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS
+        node = state_function(problem, tree) if of_state else expression_in_letters(problem, asked)
+        return QuantityValue(text, None, unit, 0.0, SymbolicExpression(node, tuple(problem.scene.coordinates)))
+    value, error = bounded(problem, asked)
+    return QuantityValue(text, value, unit, error)
+
+
+def quantity_asked(spec: "Spec", text: str) -> "Expression":
+    """The text as a quantity of this scene; SpecError where it is none."""
+    asked, reader = given_expression(text, "the quantity"), Reader()
+    check_question(spec, reader, asked)
+    if reader.diagnostics:
+        raise SpecError(reader.diagnostics)
+    return asked
+
+
+def given_expression(text: str, place: str) -> "Expression":
+    """A signal or quantity given as text; SpecError where it cannot be read."""
+    try:
+        return given.expression(text, place)
+    except ValueError as error:
+        raise SpecError([Diagnostic(Where(f"{place} {text}", 1, 1, 0), str(error))]) from None
+
+
+def unit_of(spec: "Spec", asked: "Expression") -> str:
+    """The SI unit of the value of a quantity: 1 of a pure number, nothing where the scene has no units."""
+    tree = asked.tree
+    whole = isinstance(tree, QuantityRef) and not is_choice(spec, tree)
+    if whole and unit_asked(tree):
+        return unit_asked(tree)
+    dimension = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
+    if dimension is None:
+        return ""
+    found = spec.dimensions.resolve(dimension)
+    angle = whole and (declared(tree).unit == SIGNAL or tree.head == "equilibrium")
+    return ("rad" if angle else "1") if found == {} else units.text(found)
+
+
+def bounded(problem: "Problem", asked: "Expression") -> tuple[float | complex | bool, float]:
+    """(value, absolute error bound) of an expression; to first order in the errors of its quantities."""
+    tree = asked.tree
+    if isinstance(tree, QuantityRef):
+        return _measured(problem, tree)
+    value, _ = value_of(problem, asked)
+    found = {part.text: _measured(problem, part) for part in quantities_in(tree)}
+    values = problem.floats | {text: number for text, (number, _) in found.items()}
+    error = ROUNDING * abs(value)
+    for text, (number, doubt) in found.items():
+        for step in (doubt, 1j * doubt) if isinstance(number, complex) else (doubt,):
+            moved = (evaluated(problem, asked, values | {text: number + sign * step}) for sign in (-1, 1))
+            error += max(abs(there - value) for there in moved)
+    return float(value), float(error)
+
+
+def _measured(problem, tree):
+    value, relative = measure(problem, tree)
+    if isinstance(value, bool):
+        return value, 0.0
+    value = complex(value) if isinstance(value, complex) else float(value)
+    return value, float(max(relative * abs(value), _rounding(problem, tree)))
+
+
+def _rounding(problem, tree):
+    """What a number of a motion that is found in closed form may be off near zero: by the size of its signal."""
+    if not tree.args or tree.head in IN_FREQUENCY or problem.motion.KIND == "full":
+        return 0.0
+    with suppress(PhysicsError):
+        return ERROR * size_of(problem, tree)
+    return 0.0
