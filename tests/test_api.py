@@ -112,7 +112,7 @@ def test_values_are_those_that_check_finds(path):
             continue
         compared += 1
         assert answer.value == verdict.found
-        assert 0 <= answer.error <= 1e-6 * abs(answer.value) + 1e-9
+        assert 0 <= answer.error <= 1e-5 * abs(answer.value) + 1e-9      # the root of rounding, of an argmax
     assert compared or model._problem.symbolic or not model._as_read.spec.answers
 
 
@@ -134,6 +134,14 @@ def test_errors_bound_what_is_off(driven):
     assert driven["omega[1]/zeta[1]"].unit == "1/s" or driven["omega[1]/zeta[1]"].unit == "rad/s"
     assert float(driven["omega[1]"]) == driven.omega[0] and driven["stable"].value is True
     assert driven["eigenvalue[1]"].value == pytest.approx(complex(-decay, damped), rel=1e-14)
+
+
+def test_the_instant_of_a_maximum_is_bounded():
+    free = vibcli.load({"parameters": {"m": "2 kg", "k": "800 N/m"}, "bodies": {"block": {"mass": "m", "slide": "x"}},
+                        "springs": {"s": {"k": "k", "between": ["ground", "block"]}}, "initial": {"x'": "1 m/s"}})
+    found = free["argmax(x)"]
+    assert abs(found.value - np.pi / 40) <= found.error < 1e-5
+    assert abs(free["max(x)"].value - 0.05) <= free["max(x)"].error
 
 
 def test_modes_and_equilibrium_are_those_of_the_command(capsys):

@@ -1,14 +1,26 @@
-"""What is given beside the scene, as text: values of parameters, signals, sizes. ValueError: what is wrong with it."""
+"""What is given beside the scene, as text: values, cases, signals, sizes. ValueError: what is wrong with it."""
+
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Where
 from vibcli.language.document.nodes import Mapping, Scalar
 from vibcli.language.reader import Expression, nearest
 from vibcli.symbolic.parser import ExpressionError, parse, plain_name
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
 
 def said(hint: str | None) -> str:
     """A hint behind a message, if there is one."""
     return f"; {hint}" if hint else ""
+
+
+def case(problem: "Problem", name: str) -> "Problem":
+    """The Problem of a case of the file."""
+    if name not in problem.spec.cases:
+        raise ValueError(f"the file has no case '{name}'" + said(nearest(name, problem.spec.cases)))
+    return problem.case(name)
 
 
 def parameters_of(node: Mapping) -> set[str]:

@@ -1,6 +1,5 @@
 """A scene and its answers, for Python: quantities by name, responses, reports, pictures."""
 
-from collections.abc import Mapping
 from functools import cached_property
 from math import nan
 from typing import TYPE_CHECKING
@@ -49,7 +48,7 @@ class Model:
 
     def case(self, name: str) -> "Model":
         """A case of the file."""
-        return Model(self._source, case_of(self._as_read, name), self._settings, name)
+        return Model(self._source, _case(self._as_read, name), self._settings, name)
 
     def with_values(self, **values: float | str) -> "Model":
         """The scene with other values of parameters: numbers in the unit of the file, texts with their own."""
@@ -60,7 +59,7 @@ class Model:
             except ValueError as error:
                 raise SpecError([Diagnostic(Where(f"with_values {name}", 1, 1, 0), str(error))]) from None
         problem = problem_of(self._source, found)
-        return Model(self._source, problem if self._case is None else case_of(problem, self._case), found, self._case)
+        return Model(self._source, problem if self._case is None else _case(problem, self._case), found, self._case)
 
     @property
     def omega(self) -> "ndarray | list[SymbolicExpression]":
@@ -183,12 +182,8 @@ class Model:
         return SymbolicExpression(node)
 
 
-def case_of(problem: "Problem", name: str) -> "Problem":
-    """The Problem of a case; SpecError where the file has none of that name."""
-    cases: Mapping = problem.spec.cases
-    if name not in cases:
-        from vibcli.language.reader import nearest
-
-        where = Where(problem.spec.file, 1, 1, 0)
-        raise SpecError([Diagnostic(where, f"the file has no case '{name}'", nearest(name, cases))])
-    return problem.case(name)
+def _case(problem, name):
+    try:
+        return given.case(problem, name)
+    except ValueError as error:
+        raise SpecError([Diagnostic(Where(problem.spec.file, 1, 1, 0), str(error))]) from None

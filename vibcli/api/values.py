@@ -1,6 +1,7 @@
 """A quantity asked for by its text: its value with unit and error bound, or its expression in letters."""
 
 from contextlib import suppress
+from math import sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.api import given
@@ -109,9 +110,10 @@ def _measured(problem, tree):
 
 
 def _rounding(problem, tree):
-    """What a number of a motion that is found in closed form may be off near zero: by the size of its signal."""
+    """What a number of a motion that is found in closed form may be off near zero: by the size of its signal; where a
+    signal is largest it is flat, and its instant is known to the root of rounding."""
     if not tree.args or tree.head in IN_FREQUENCY or problem.motion.KIND == "full":
         return 0.0
     with suppress(PhysicsError):
-        return ERROR * size_of(problem, tree)
+        return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * size_of(problem, tree)
     return 0.0

@@ -112,12 +112,12 @@ def chosen(problem, case):
     """[(case name or None, Problem)] that a command is to treat: one case, or the scene and all its cases."""
     if case is None:
         return [(None, problem)] + [(name, problem.case(name)) for name in problem.spec.cases]
-    if case not in problem.spec.cases:
-        from vibcli.api.given import said
-        from vibcli.language.fields import nearest
+    from vibcli.api import given
 
-        raise click.UsageError(f"the file has no case '{case}'" + said(nearest(case, problem.spec.cases)))
-    return [(case, problem.case(case))]
+    try:
+        return [(case, given.case(problem, case))]
+    except ValueError as error:
+        raise click.UsageError(str(error)) from None
 
 
 def show_diagnostics(diagnostics):
