@@ -40,6 +40,14 @@ def test_the_earliest_of_equal_peaks_and_none_missed_among_thousands():
     assert close(t, math.pi / 2) and close(x, -1.0)
 
 
+@pytest.mark.parametrize("speed", [1.0, 3.7, 1e4, 1e-5])
+def test_a_motion_that_is_let_go_is_largest_at_the_start(speed):
+    """At an instant that is exact, not at the zero of its slope, which is the same but for rounding."""
+    for damping in (0.1, 1.0, 40.0):
+        motion = one(1.0, damping * speed, speed**2, FREE, 0.02)
+        assert motion.extreme(q(0), 0.0, 20 / speed) == (0.0, 0.02)
+
+
 def test_extremes_at_breaks_and_jumps():
     pieces = (Segment(0.0, (Wave(0, 1.0, 0, 0j),)), Segment(math.pi))
     motion = one(1.0, 0.0, 1.0, pieces)

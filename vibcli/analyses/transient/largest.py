@@ -38,8 +38,8 @@ def extreme(pieces, output, start, end, sense, work):
 
 class ExtremeSearch:
     """value, time: the largest found, its value times `sign`, −1 for the smallest; left: [(what none of them exceeds,
-    how often they were divided, Cells)]; tops: [(values, times, whether these are peaks)] of ends and peaks that may be
-    the largest."""
+    how often they were divided, Cells)]; tops: [(values, times, whether these are peaks or ends of a segment)] of
+    instants that may be those of the largest."""
 
     def __init__(self, pieces, output, start, end, sense):
         self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
@@ -57,7 +57,7 @@ class ExtremeSearch:
             if most >= self.value - self.rounding:
                 self._look(level, cells)
         whole = stretches(self.timeline, self.start, self.end)
-        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]))
+        self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]), True)
         values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
         near = values >= max(self.value, values.max()) - self.rounding
         if not near.any():
