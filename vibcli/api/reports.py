@@ -123,13 +123,13 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
     for name in sections:
         made.add(name)
         if name not in RESPONSES and made.refusal and _without_slope(problem, made.refusal, sections):
-            beside, made.refusal = beside or made.refusal, None     # it is said beside the equations
+            refusal = made.without_refusal()        # it is said beside the equations
+            beside = beside or refusal
     if isinstance(made.refusal, NotInLetters) and "equations" in sections:
-        remark = paragraph(f"{made.refusal.message}: {made.refusal.hint}", hang=0)
-        made.sections += section("Not found in letters", remark)
-        made.refusal = None
+        refusal = made.without_refusal()
+        made.append(section("Not found in letters", paragraph(f"{refusal.message}: {refusal.hint}", hang=0)))
     if isinstance(beside, Inertless):
-        made.sections += section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0))
+        made.append(section("Natural frequencies", paragraph("none: nothing in the scene has inertia", hang=0)))
     if digits is not None:
         _digits(made, problem, digits)
     return made
@@ -147,7 +147,7 @@ def _digits(made, problem, digits):
         lines.append(f"mode {mode['index']}:  {', '.join(values)}")
     for mode in found["damped"] or ():
         lines.append(f"damped mode {mode['index']}:  λ = {mode['eigenvalue'][0]} {_signed(mode['eigenvalue'][1])} i")
-    made.sections += section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines))
+    made.append(section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines)))
 
 
 def _require_numbers(problem):

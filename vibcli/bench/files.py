@@ -3,6 +3,7 @@
 import json
 import os
 import shutil
+from glob import glob
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer, costs, vibcli
@@ -42,8 +43,7 @@ def _copy(original, place, number):
 
 def main():
     """Child process: print the problem files whose scenes have numbers and search for nothing."""
-    from vibcli.cli.check import _files
-    from vibcli.cli.common import load
+    from vibcli.api.source import file_source, problem_of
 
     def searches(spec):
         found = spec.get("find")
@@ -52,4 +52,5 @@ def main():
     def plain(problem):
         return not problem.symbolic and not any(map(searches, (problem.spec, *problem.spec.cases.values())))
 
-    print(json.dumps([file for file in _files(PROBLEMS) if plain(load(file))]))
+    files = sorted(glob(os.path.join(PROBLEMS, "**", "*.yaml"), recursive=True))
+    print(json.dumps([file for file in files if plain(problem_of(file_source(file)))]))

@@ -48,13 +48,10 @@ def main():
 
 def solve(text):
     """The solved Problem of a scene's text, and the seconds to its element data and to its modes."""
-    from vibcli.language.document.document import read
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
+    from vibcli.api.source import problem_of, text_source
 
     start = process_time()
-    node, diagnostics = read(text.encode(), "scene.yaml")
-    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
+    problem = problem_of(text_source(text))
     _ = problem.elements
     middle = process_time() - start
     _ = problem.modes

@@ -35,12 +35,9 @@ def main():
 
 def _derivation(bars):
     """Processor seconds from the spec to the linearised expressions."""
-    from vibcli.language.document.document import read
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
+    from vibcli.api.source import problem_of, text_source
 
-    node, diagnostics = read(tongs(bars // 2).encode(), "scene.yaml")
-    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
+    problem = problem_of(text_source(tongs(bars // 2)))
     start = process_time()
     _ = problem.form
     return process_time() - start

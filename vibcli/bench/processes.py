@@ -39,12 +39,11 @@ def run(command, expected=(0,)):
 
     The peak counts that of the process which starts it, so this one must stay small.
     """
-    child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                             env=ENVIRONMENT)
-    _, status, usage = os.wait4(child.pid, 0)
-    child.returncode = os.waitstatus_to_exitcode(status)
-    if child.returncode not in expected:
-        raise RuntimeError(f"{' '.join(command)} left with exit code {child.returncode}")
+    nothing = [(os.POSIX_SPAWN_OPEN, stream, os.devnull, os.O_RDWR, 0) for stream in (0, 1, 2)]
+    _, status, usage = os.wait4(os.posix_spawn(command[0], command, ENVIRONMENT, file_actions=nothing), 0)
+    code = os.waitstatus_to_exitcode(status)
+    if code not in expected:
+        raise RuntimeError(f"{' '.join(command)} left with exit code {code}")
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss
 
 

@@ -74,12 +74,9 @@ def main():
 
 
 def _problem(text):
-    from vibcli.language.document.document import read
-    from vibcli.reader.read import read_spec
-    from vibcli.results.problem import Problem
+    from vibcli.api.source import problem_of, text_source
 
-    node, diagnostics = read(text.encode(), "scene.yaml")
-    problem = Problem(read_spec(node, "scene.yaml", diagnostics))
+    problem = problem_of(text_source(text))
     _ = problem.scene, problem.drawn_floats
     return problem
 

@@ -23,7 +23,7 @@ class Report:
 
     def __init__(self, problem, normalise="first", pictures=False, wanted=None):
         self.problem, self.normalise, self.pictures = problem, normalise, pictures
-        self.sections, self.roots, self.refusal, self.told_held = [], {}, None, False
+        self.sections, self.roots, self.refusal = [], {}, None
         self.wanted = wanted or Wanted()
 
     def add(self, name):
@@ -36,6 +36,19 @@ class Report:
                 self.sections.append(found)
         except PhysicsError as error:
             self.refusal = self.refusal or error
+
+    def tells(self, title):
+        """Is there a section of this title?"""
+        return any(section.title == title for section in self.sections)
+
+    def append(self, sections):
+        """Add sections that are written."""
+        self.sections.extend(sections)
+
+    def without_refusal(self):
+        """The refusal, which is said elsewhere and counts no longer."""
+        found, self.refusal = self.refusal, None
+        return found
 
     def document(self, case=None, question=True):
         """All of it under the title of the scene; with its question and source where that is asked for."""

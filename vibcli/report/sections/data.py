@@ -44,19 +44,20 @@ def linear_row(problem, equations, i):
         return tuple(f"{write(equations.linear[i])} = {write(right)}" for write in (language, latex))
     if problem.symbolic:
         return None, None
-    row, drive = numeric_row(problem, equations, i), numeric_drive(problem, equations, i)
+    matrices = equations.M, equations.C, equations.G, equations.K
+    row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, equations, i)
     return tuple(f"{joined(row, times, write)} = {joined(drive, times, write)}"
                  for times, write in (("*", language), (r" \, ", latex)))
 
 
-def numeric_row(problem, equations, i):
-    """[(coefficient, symbol node)] of a linear equation in numbers."""
-    scene = problem.scene
+def numeric_row(problem, matrices, i):
+    """[(coefficient, symbol node)] of a linear equation in numbers, of the matrices M, C, G, K."""
+    scene, (M, C, G, K) = problem.scene, matrices
     row = []
-    kinds = ((equations.M,), scene.a), ((equations.C, equations.G), scene.v), ((equations.K,), scene.q)
-    for matrices, symbols in kinds:
+    kinds = ((M,), scene.a), ((C, G), scene.v), ((K,), scene.q)
+    for parts, symbols in kinds:
         for j, symbol in enumerate(symbols):
-            value = float(sum(matrix.get((i, j), 0.0) for matrix in matrices))
+            value = float(sum(matrix.get((i, j), 0.0) for matrix in parts))
             if value:
                 row.append((value, symbol))
     return row

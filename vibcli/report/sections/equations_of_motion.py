@@ -61,7 +61,7 @@ def left_out(problem):
 
 def _unbent(problem, report):
     """What is said instead of small oscillations where there is a kink."""
-    if problem.sticking is not None and not report.told_held:
+    if problem.sticking is not None and not report.tells("Equilibrium"):
         yield from section("Equilibrium", *held(problem))
     why = problem.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
     if problem.sticking is not None:
@@ -88,10 +88,7 @@ def _full(problem, report):
 
 
 def _in_numbers(problem, found):
-    from vibcli.mechanics.lagrange import EquationsOfMotion
-
-    matrices = EquationsOfMotion()
-    matrices.M, matrices.C, matrices.G, matrices.K = problem.elements.matrices()
+    matrices = problem.elements.matrices()
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
         yield line(*_sum(row), " = ", *_sum(drive), label=Name(name))

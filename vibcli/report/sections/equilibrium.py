@@ -8,7 +8,7 @@ from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph,
 from vibcli.symbolic.rationals import ONE
 
 
-def equilibrium(problem, report):
+def equilibrium(problem, _):
     try:
         blocks = _in_letters(problem) if problem.symbolic else _in_numbers(problem)
     except PhysicsError:
@@ -17,7 +17,6 @@ def equilibrium(problem, report):
         blocks = []
     if problem.sticking is not None:
         blocks += held(problem)
-        report.told_held = True
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
                          for name, node in problem.preloads.items())
     slack = [] if problem.symbolic else _slack(problem)

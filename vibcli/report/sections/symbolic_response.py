@@ -89,7 +89,7 @@ def _from_the_start(problem, steady):
     if steady and name not in steady:
         return
     table = Table()
-    table.sample = problem.scene.sample
+    table.resample(problem.scene.sample)
     copied(list(problem.scene.parameters.nodes.values()), table)
     start = start_in_letters(problem)
     general = start is None and not steady
