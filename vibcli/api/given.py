@@ -3,8 +3,9 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Where
+from vibcli.base.spelling import nearest
 from vibcli.language.document.nodes import Mapping, Scalar
-from vibcli.language.reader import Expression, nearest
+from vibcli.language.reader import Expression
 from vibcli.symbolic.parser import ExpressionError, parse, plain_name
 
 if TYPE_CHECKING:

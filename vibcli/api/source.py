@@ -35,6 +35,21 @@ def file_source(path: "str | os.PathLike[str]") -> SceneSource:
     return SceneSource(os.fsdecode(path), node, diagnostics, lines, perf_counter() - start)
 
 
+def shown_lines(file: str) -> list[str]:
+    """The lines of a record beside a scene, for a message; none where it cannot be read."""
+    from vibcli.language import data_columns
+
+    return data_columns.shown_lines(file)
+
+
+def stage_costs(problem: "Problem") -> "dict[str, float | None]":
+    """{stage: seconds that it took, None where it was skipped}, of reading those alone that were timed."""
+    from vibcli.results.problem import STAGES
+
+    read = {stage: problem.costs[stage] for stage in ("read", "spec") if stage in problem.costs}
+    return read | {stage: problem.costs.get(stage) for stage in STAGES}
+
+
 def text_source(text: str, folder: "str | os.PathLike[str]" = ".") -> SceneSource:
     """The text of a scene as it is read; `folder`: where its records lie. SpecError where it is too long."""
     file = os.path.normpath(os.path.join(os.fspath(folder), UNNAMED))

@@ -41,7 +41,7 @@ class Commands(click.Group):
 
     def resolve_command(self, context, args):
         if args and args[0] not in COMMANDS and not args[0].startswith("-"):
-            from vibcli.language.fields import nearest
+            from vibcli.base.spelling import nearest
 
             hint = nearest(args[0], COMMANDS)
             if os.path.exists(args[0]):

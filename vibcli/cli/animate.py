@@ -26,10 +26,7 @@ def command(file, settings, case, output, force, patience, index, response, unti
         from vibcli.cli.response import set_end
 
         set_end([(None, problem)], until)
-    from vibcli.api.source import settled
-    from vibcli.drawing.animation import data, of_mode, of_response
+    from vibcli.api.pictures import animated
 
     title = problem.spec.get("title") or path.stem
-    problem = settled(problem)
-    frames = of_response(problem) if response else of_mode(problem, index or 1)
-    write(path, data(*frames, title=title, kind=path.suffix[1:].lower()), force)
+    write(path, animated(problem, None if response else index or 1, title, path.suffix[1:].lower()), force)

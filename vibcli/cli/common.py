@@ -135,7 +135,7 @@ def show_diagnostics(diagnostics):
 def _lines(where):
     """The lines of the file of a place: of a scene, or of a record beside it."""
     if where.file not in _sources and where.width:
-        from vibcli.language.data_columns import shown_lines
+        from vibcli.api.source import shown_lines
 
         return shown_lines(where.file)
     return _sources.get(where.file, ())
@@ -161,25 +161,21 @@ def _color(stream):
 
 def show_timings(problems):
     """What each stage cost, on stderr."""
-    from vibcli.results.problem import STAGES
+    from vibcli.api.source import stage_costs
 
     for name, problem in problems:
         click.echo("stage          ms" + (f"   (case {name})" if name else ""), err=True)
-        for stage in ("read", "spec", *STAGES):
-            cost = problem.costs.get(stage)
-            if cost is not None or stage not in ("read", "spec"):
-                click.echo(f"{stage:<12} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
+        for stage, cost in stage_costs(problem).items():
+            click.echo(f"{stage:<12} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
 
 
 def require_quick(problem, digits):
     """Refuse --digits where it would take long, by an estimate of the steps."""
     if digits is None:
         return
-    from vibcli.numerics.precision import estimated_steps
+    from vibcli.api.reports import steps_for_digits
 
-    spec = problem.spec
-    damped = any(section in spec.sections for section in ("dampers", "energies", "matrices"))
-    steps, limit = estimated_steps(len(spec.coordinates), digits, damped), MOST * problem.work.patience
+    steps, limit = steps_for_digits(problem, digits), MOST * problem.work.patience
     if steps > limit:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "

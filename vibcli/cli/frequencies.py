@@ -6,7 +6,7 @@ from vibcli.cli.common import chosen, load, number_options, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.pictures import FILE
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import cases_to_show, plot_width, refuse_targets, save_to
+from vibcli.cli.sampled import cases_to_show, refuse_targets, show_curves
 
 PICTURES = (".png", ".svg", ".pdf")
 
@@ -37,9 +37,4 @@ def _shown(problem, plot, saves, force):
     from vibcli.report.sections.sampled_series import eigenvalue_figure
 
     figure = eigenvalue_figure(problem)
-    if plot:
-        from vibcli.plots.braille import braille
-
-        click.echo("\n" + braille(figure, width=plot_width()))
-    for path in saves:
-        save_to(path, force, problem.spec.get("title") or "", lambda: figure, None)
+    show_curves(plot, saves, force, problem.spec.get("title") or "", lambda: figure)

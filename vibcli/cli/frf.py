@@ -5,16 +5,7 @@ import click
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import (
-    asked,
-    cases_to_show,
-    curve_options,
-    plot_width,
-    refuse_targets,
-    require_curves,
-    save_to,
-    size,
-)
+from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
 
 
 @click.command("frf")
@@ -57,10 +48,5 @@ def _shown(problem, wanted, nyquist, plot, saves, force):
     from vibcli.report.sections.sampled_series import frequency_columns, frequency_figure, sampled_curves
 
     curves = sampled_curves(problem, wanted)
-    if plot:
-        from vibcli.plots.braille import braille
-
-        click.echo("\n" + braille(frequency_figure(problem, curves, nyquist), width=plot_width()))
-    for path in saves:
-        save_to(path, force, problem.spec.get("title") or "", lambda: frequency_figure(problem, curves, nyquist),
-                lambda: frequency_columns(curves))
+    show_curves(plot, saves, force, problem.spec.get("title") or "",
+                lambda: frequency_figure(problem, curves, nyquist), lambda: frequency_columns(curves))

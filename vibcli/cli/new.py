@@ -32,7 +32,7 @@ def command(template, output, listing):
         return
     name = template.removesuffix(".yaml")
     if scenes.path(name) is None:
-        from vibcli.language.fields import near
+        from vibcli.base.spelling import near
 
         found = near(name, [*scenes.names("templates"), *scenes.names("examples")])
         hint = f"did you mean '{found}'?" if found else "templates: " + ", ".join(scenes.names("templates"))

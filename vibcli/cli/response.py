@@ -5,16 +5,7 @@ import click
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
-from vibcli.cli.sampled import (
-    asked,
-    cases_to_show,
-    curve_options,
-    plot_width,
-    refuse_targets,
-    require_curves,
-    save_to,
-    size,
-)
+from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
 
 INSTANT = "a time, as in 2.5 or '40 ms'"
 
@@ -65,10 +56,10 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
 def refuse_parts(problem, parts):
     """PhysicsError, before anything is integrated, where a motion has no such parts."""
     from vibcli.base.errors import PhysicsError
-    from vibcli.results.full_signals import FullSignal
 
     if parts and problem.spec.get("motion") == "full":
-        raise PhysicsError(f"{FullSignal.KIND} has no {parts[0]} part that is found", f"leave --{parts[0]} out")
+        raise PhysicsError(f"a motion that is integrated has no {parts[0]} part that is found",
+                           f"leave --{parts[0]} out")
 
 
 def set_end(problems, text):
@@ -84,9 +75,5 @@ def _shown(problem, wanted, plot, saves, force):
     from vibcli.report.sections.sampled_series import columns, response_figure, sampled
 
     series = sampled(problem, wanted)
-    if plot:
-        from vibcli.plots.braille import braille
-
-        click.echo("\n" + braille(response_figure(problem, series), width=plot_width()))
-    for path in saves:
-        save_to(path, force, problem.motion.title, lambda: response_figure(problem, series), lambda: columns(series))
+    show_curves(plot, saves, force, problem.motion.title, lambda: response_figure(problem, series),
+                lambda: columns(series))

@@ -42,11 +42,6 @@ def size(text, option, unit, wants, exact=False):
         raise click.UsageError(f"{option} {text}: {error}") from None
 
 
-def plot_width():
-    """Columns of a plot in this terminal."""
-    return min(shutil.get_terminal_size().columns, WIDEST)
-
-
 def refuse_targets(paths, force, suffixes=(".png", ".svg", ".pdf", ".csv", ".npz", ".json")):
     """A usage error, before anything is computed, where one of the files cannot be written."""
     for path in map(Path, paths):
@@ -67,15 +62,11 @@ def cases_to_show(problems, saves):
     return problems[:1] if saves else problems
 
 
-def save_to(path, force, title, figure, columns):
-    """Write the figure or the columns, under a title, as the suffix says."""
-    from vibcli.report.formats.data_files import DATA, data
+def show_curves(plot, saves, force, title, figure, columns=None):
+    """Plot what `figure()` gives in the terminal; write it, or what `columns()` gives, to files under a title."""
+    from vibcli.report.formats.curves import curve_file, in_terminal
 
-    suffix = Path(path).suffix.lower()
-    if suffix in DATA:
-        found = data(suffix, title, columns())
-    else:
-        from vibcli.plots.picture import picture
-
-        found = picture(figure(), suffix[1:])
-    write(path, found, force)
+    if plot:
+        click.echo("\n" + in_terminal(figure(), min(shutil.get_terminal_size().columns, WIDEST)))
+    for path in saves:
+        write(path, curve_file(Path(path).suffix.lower(), title, figure, columns), force)

@@ -17,7 +17,6 @@ from vibcli.inverse.search import solve
 from vibcli.inverse.solution import choosing, defined, in_numbers, stable_in_floats, with_chosen
 from vibcli.inverse.substitution import forms_of, held_by_balance, tried
 from vibcli.inverse.symbolic_conditions import balanced
-from vibcli.reader.sections.choose import BALANCE
 
 MOST = 30_000       # places at which the scene is looked at, and steps of its motions there
 
@@ -40,7 +39,7 @@ def settled(problem, thorough=False):
 
 def _balanced_first(problem):
     """The problem with the parameters chosen for equilibrium defined in letters, where that is possible."""
-    if not any(record["so"].word == BALANCE for record in problem.spec.choices.values()):
+    if not any(record["so"].is_balance for record in problem.spec.choices.values()):
         return problem
     if all(node.is_zero for terms in problem.drawn_residual for node in terms):
         raise infeasible.undetermined(problem)

@@ -13,7 +13,6 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
 from vibcli.inverse.stability_margin import free_roots, margin
 from vibcli.quantities.expression import value_of
-from vibcli.reader.sections.choose import BALANCE
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
@@ -65,7 +64,7 @@ class ConditionSystem:
         self.problem.work.step()
         try:
             with np.errstate(all="ignore"):
-                if any(condition.word != BALANCE for condition in self.conditions):
+                if not all(condition.is_balance for condition in self.conditions):
                     _roughly(numeric)
                 found = [self._pairs(numeric, condition, True) for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
@@ -74,7 +73,7 @@ class ConditionSystem:
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
 
     def _pairs(self, numeric, condition, searching=False):
-        if condition.word == BALANCE:
+        if condition.is_balance:
             return balance(numeric)
         if condition.word:
             return [self._slowest(numeric)]
@@ -136,7 +135,7 @@ class ConditionSystem:
             residual = self.residual(values)
         except (SpecError, PhysicsError, ArithmeticError):
             return False, None
-        limits = [i for i, condition in enumerate(self.conditions) if condition.word and condition.word != BALANCE]
+        limits = [i for i, condition in enumerate(self.conditions) if condition.word and not condition.is_balance]
         followed = self.limit(values) is not None
         return residual <= HOLDS and (followed or all(self._passed(i, values) for i in limits)), residual
 

@@ -9,13 +9,12 @@ from vibcli.base.work import longer
 from vibcli.inverse.conditions import misfit
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
-from vibcli.reader.sections.choose import BALANCE, LIMIT
 
 
 def undetermined(problem, tried=None):
     """The conditions hold whatever is chosen, as letters prove; or at all the values that were `tried` in a range."""
     names, where = listed(problem.spec.choices), _where(problem)
-    if [record["so"].word for record in problem.spec.choices.values()] == [BALANCE]:
+    if [record["so"].is_balance for record in problem.spec.choices.values()] == [True]:
         return PhysicsError(f"the drawn position is in equilibrium whatever {names} is: that does not determine it",
                             "ask for another condition", where)
     reach = f"whatever {names} is"
@@ -33,9 +32,13 @@ def _where(problem):
 
 def texts(problem):
     """The conditions in words."""
-    words = {BALANCE: "equilibrium as drawn", LIMIT: "a limit of stability"}
-    conditions = [record["so"] for record in problem.spec.choices.values()]
-    return listed(list(dict.fromkeys(words.get(condition.word, condition.text) for condition in conditions)))
+    return listed(list(dict.fromkeys(_in_words(record["so"]) for record in problem.spec.choices.values())))
+
+
+def _in_words(condition):
+    if condition.word is None:
+        return condition.text
+    return "equilibrium as drawn" if condition.is_balance else "a limit of stability"
 
 
 def none_found(system, scan, proven=False):
@@ -55,7 +58,7 @@ def none_found(system, scan, proven=False):
             return error
         message = error.message if error is not None else "nothing there has a finite value"
         return PhysicsError(f"{gives}: {message}", getattr(error, "hint", None), where)
-    if condition.word == BALANCE:
+    if condition.is_balance:
         return PhysicsError(f"{none} keeps the drawn position in equilibrium",
                             "look at the forces that act as drawn: does one depend on it, in the right sense?", where)
     if condition.word:
@@ -180,7 +183,7 @@ def not_admissible(problem, name, node, value, span):
 
 def unbalanced(problem, numeric, pairs):
     """Conditions of equilibrium that are left over, at the values that the other conditions ask for."""
-    names = [name for name, record in problem.spec.choices.items() if record["so"].word == BALANCE]
+    names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     errors = [abs(misfit(pair, 0.0)) for pair in pairs]
     i = errors.index(max(errors))
     left = pairs[i][0] - pairs[i][1]

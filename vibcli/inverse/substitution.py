@@ -3,7 +3,6 @@
 from vibcli.inverse import infeasible
 from vibcli.inverse.conditions import HOLDS, balance, misfit
 from vibcli.inverse.solution import Solution
-from vibcli.reader.sections.choose import BALANCE
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.univariate import depends
 from vibcli.symbolic.normal_form import textbook
@@ -39,7 +38,7 @@ def tried(problem, system, values, forms):
     if not good:
         numeric = system.numeric(in_order)
         pairs = balance(numeric)
-        if any(c.word == BALANCE for c in system.conditions) and any(abs(misfit(pair, 0.0)) > HOLDS for pair in pairs):
+        if any(c.is_balance for c in system.conditions) and any(abs(misfit(pair, 0.0)) > HOLDS for pair in pairs):
             raise infeasible.unbalanced(problem, numeric, pairs)
         raise infeasible.not_held(system)
     limit = system.limit(in_order)

@@ -9,7 +9,6 @@ from vibcli.inverse.conditions import summed
 from vibcli.inverse.symbolic_quantity_conditions import one_degree, side
 from vibcli.inverse.symbolic_response_conditions import equal_heights, response_is, response_of
 from vibcli.mechanics.static_preload import pivots, solve_linear
-from vibcli.reader.sections.choose import BALANCE
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.elimination import solve_equations
 from vibcli.symbolic.equations.univariate import depends, polynomial, solve_equation
@@ -63,7 +62,7 @@ def determined_alone(problem):
     meant = definitions(scene, unknowns)
     for entry, record in problem.spec.choices.items():
         try:
-            nodes = [] if record["so"].word == BALANCE else _vanishing(problem, record["so"])
+            nodes = [] if record["so"].is_balance else _vanishing(problem, record["so"])
         except (NotInLetters, PhysicsError, ZeroDivisionError):
             continue
         for node in substitute(nodes, meant):
@@ -90,7 +89,7 @@ def balanced(problem):
     """({name: expression} of the parameters chosen for equilibrium, in which its conditions are linear); None where
     they are not. PhysicsError where the conditions leave one of them open."""
     scene = problem.scene
-    names = [name for name, record in problem.spec.choices.items() if record["so"].word == BALANCE]
+    names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     unknowns = [scene.parameters.nodes[name] for name in names]
     meant = definitions(scene, unknowns)
     sums = substitute([summed(scene.table, terms) for terms in problem.drawn_residual], meant)
@@ -121,7 +120,7 @@ def _row(node, unknowns):
 
 def _vanishing(problem, condition):
     """Expressions that vanish where a condition holds."""
-    if condition.word == BALANCE:
+    if condition.is_balance:
         return [summed(problem.scene.table, terms) for terms in problem.drawn_residual]
     if "equilibrium" in problem.spec.sections or not problem.linear_in_letters:
         require_no_modes(condition)

@@ -3,8 +3,8 @@
 import re
 
 from vibcli.base import units
+from vibcli.base.spelling import nearest
 from vibcli.language import unit_brackets
-from vibcli.language.reader import nearest
 from vibcli.symbolic.parser import FUNCTIONS, VALUE, ExpressionError
 from vibcli.symbolic.semantics import (
     ALL_NUMBERS,

@@ -9,8 +9,9 @@ from importlib import import_module
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.reader import Expression, Record, Reference, article, check_name, near, nearest
+from vibcli.language.reader import Expression, Record, Reference, article, check_name
 from vibcli.symbolic.parser import ExpressionError, parse, plain_name
 
 

@@ -2,8 +2,8 @@
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check
-from vibcli.language.fields import nearest
 from vibcli.quantities.quantity import (
     ALL,
     ASKED,

@@ -2,9 +2,10 @@
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
-from vibcli.language.reader import Record, nearest
+from vibcli.language.reader import Record
 from vibcli.language.record_calls import call_records, record_dimensions
 from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.quantity import dimension

@@ -3,9 +3,9 @@
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import applied
 from vibcli.language.parameters import independent
-from vibcli.language.reader import nearest
 from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
 from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.quantity import (

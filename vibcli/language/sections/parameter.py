@@ -1,8 +1,9 @@
 """Parameters: what is given, as numbers with units, as expressions of one another, or left as symbols."""
 
+from vibcli.base.spelling import nearest
 from vibcli.base.units import UNITS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.fields import Choice, Element, Field, Quantity, Record, Text, nearest
+from vibcli.language.fields import Choice, Element, Field, Quantity, Record, Text
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.syntax import Number
 

@@ -1,8 +1,9 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, nearest
+from vibcli.language.fields import Element, Expression, Field, Kind, Quantity
 from vibcli.quantities.quantity import ALL, ASKED
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.syntax import QuantityRef

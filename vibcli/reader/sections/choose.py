@@ -1,8 +1,9 @@
 """Inverse questions: parameters that conditions determine."""
 
 from vibcli.base.diagnostics import quoted
+from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Scalar, Sequence
-from vibcli.language.fields import Element, Expression, Field, Kind, Quantity, near, nearest
+from vibcli.language.fields import Element, Expression, Field, Kind, Quantity
 from vibcli.quantities.quantity import ALL, ASKED
 from vibcli.symbolic.parser import ExpressionError, parse
 
@@ -16,6 +17,11 @@ class Condition:
 
     def __init__(self, text, where, word=None, left=None, right=None):
         self.text, self.where, self.word, self.left, self.right = text, where, word, left, right
+
+    @property
+    def is_balance(self):
+        """Is it that the drawn position is one of equilibrium?"""
+        return self.word == BALANCE
 
     @property
     def sides(self):

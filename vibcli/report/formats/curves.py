@@ -1,8 +1,24 @@
-"""Sampled results as files for other programs: CSV, NPZ or JSON by the suffix."""
+"""Curves in the terminal, as pictures, and as files for other programs: CSV, NPZ or JSON by the suffix."""
 
 from io import BytesIO, StringIO
 
 DATA = (".csv", ".npz", ".json")
+
+
+def in_terminal(figure, width):
+    """A Figure as text of so many columns."""
+    from vibcli.plots.braille import braille
+
+    return braille(figure, width=width)
+
+
+def curve_file(suffix, title, figure, columns):
+    """The bytes of a file under a title: of what `columns()` gives, or of the Figure that `figure()` gives."""
+    if suffix in DATA:
+        return data(suffix, title, columns())
+    from vibcli.plots.picture import picture
+
+    return picture(figure(), suffix[1:])
 
 
 def data(suffix, title, columns):
