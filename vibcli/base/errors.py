@@ -1,4 +1,4 @@
-"""What can go wrong, and where: places in a file, diagnostics, physical refusals, outcomes."""
+"""Errors and where they are: places in a file, diagnostics, physical refusals."""
 
 from typing import NamedTuple
 
@@ -53,8 +53,7 @@ class PhysicsError(Exception):
     def told(self, where=None, hint=None):
         """The same refusal at a place, if it has none, or with another hint: one that is kept is met at many."""
         found = type(self).__new__(type(self), *self.args)
-        found.__dict__.update(self.__dict__)
-        found.where, found.hint = self.where or where, hint or self.hint
+        PhysicsError.__init__(found, self.message, hint or self.hint, self.where or where)
         return found
 
 

@@ -1,4 +1,4 @@
-"""How much a piece of long work may take, and how far it has come.
+"""Long work: how much a piece of it may take, and how far it has come.
 
 Work is counted in steps (windows of an integration, evaluations of a condition, places at which forces are looked at),
 never in seconds: every machine answers and refuses the same. What is done within a task counts for those around it.
@@ -61,6 +61,10 @@ class Work:
             if self.tell is not None and not self.open:
                 self.tell(None, 1.0, False)
 
+    def give_up_closed_form(self):
+        """A closed form is given up at its limit."""
+        self.cut = True
+
     def step(self, steps=1):
         """Steps of the innermost task, where there is one."""
         if self.open:
@@ -79,12 +83,16 @@ class Task:
         """So many steps more, `part` (0 to 1) of all that is to be done being done where that is known. Spent where
         this task or one around it comes beyond its limit."""
         for task in self.work.open:
-            task.steps += steps
-            if task.steps > task.limit:
-                raise Spent(task)
+            task.count(steps)
             if task is self:
                 break
         self.tell(part)
+
+    def count(self, steps):
+        """So many steps more, of this task alone."""
+        self.steps += steps
+        if self.steps > self.limit:
+            raise Spent(self)
 
     def tell(self, part=None):
         """Show how far it has come."""

@@ -11,7 +11,7 @@ def gradient(node):
     """{variable: ∂node/∂variable} for every variable that the node depends on. Memoised on the node."""
     if node.gradient is None:
         for part in _unfinished(node):
-            part.gradient = _RULES[part.op](part)
+            part.keep_gradient(_RULES[part.op](part))
     return node.gradient
 
 

@@ -54,11 +54,25 @@ def _sign(x):
     return 1 if x > 0 else -1 if x < 0 else 0       # truths of NumPy cannot be subtracted
 
 
+def _guarded(function):
+    def call(*args):
+        try:
+            value = function(*args)
+        except (ValueError, OverflowError, ZeroDivisionError):
+            return math.nan
+        return math.nan if isinstance(value, complex) else value
+    return call
+
+
 class Floats:
     """Python floats. What has no value there (√−1, log 0, overflow, a rational too small) is NaN, for the caller to
     refuse."""
 
     pi, ordered = math.pi, True
+    functions = {
+        **{name: _guarded(getattr(math, name)) for name in ELEMENTARY},
+        "abs": abs, "sign": _sign, "min": min, "max": max, "power": _guarded(lambda b, e: b**e),
+        **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()}}
 
     @staticmethod
     def number(value):
@@ -86,21 +100,6 @@ class Floats:
     @staticmethod
     def record(name, samples):
         return samples.at
-
-
-def _guarded(function):
-    def call(*args):
-        try:
-            value = function(*args)
-        except (ValueError, OverflowError, ZeroDivisionError):
-            return math.nan
-        return math.nan if isinstance(value, complex) else value
-    return call
-
-
-Floats.functions = {name: _guarded(getattr(math, name)) for name in ELEMENTARY}
-Floats.functions.update(abs=abs, sign=_sign, min=min, max=max, power=_guarded(lambda b, e: b**e),
-                        **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()})
 
 
 class Rationals:

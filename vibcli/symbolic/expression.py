@@ -23,6 +23,10 @@ class Node:
 
     __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
 
+    def keep_gradient(self, gradient):
+        """Keep {variable: derivative}, which is worked out once."""
+        self.gradient = gradient
+
     def __add__(self, other):
         return self.table.sum((self, ONE), (self.table.node(other), ONE))
 

@@ -161,12 +161,11 @@ class Intervals:
     def record(name, samples):
         raise KeyError(name)
 
-
-Intervals.functions = {
-    "sin": _sin, "cos": _cos, "tan": lambda u: _sin(u) * inverse(_cos(u)), "cosh": _cosh, "acos": _acos,
-    "asin": _rising(np.arcsin, low=-1.0, high=1.0), "atan": _rising(np.arctan), "sinh": _rising(np.sinh),
-    "tanh": _rising(np.tanh, -1.0, 1.0), "exp": _rising(np.exp, 0.0),
-    "log": _rising(np.log, low=np.nextafter(0.0, 1.0)), "abs": _abs, "sign": _sign, "step": _step,
-    "min": lambda u, v: Interval(np.minimum(u.low, v.low), np.minimum(u.high, v.high)),
-    "max": lambda u, v: Interval(np.maximum(u.low, v.low), np.maximum(u.high, v.high)),
-    "ramp": lambda u: Interval(np.maximum(u.low, 0.0), np.maximum(u.high, 0.0))}
+    functions = {
+        "sin": _sin, "cos": _cos, "tan": lambda u: _sin(u) * inverse(_cos(u)), "cosh": _cosh, "acos": _acos,
+        "asin": _rising(np.arcsin, low=-1.0, high=1.0), "atan": _rising(np.arctan), "sinh": _rising(np.sinh),
+        "tanh": _rising(np.tanh, -1.0, 1.0), "exp": _rising(np.exp, 0.0),
+        "log": _rising(np.log, low=np.nextafter(0.0, 1.0)), "abs": _abs, "sign": _sign, "step": _step,
+        "min": lambda u, v: Interval(np.minimum(u.low, v.low), np.minimum(u.high, v.high)),
+        "max": lambda u, v: Interval(np.maximum(u.low, v.low), np.maximum(u.high, v.high)),
+        "ramp": lambda u: Interval(np.maximum(u.low, 0.0), np.maximum(u.high, 0.0))}

@@ -25,11 +25,12 @@ class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
 
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
-    max and pulses are what they are. records: {name: slot} of the sampled functions that are called."""
+    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node: value} of what
+    is known already."""
 
-    def __init__(self, slots, floats, switches):
+    def __init__(self, slots, floats, switches, constants=()):
         self.slots, self.floats, self.switches = dict(slots), floats, switches
-        self.lines, self.constants, self.records = [], {}, {}
+        self.lines, self.constants, self.records = [], dict(constants), {}
 
     def add(self, nodes):
         """Write what computes the nodes; their slots or constants are returned as texts."""
@@ -186,8 +187,7 @@ class Compiled:
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
-        late = Source(slots, floats, switches)
-        late.constants = dict(early.constants)
+        late = Source(slots, floats, switches, early.constants)
         result = late.add(nodes)
         head = [f"{_tuple(f'{kind}{i}' for i in range(len(scene.q)))}={kind}" for kind in "qv"]
         if outer:

@@ -45,12 +45,13 @@ def multiprecise():
         return (-1) ** sign * Fraction(int(man)) * Fraction(2) ** exp
 
     with mpmath.workprec(mpmath.mp.prec + 200):
-        pi = rational(+mpmath.mp.pi)
+        exact_pi = rational(+mpmath.mp.pi)
 
     class Multiple:
         arithmetic = multiprecision()
         same = Fraction(1, 2 ** (mpmath.mp.prec - 7))
         real, complex = mpmath.mpf, mpmath.mpc
+        pi = exact_pi
 
         @staticmethod
         def number(value):
@@ -62,7 +63,7 @@ def multiprecise():
 
         @classmethod
         def turned(cls, growth, phase, quarters=0):
-            phase = phase - 2 * pi * round(phase / (2 * pi)) if phase else 0
+            phase = phase - 2 * cls.pi * round(phase / (2 * cls.pi)) if phase else 0
             found = mpmath.exp(mpmath.mpc(cls.number(growth), cls.number(phase)))
             return found * 1j if quarters else found
 
@@ -74,5 +75,4 @@ def multiprecise():
         def arc_sine(x):
             return rational(mpmath.asin(x))
 
-    Multiple.pi = pi
     return Multiple

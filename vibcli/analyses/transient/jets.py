@@ -164,15 +164,14 @@ class Jets:
     def record(name, samples):
         raise KeyError(name)
 
-
-Jets.functions = {
-    "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),
-    "cos": _smooth(lambda u: (COS(u), exact(-1.0) * SIN(u), exact(-1.0) * COS(u))),
-    "tan": _smooth(_tan), "asin": _smooth(_asin), "acos": _smooth(_acos), "atan": _smooth(_atan),
-    "sinh": _smooth(lambda u: (SINH(u), COSH(u), SINH(u))), "cosh": _smooth(lambda u: (COSH(u), SINH(u), COSH(u))),
-    "tanh": _smooth(_tanh), "exp": _smooth(lambda u: (EXP(u),) * 3), "log": _smooth(_log),
-    "abs": _cornered(Intervals.functions["abs"], SIGN), "ramp": _cornered(Intervals.functions["ramp"], STEP),
-    "sign": lambda u: _jumping(u, SIGN(u.value), u.value.holds_zero()),
-    "step": lambda u: _jumping(u, STEP(u.value), u.value.holds_zero()),
-    "square": _square, "sawtooth": _sawtooth, "min": _least(-1), "max": _least(1),
-    "power": lambda u, v: Jets.functions["exp"](v * Jets.functions["log"](u))}
+    functions = {
+        "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),
+        "cos": _smooth(lambda u: (COS(u), exact(-1.0) * SIN(u), exact(-1.0) * COS(u))),
+        "tan": _smooth(_tan), "asin": _smooth(_asin), "acos": _smooth(_acos), "atan": _smooth(_atan),
+        "sinh": _smooth(lambda u: (SINH(u), COSH(u), SINH(u))), "cosh": _smooth(lambda u: (COSH(u), SINH(u), COSH(u))),
+        "tanh": _smooth(_tanh), "exp": _smooth(lambda u: (EXP(u),) * 3), "log": _smooth(_log),
+        "abs": _cornered(Intervals.functions["abs"], SIGN), "ramp": _cornered(Intervals.functions["ramp"], STEP),
+        "sign": lambda u: _jumping(u, SIGN(u.value), u.value.holds_zero()),
+        "step": lambda u: _jumping(u, STEP(u.value), u.value.holds_zero()),
+        "square": _square, "sawtooth": _sawtooth, "min": _least(-1), "max": _least(1),
+        "power": lambda u, v: Jets.functions["exp"](v * Jets.functions["log"](u))}
