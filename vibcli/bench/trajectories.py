@@ -1,7 +1,7 @@
 """Motion in time: error against time of the full equations, beside LSODA and DOP853 on hand-written equations.
 
 The double pendulum of unit masses and lengths starts from 0.3 and 0.5 rad at rest; its state at 100 s is known from
-Taylor series of 26 digits (tests/motions.py). A pendulum of 1000 periods is compared with elliptic functions.
+Taylor series of 26 digits (tests/support/motions.py). A pendulum of 1000 periods is compared with elliptic functions.
 """
 
 import json

@@ -1,0 +1,139 @@
+"""What each question imports, by a process of its own and sys.modules."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from support.imported import RUN, imported, modules
+
+import vibcli
+
+PACKAGE = Path(vibcli.__file__).parent
+PROBLEMS = PACKAGE.parent / "problems"
+@pytest.fixture(scope="module")
+def two_degrees(tmp_path_factory):
+    """A damped numeric scene with two coordinates, which has answers."""
+    path = tmp_path_factory.mktemp("scenes") / "two.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m, c: 3 N*s/m}\n"
+                    "bodies:\n  a: {mass: m, slide: x}\n  b: {mass: m, slide: y}\n"
+                    "springs:\n  s: {k: k, between: [ground, a]}\n  t: {k: k, between: [a, b]}\n"
+                    "dampers:\n  d: {c: c, between: [ground, a]}\n"
+                    "answers:\n  omega[1]: 12.36 rad/s\n  K[x,x]: 2*k\n  C[x,x]: c\n"
+                    "  motion[y]: m*y'' + k*(y - x) = 0\n")
+    return path
+
+
+@pytest.mark.parametrize("args", [("--help",), ("--version",), ("check", "--help"), ("solve", "--help")])
+def test_help_imports_nothing_heavy(args):
+    assert modules(*args) == (0, set())
+
+
+@pytest.mark.parametrize("text", ["bodies: [", "bodies: {b: {mass: 2 kg, slide: x, wrong: 3}}", "", "bodies: {b: "
+                                                            "{mass: (}}"])
+def test_a_wrong_file_imports_nothing_heavy(tmp_path, text):
+    path = tmp_path / "wrong.yaml"
+    path.write_text(text)
+    assert modules("check", path) == (3, set())
+
+
+def test_frequencies_in_numbers(two_degrees):
+    code, names = modules("frequencies", two_degrees)
+    assert code == 0
+    assert names <= {"numpy", "mpmath"}
+
+
+@pytest.mark.parametrize("command", ["solve", "equations", "check"])
+def test_other_questions_in_numbers(two_degrees, command):
+    code, names = modules(command, two_degrees)
+    assert code == 0
+    assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+@pytest.mark.parametrize("stem", ["2_lagrange/bead_on_swinging_rod", "4_free_damped/sagging_boom",
+                                  "6_two_degrees/double_pendulum_rods", "1_statics_and_energy/ladder_held_by_spring"])
+def test_check_in_numbers(stem):
+    code, names = modules("check", PROBLEMS / f"{stem}.yaml")
+    assert code == 0
+    assert not names & {"scipy", "sympy", "matplotlib"}
+
+
+@pytest.mark.parametrize(("args", "example"), [
+    (["response"], "forced_vibration"), (["response", "--plot"], "free_vibration"), (["response"], "bump_in_the_road"),
+    (["response", "--plot"], "square_wave"), (["frf", "--plot"], "frequency_response"), (["check"], "forced_vibration"),
+    (["frf"], "beats"), (["response", "--json"], "beats")], ids=lambda part: "-".join(part) if isinstance(
+        part, list) else part)
+def test_responses_in_numbers_need_numpy_alone(args, example):
+    code, names = modules(*args, PACKAGE / "examples" / f"{example}.yaml")
+    assert code == 0
+    assert names <= {"numpy"}
+
+
+def test_a_picture_needs_matplotlib_and_no_scipy(tmp_path):
+    path = tmp_path / "response.svg"
+    code, names = imported("response", PACKAGE / "examples" / "free_vibration.yaml", "--save", path)
+    assert code == 0 and path.stat().st_size > 2000
+    assert "matplotlib.figure" in names and "matplotlib.pyplot" not in names
+    assert not {name.partition(".")[0] for name in names} & {"scipy", "sympy"}
+
+
+INSIGHT = {f"vibcli.{name}" for name in (
+    "symbolic.dual_numbers", "analyses.modal.modes_precise", "analyses.modal.energy_shares",
+    "analyses.modal.sensitivities", "analyses.modal.estimates", "mechanics.inner_products",
+    "mechanics.element_contributions", "mechanics.parameter_derivatives", "report.sections.insight",
+    "report.sections.insight_data")}
+LOADED = RUN.replace("{name.partition('.')[0] for name in sys.modules}", "sys.modules")
+
+
+@pytest.mark.parametrize(("args", "expected"), [
+    (["solve"], set()), (["solve", "--json"], set()), (["frequencies"], set()), (["check"], set()),
+    (["solve", "--insight"], INSIGHT)], ids=["solve", "json", "frequencies", "check", "insight"])
+def test_insight_is_imported_only_where_it_is_asked_for(two_degrees, args, expected):
+    done = subprocess.run([sys.executable, "-c", LOADED, *args, str(two_degrees)], capture_output=True, text=True,
+                          timeout=60)
+    code, names = json.loads(done.stderr.splitlines()[-1])
+    assert code == 0
+    assert INSIGHT & set(names) == expected
+    assert not {"scipy", "sympy", "matplotlib"} & set(names)
+
+
+def test_one_degree_in_letters_needs_no_sympy(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text("parameters: {m: , c: , k: }\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\ndampers: {d: {c: c, between: [ground, b]}}\n")
+    code, names = modules("solve", path)
+    assert code == 0
+    assert names <= {"numpy"}
+
+
+def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
+    code, names = modules("solve", PROBLEMS / "3_free_undamped" / "taut_bead.yaml")
+    assert code == 0
+    assert not names & {"scipy", "matplotlib"}
+
+
+OF_CHOICES = {"vibcli.inverse", "vibcli.reader.choices", "vibcli.reader.sections.choose",
+              "vibcli.report.sections.design_parameters", "vibcli.symbolic.equations.univariate",
+              "vibcli.numerics.root_finding", "vibcli.numerics.newton_systems"}
+
+
+@pytest.mark.parametrize("command", ["solve", "frequencies", "equations", "check"])
+def test_a_scene_that_chooses_nothing_imports_nothing_of_it(two_degrees, command):
+    code, names = imported(command, two_degrees)
+    assert code == 0
+    assert not names & OF_CHOICES
+
+
+@pytest.mark.parametrize("command", ["frequencies", "check"])
+def test_choosing_in_numbers_needs_no_heavy_package_but_numpy(tmp_path, command):
+    path = tmp_path / "chosen.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m}\n"
+                    "bodies:\n  a: {mass: m, slide: x}\n  b: {mass: m, slide: y}\n"
+                    "springs:\n  s: {k: k, between: [ground, a]}\n  t: {k: k2, between: [a, b]}\n"
+                    "dampers:\n  d: {c: c, between: [ground, a]}\n"
+                    "choose:\n  k2: omega[2] = 40 rad/s\n  c: zeta[1] = 0.1\n"
+                    "answers:\n  omega[2]: 40 rad/s\n")
+    code, names = imported(command, path)
+    assert code == 0 and "vibcli.inverse" in names
+    assert not {name.partition(".")[0] for name in names} & {"scipy", "sympy", "matplotlib"}
