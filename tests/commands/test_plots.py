@@ -23,7 +23,7 @@ from vibcli.plots.picture import picture
 from vibcli.plots.prefixes import readable
 from vibcli.plots.response import of_response
 from vibcli.plots.ticks import decimal, ticks
-from vibcli.plots.words import ascii_text, printable, shortened, width
+from vibcli.plots.words import printable, shortened, width
 
 EACH = pytest.mark.parametrize("name", FIGURES)
 
@@ -111,7 +111,7 @@ def test_ranges_are_finite_and_hold_the_curves(name):
 
 def test_a_pole_does_not_fill_a_logarithmic_axis():
     values = [10.0 ** -(i % 3) for i in range(100)] + [1e60, 1e-60]
-    (sheet,) = sheets(Figure("", (Panel("", "x", "y", y_log=True, curves=(Curve("", tuple(range(102)), values),)),)))
+    (sheet,) = sheets(Figure("", (Panel("x", "y", y_log=True, curves=(Curve("", tuple(range(102)), values),)),)))
     assert (sheet.y.low, sheet.y.high) == pytest.approx((-5, 3))
 
 
@@ -125,7 +125,8 @@ def test_lag_is_positive_and_without_jumps():
 
 
 def test_peaks_at_nearly_the_same_place_are_marked_once():
-    upper, lower = of_frequency_response([1, 20], {"x": [1, 0.1], "y": [1, 0.01]}, peaks=(12.36, 3, 12.35)).panels
+    curves = {"x": [1, 0.1], "y": [1, 0.01]}
+    upper, lower = of_frequency_response([1, 20], curves, "", "", peaks=(12.36, 3, 12.35)).panels
     assert [(mark.at, mark.label) for mark in upper.marks] == [(3, "3"), (12.35, "12.35")]
     assert [mark.label for mark in lower.marks] == ["", ""]
 
@@ -144,12 +145,11 @@ def test_phase_of_two_degrees():
 
 @EACH
 @pytest.mark.parametrize("columns", [40, 80, 200])
-@pytest.mark.parametrize("ascii", [False, True])
-def test_no_line_is_too_wide(name, columns, ascii):
-    text = braille(FIGURES[name], columns, ascii=ascii)
+def test_no_line_is_too_wide(name, columns):
+    text = braille(FIGURES[name], columns)
     assert all(width(line) <= columns for line in text.splitlines())
     assert not any(unicodedata.category(letter)[0] == "C" for letter in text.replace("\n", ""))
-    assert text.isascii() if ascii else not text.isascii() or name == "nothing"
+    assert not text.isascii() or name == "nothing"
 
 
 @EACH
@@ -234,8 +234,6 @@ def test_marks_stand_at_their_places():
 
 def test_words():
     assert printable("a\x1b[31m\n b\u202e\u200b  c") == "a[31m b c"
-    assert ascii_text("Ω₁² [rad/s] − ζ·φ̇ 45° µm ẍ") == "Omega1^2 [rad/s] - zeta*phi' 45deg um x''"
-    assert ascii_text("λ − 2·10⁻³ … 日") == "lambda - 2*10^-3 ~ ?"
     assert width("φ̇ 日本") == 6
     assert [shortened("日本語", n) for n in (6, 5, 4, 1, 0)] == ["日本語", "日本…", "日…", "…", ""]
 
@@ -283,6 +281,14 @@ def test_nothing_global_is_left_changed():
     matplotlib.rcParams["lines.linewidth"] = matplotlib.rcParamsDefault["lines.linewidth"]
 
 
+def numbers(axis):
+    """The labels of the ticks that are seen: Matplotlib keeps one beyond each end."""
+    low, high = sorted(axis.get_view_interval())
+    slack = 1e-9 * (high - low)
+    return [label for label, at in zip(axis.get_ticklabels(), axis.get_majorticklocs(), strict=False)
+            if low - slack <= at <= high + slack and label.get_visible() and label.get_text()]
+
+
 def texts(name):
     """The drawn page, and (text, its box in pixels) of everything written on it."""
     import matplotlib
@@ -296,8 +302,12 @@ def texts(name):
         page = drawn(FIGURES[name])
         renderer = FigureCanvasAgg(page).get_renderer()
         page.draw(renderer)
+        axes = [axis for one in page.axes for axis in (one.xaxis, one.yaxis)]
+        unseen = {label for axis in axes for label in axis.get_ticklabels()} - {
+            label for axis in axes for label in numbers(axis)}
         found = [(artist, artist.get_window_extent(renderer)) for artist in page.findobj(Text)
-                 if artist.get_visible() and artist.get_text().strip() and artist.get_figure() is page]
+                 if artist not in unseen and artist.get_visible() and artist.get_text().strip()
+                 and artist.get_figure() is page]
         return page, found
 
 
@@ -312,11 +322,11 @@ def test_nothing_is_cut_off_and_no_numbers_overlap(name):
         assert box.x0 >= -0.5 and box.y0 >= -0.5 and box.x1 <= wide + 0.5 and box.y1 <= high + 0.5, (text, box)
         assert not artist.get_usetex() and not artist.get_parse_math(), text
     for axis in (axis for axes in page.axes for axis in (axes.xaxis, axes.yaxis)):
-        boxes = [label.get_window_extent() for label in axis.get_ticklabels() if label.get_text()]
+        boxes = [label.get_window_extent() for label in numbers(axis)]
+        assert len(boxes) > 1 or (not boxes and axis.axis_name == "x")
         assert not any(a.overlaps(b) for a, b in pairwise(boxes))
     for axes in page.axes:      # of panels that share their x, the lowest alone has numbers and a label
-        numbers = any(label.get_visible() and label.get_text() for label in axes.get_xticklabels())
-        assert numbers or not axes.xaxis.label.get_text()
+        assert numbers(axes.xaxis) or not axes.xaxis.label.get_text()
 
 
 @pytest.mark.parametrize("name", ["argand", "round", "nyquist"])
@@ -331,7 +341,7 @@ def test_hostile_text_is_shown_as_it_is():
     _, found = texts("hostile")
     written = [artist.get_text() for artist, _ in found]
     shown = printable(EVIL)
-    assert "_" + shown in written and shown in written
+    assert "_" + shown in written
     assert any(text.startswith(shown[:40]) for text in written)
     assert any(text.startswith("日本語") for text in written)
 
@@ -350,7 +360,7 @@ def test_files_name_no_date_and_no_maker(kind, start):
 def test_the_data_of_a_figure_are_frozen():
     with pytest.raises(AttributeError):
         Curve("x", (), ()).label = "y"
-    assert Mark(1.0) == (1.0, "", "x")
+    assert Mark(1.0) == (1.0, "")
 
 
 def test_a_response_has_one_panel_a_unit():
@@ -371,7 +381,6 @@ def test_signals_of_a_unit_are_read_in_that_of_the_largest(sizes, turned):
 def test_signals_that_turn_often_stand_apart_in_one_scale():
     first, second = FIGURES["beats"].panels
     assert first.y_range == second.y_range == pytest.approx((-2, 2), rel=1e-3)
-    assert [mark.label for mark in first.marks] == ["t₁", "t₂"] and not second.marks[0].label
     (together,) = of_response(TIMES, [("x", "m", wave(1, 6)), ("y", "m", wave(2, 5))]).panels
     assert together.y_label == "x, y [m]"
 

@@ -3,7 +3,6 @@
 from itertools import pairwise
 
 _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
-_UPPER, _LOWER = 0x1B, 0xE4
 
 
 class Canvas:
@@ -11,7 +10,7 @@ class Canvas:
 
     def __init__(self, columns, rows):
         self.columns, self.rows = columns, rows
-        self.layers, self.marks, self.letters, self.behind = [], [], {}, {}
+        self.layers, self.letters, self.behind = [], {}, {}
 
     def dots(self, across, up):
         """(x, y) in dots, not rounded, of a place given as parts of the width and height; one far outside is brought
@@ -25,9 +24,8 @@ class Canvas:
     def row(self, up):
         return rounded(self.dots(0.0, up)[1]) // 4
 
-    def layer(self, mark=""):
-        """A new layer of dots, one byte a cell; `mark`: what stands for it in ASCII, strokes if empty."""
-        self.marks.append(mark)
+    def layer(self):
+        """A new layer of dots, one byte a cell."""
         self.layers.append(bytearray(self.columns * self.rows))
         return self.layers[-1]
 
@@ -64,11 +62,11 @@ class Canvas:
             if 0 <= row < self.rows and 0 <= column + i < self.columns:
                 self.letters[row, column + i] = cell
 
-    def lines(self, ascii=False):
-        """The rows as text, in braille or ASCII."""
-        cell = self._ascii if ascii else self._braille
-        return ["".join(self.letters.get((row, column)) or cell(row, column) or self.behind.get((row, column), " ")
-                        for column in range(self.columns)) for row in range(self.rows)]
+    def lines(self):
+        """The rows as text, in braille."""
+        return ["".join(self.letters.get((row, column)) or self._braille(row, column)
+                        or self.behind.get((row, column), " ") for column in range(self.columns))
+                for row in range(self.rows)]
 
     def _braille(self, row, column):
         place = row * self.columns + column
@@ -76,15 +74,6 @@ class Canvas:
         for layer in self.layers:
             dots |= layer[place]
         return chr(0x2800 + dots) if dots else ""
-
-    def _ascii(self, row, column):
-        used = self.used(row, column)
-        if not used:
-            return ""
-        if self.marks[used[0]]:
-            return self.marks[used[0]]
-        dots = self.layers[used[0]][row * self.columns + column]
-        return "|" if dots & _UPPER and dots & _LOWER else "'" if dots & _UPPER else "."
 
 
 def rounded(value):

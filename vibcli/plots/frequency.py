@@ -9,26 +9,26 @@ from vibcli.plots.prefixes import labelled, largest, readable, unit_text
 _SAME = 1.01
 
 
-def of_frequency_response(Omega, H, kind="", unit="", peaks=(), antiresonances=(), title="", note="", log=None):
+def of_frequency_response(Omega, H, kind, unit, peaks=(), antiresonances=(), title=""):
     """`H`: {label: complex values} at the angular frequencies Omega [rad/s], in one unit (or dimension); `kind`: what
-    it is (receptance); `peaks`, `antiresonances`: angular frequencies to be marked; `log`: of Omega, else by its range.
+    it is (receptance); `peaks`, `antiresonances`: angular frequencies to be marked.
 
     The phase is the lag θ = −arg H, X sin(Ωt − θ), in degrees, without jumps by whole turns.
     """
-    log = min(Omega, default=0) > 0 and _spans(Omega, 10) if log is None else log
+    log = min(Omega, default=0) > 0 and _spans(Omega, 10)
     magnitudes = {label: [abs(h) for h in values] for label, values in H.items()}
     together = [size for values in magnitudes.values() for size in values]
     y_log = _spans(together, 100)
     factor, unit = (1.0, unit_text(unit)) if y_log else readable(largest(together), unit_text(unit))
     name = f"|{next(iter(H))}|" if len(H) == 1 else kind
     marks = [Mark(at, _short(at)) for at in (*_distinct(peaks), *_distinct(antiresonances))]
-    upper = Panel("", "Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
+    upper = Panel("Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
         Curve(label, tuple(Omega), tuple(size * factor for size in values)) for label, values in magnitudes.items()))
     lags = {label: lag(values) for label, values in H.items()}
-    lower = Panel("", "Ω [rad/s]", "phase lag [°]", log, degrees=True, tall=0.6, y_range=_turns(lags.values()),
+    lower = Panel("Ω [rad/s]", "phase lag [°]", log, degrees=True, tall=0.6, y_range=_turns(lags.values()),
                   marks=tuple(mark._replace(label="") for mark in marks),
                   curves=tuple(Curve(label, tuple(Omega), values) for label, values in lags.items()))
-    return Figure(title, (upper, lower), note)
+    return Figure(title, (upper, lower))
 
 
 def _spans(values, ratio):
@@ -75,7 +75,7 @@ def _turns(lags):
     return (float(low), float(high)) if high > low else (low - 90.0, high + 90.0)
 
 
-def nyquist(Omega, H, unit="", at=(), title="", note=""):
+def nyquist(Omega, H, unit, at=(), title=""):
     """The frequency response in the complex plane, {label: complex values}; `at`: angular frequencies whose points
     are marked with their values."""
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))
@@ -87,10 +87,10 @@ def nyquist(Omega, H, unit="", at=(), title="", note=""):
         curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
                             tuple(values[i].imag * factor for i, _ in points), "markers",
                             tuple(f"{_short(to)} rad/s" for _, to in points)))
-    panel = Panel("", labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
+    panel = Panel(labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
                   x_range=_with_zero(x for curve in curves for x in curve.x),
                   y_range=_with_zero(y for curve in curves for y in curve.y))
-    return Figure(title, (panel,), note)
+    return Figure(title, (panel,))
 
 
 def _with_zero(values):

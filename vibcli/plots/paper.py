@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
+from vibcli.plots.words import printable
 
 LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
 MOST_DECADES = 12
@@ -26,44 +27,63 @@ class Axis(NamedTuple):
         """Where a value stands; None for one that has no place."""
         return _place(value, self.log)
 
+    def value(self, place):
+        """What stands at a place."""
+        return 10.0 ** place if self.log else place
+
 
 class Sheet(NamedTuple):
-    """A panel with its axes; `strokes`: for each curve its unbroken runs of points (x, y)."""
+    """A panel with its axes; `strokes`: for each curve its unbroken runs of points (x, y); `last`: of those that share
+    their x it carries the numbers; `legend`: it tells the names of its curves, which none above it does."""
 
     panel: object
     x: Axis
     y: Axis
     strokes: tuple
+    last: bool
+    legend: bool
 
 
 def sheets(figure):
-    """The sheets of a figure; neighbours with the same x share its range."""
-    if len(figure.panels) > MOST_PANELS:
-        raise PhysicsError(f"a figure of {len(figure.panels)} panels is too large, {MOST_PANELS} are the most",
+    """The sheets of a figure, all texts on them printable; neighbours with the same x share its range."""
+    panels = [_printable(panel) for panel in figure.panels]
+    if len(panels) > MOST_PANELS:
+        raise PhysicsError(f"a figure of {len(panels)} panels is too large, {MOST_PANELS} are the most",
                            "show fewer signals or modes at once")
-    drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in figure.panels]
+    drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in panels]
     ranges = [_limits([x for runs in strokes for run in runs for x, _ in run], panel.x_log, panel.x_range)
-              for panel, strokes in zip(figure.panels, drawn, strict=True)]
-    return [Sheet(panel, Axis(*_shared(figure.panels, ranges, i), panel.x_log), _y_axis(panel, drawn[i]), drawn[i])
-            for i, panel in enumerate(figure.panels)]
+              for panel, strokes in zip(panels, drawn, strict=True)]
+    return [Sheet(panel, Axis(*_shared(panels, ranges, i), panel.x_log), _y_axis(panel, drawn[i]), drawn[i],
+                  not _shares_x(panel, *panels[i + 1:i + 2]), not _repeats(panel, *panels[max(i - 1, 0):i]))
+            for i, panel in enumerate(panels)]
 
 
-def shares_x(one, other):
-    """Can these panels stand above each other with one set of ticks?"""
-    return (one.x_label, one.x_log) == (other.x_label, other.x_log) and not (one.equal or other.equal)
+def _printable(panel):
+    def curve(one):
+        return one._replace(label=printable(one.label), names=tuple(map(printable, one.names)))
+
+    return panel._replace(
+        x_label=printable(panel.x_label), y_label=printable(panel.y_label), curves=tuple(map(curve, panel.curves)),
+        marks=tuple(mark._replace(label=printable(mark.label)) for mark in panel.marks))
 
 
-def repeats(panel, above):
+def _shares_x(panel, other=None):
+    """Can it stand above or below the other, if there is one, with one set of ticks?"""
+    return other is not None and (panel.x_label, panel.x_log) == (other.x_label, other.x_log) and not (
+        panel.equal or other.equal)
+
+
+def _repeats(panel, above=None):
     """Are its curves those of the panel above, which has the legend?"""
-    return shares_x(panel, above) and [(c.label, c.kind) for c in panel.curves] == [
+    return _shares_x(panel, above) and [(c.label, c.kind) for c in panel.curves] == [
         (c.label, c.kind) for c in above.curves]
 
 
 def _shared(panels, ranges, i):
     first = last = i
-    while first > 0 and shares_x(panels[first - 1], panels[i]):
+    while first > 0 and _shares_x(panels[first - 1], panels[i]):
         first -= 1
-    while last + 1 < len(panels) and shares_x(panels[last + 1], panels[i]):
+    while last + 1 < len(panels) and _shares_x(panels[last + 1], panels[i]):
         last += 1
     group = ranges[first:last + 1]
     return min(low for low, _ in group), max(high for _, high in group)
@@ -71,8 +91,6 @@ def _shared(panels, ranges, i):
 
 def _y_axis(panel, strokes):
     values = [y for runs in strokes for run in runs for _, y in run]
-    marked = [_place(mark.at, panel.y_log) for mark in panel.marks if mark.axis == "y"]
-    values += [value for value in marked if value is not None]
     return Axis(*_limits(values, panel.y_log, panel.y_range), panel.y_log, panel.degrees)
 
 

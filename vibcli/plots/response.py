@@ -3,7 +3,7 @@
 import math
 from itertools import pairwise
 
-from vibcli.plots.figure import Curve, Figure, Mark, Panel
+from vibcli.plots.figure import Curve, Figure, Panel
 from vibcli.plots.paper import fewer
 from vibcli.plots.prefixes import labelled, largest, readable, unit_text
 
@@ -12,29 +12,22 @@ _MOST_TURNS = 24   # of signals that share a panel
 _MOST_APART = 6    # signals of a unit that get panels of their own
 
 
-def of_response(times, series, steady=None, envelope=None, marks=(), title="", note=""):
+def of_response(times, series, steady=None, envelope=None, title=""):
     """`series`: [(label, unit or dimension, values)] at the times [s]; `steady` and `envelope`: for each of them the
-    values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none;
-    `marks`: (time [s], label)."""
+    values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none."""
     steady, envelope = steady or [None] * len(series), envelope or [None] * len(series)
     factor, second = readable(largest(times), "s")
     t = _listed(times, factor)
     groups = {}
     for (label, unit, values), stays, bounds in zip(series, steady, envelope, strict=True):
         groups.setdefault(unit_text(unit) or ("rad" if unit == {} else ""), []).append((label, values, stays, bounds))
-    lines = tuple(Mark(at * factor, text) for at, text in marks)
-    panels = [panel for unit, group in groups.items() for panel in _panels(t, labelled("t", second), unit, group)]
-    panels = tuple(panel._replace(marks=lines if i == 0 else _silent(lines)) for i, panel in enumerate(panels))
-    return Figure(title, panels, note)
+    return Figure(title, tuple(panel for unit, group in groups.items()
+                               for panel in _panels(t, labelled("t", second), unit, group)))
 
 
 def _listed(values, factor):
     """Floats of Python times the factor: an array's own are slow."""
     return [value * factor for value in (values.tolist() if hasattr(values, "tolist") else values)]
-
-
-def _silent(marks):
-    return tuple(mark._replace(label="") for mark in marks)
 
 
 def _panels(t, t_label, unit, group):
@@ -69,4 +62,4 @@ def _panel(t, t_label, unit, factor, group):
             curves += [curve(f"{of}envelope", upper, "envelope"), curve("", lower, "envelope")]
     names = ", ".join(dict.fromkeys(label.removesuffix(", transient") for label, *_ in group))
     label = labelled(names if len(names) <= _LONGEST else "", unit)
-    return Panel("", t_label, label, curves=tuple(curves))
+    return Panel(t_label, label, curves=tuple(curves))

@@ -20,14 +20,6 @@ def ticks(low, high, fits, log=False, degrees=False):
     return ends if fits(ends) else ends[:1]
 
 
-def minor(low, high):
-    """Places of 2, 3 … 9 in each decade, where there are few decades."""
-    if high - low > 6:
-        return []
-    places = [k + math.log10(m) for k in range(math.floor(low), math.ceil(high)) for m in range(2, 10)]
-    return [place for place in places if low <= place <= high]
-
-
 def _candidates(low, high, log, degrees):
     if log:
         yield from _log_candidates(low, high)
@@ -86,6 +78,13 @@ def _in_decades(low, high, within, step=1):
     inside = [(k, m, place) for k, m, place in places if low - slack <= place <= high + slack]
     plain = all(k in _PLAIN for k, _, _ in inside)
     return [(place, decimal(m, k) if plain else _scientific(m, k)) for k, m, place in inside]
+
+
+def decade(value, plain):
+    """A multiple of a decade as its tick says it: 2·10⁻², 10⁷, or 0.02 where plain."""
+    k = math.floor(math.log10(value) + 1e-9)
+    m = round(value / 10.0 ** k)
+    return decimal(m, k) if plain else _scientific(m, k)
 
 
 def _scientific(m, k):

@@ -1,10 +1,6 @@
-"""Texts on plots: what prints, how wide it is, its cells in a terminal, its letters in ASCII."""
+"""Texts on plots: what prints, how wide it is, its cells in a terminal."""
 
 import unicodedata
-
-_ASCII = {"−": "-", "·": "*", "°": "deg", "–": "-", "—": "-", "…": "~", "×": "x", "√": "sqrt", "∠": "angle ",
-          "┤": "+", "┬": "+", "│": "|", "─": "-", "└": "+", "┊": ":", "┈": "-", "µ": "u", "′": "'", "″": "''",
-          "∞": "inf", "≤": "<=", "≥": ">=", "≈": "~", "\u0307": "'", "\u0308": "''", "‖": "||", "⁻": "-"}
 
 
 def printable(text):
@@ -38,28 +34,3 @@ def shortened(text, columns):
     if kept and found[len(kept)] == "":
         kept.pop()
     return "".join(kept) + "…" * (columns > 0)
-
-
-def ascii_text(text):
-    """Ω₁² [rad/s] as Omega1^2 [rad/s]."""
-    found, raised = [], False
-    for letter in unicodedata.normalize("NFC", text):
-        plain = _in_ascii(letter)
-        above = "<super>" in unicodedata.decomposition(letter)
-        found.append("^" + plain if above and not raised else plain)
-        raised = above
-    return "".join(found)
-
-
-def _in_ascii(letter):
-    if letter.isascii():
-        return letter
-    if letter in _ASCII:
-        return _ASCII[letter]
-    name = unicodedata.name(letter, "")
-    if name.startswith("GREEK") and " LETTER " in name:
-        word = name.partition(" LETTER ")[2].split(" WITH ")[0].lower()
-        word = "lambda" if word == "lamda" else word
-        return word.capitalize() if "CAPITAL" in name else word
-    return "".join(_ASCII.get(part, part if part.isascii() else "?") if part != letter else "?"
-                   for part in unicodedata.normalize("NFKD", letter))
