@@ -34,6 +34,10 @@ class OscillatorElements:
         self.K_size, self.drag = K_size or {}, drag or {}
         self.rational_rows, self.massless = rational_rows, tuple(massless)
 
+    def with_parts(self, **parts):
+        """The same with other parts."""
+        return OscillatorElements(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
+
     @property
     def circulatory(self):
         """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""

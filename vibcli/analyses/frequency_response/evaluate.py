@@ -50,10 +50,8 @@ def undifferentiated(system, s, steep=False):
 
 def _method(system, count):
     """The method for so many frequencies; that of many is found once and kept with the system."""
-    if system.method is None:
-        if count * system.n**3 <= WORK:
-            return direct
-        from vibcli.analyses.frequency_response.large_systems import chosen
+    if system.evaluated_by() is None and count * system.n**3 <= WORK:
+        return direct
+    from vibcli.analyses.frequency_response.large_systems import chosen
 
-        system.method = chosen(system) or direct
-    return system.method
+    return system.evaluated_by(lambda system: chosen(system) or direct)

@@ -11,19 +11,24 @@ from vibcli.mechanics.inputs_outputs.outputs import linear_row
 
 class Transfer:
     """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); `order`:
-    how often the output is differentiated (receptance 0, mobility 1, accelerance 2); `method`: how it is evaluated at
-    many frequencies, once that is decided."""
+    how often the output is differentiated (receptance 0, mobility 1, accelerance 2)."""
 
-    __slots__ = ("C", "K", "M", "b", "c", "d", "method", "order")
+    __slots__ = ("C", "K", "M", "_method", "b", "c", "d", "order")
 
     def __init__(self, M, C, K, b, c, d=(0.0, 0.0, 0.0), order=0):
         self.M, self.C, self.K = (np.asarray(matrix, dtype=float) for matrix in (M, C, K))
         self.b, self.c, self.d = (np.asarray(part) for part in (b, c, d))
-        self.order, self.method = order, None
+        self.order, self._method = order, None
 
     @property
     def n(self):
         return len(self.K)
+
+    def evaluated_by(self, choose=None):
+        """How it is evaluated at many frequencies; that is chosen once, and None before if nobody chooses."""
+        if self._method is None and choose is not None:
+            self._method = choose(self)
+        return self._method
 
     @property
     def undamped(self):

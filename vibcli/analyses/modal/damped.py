@@ -87,9 +87,7 @@ def damped_digits(elements, precise, exact, digits):
 def _exactly(exact, elements):
     """The data as Fractions, or None; on what K is not symmetric by, rounding has no part then."""
     data = exact() if exact is not None else None
-    if data is not None and elements.circulatory:
-        data.K_size = {}
-    return data
+    return data.with_parts(K_size=None) if data is not None and elements.circulatory else data
 
 
 def depth(elements, scale):
@@ -149,9 +147,9 @@ class CertifiedEigenvalues:
         if self.follower and (unit > EXACT or data.K_size):
             self.found = self.system.rounded(data, self.scale, unit)
         elif unit > EXACT or data.K_size:
-            from vibcli.analyses.modal.rounding import add_data_error
+            from vibcli.analyses.modal.rounding import with_data_error
 
-            add_data_error(self.found, self.system, data, self.scale, unit)
+            self.found = with_data_error(self.found, self.system, data, self.scale, unit)
         if follows:
             from vibcli.analyses.modal.nonsymmetric import rested
 

@@ -5,6 +5,7 @@ first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,18 +14,20 @@ from vibcli.numerics.general_eigenvalues import eigenvalues
 from vibcli.numerics.symmetric_eigenvalues import components, spectrum
 
 
-class Eigenvalue:
+class Eigenvalue(NamedTuple):
     """λ = re + i im in fixed point, |exact − λ| <= 2^radius, of a conjugate pair that with im > 0.
 
     x: the vector in the columns of `basis`. left: row y with y (δM λ² + δC λ + δK) x the change of −λ.
     mode: the undamped mode that it belongs to alone, or None; excess: then c² − 4 ω̂² in fixed point.
     """
 
-    __slots__ = ("excess", "im", "left", "mode", "radius", "re", "x")
-
-    def __init__(self, re, im, radius, x, left, mode=None, excess=None):
-        self.re, self.im, self.radius, self.x, self.left = re, im, radius, x, left
-        self.mode, self.excess = mode, excess
+    re: int
+    im: int
+    radius: float
+    x: np.ndarray
+    left: np.ndarray
+    mode: int | None = None
+    excess: int | None = None
 
 
 class ModalDamping:

@@ -32,6 +32,10 @@ class DampedMode:
         self.decay = decay if decay is not None else -re if re else abs(re)
         self.growth_rate = re if re > 0 else None
 
+    def numbered(self, index, shape):
+        """The same with another index and shape."""
+        return DampedMode(index, self.eigenvalue, self.omega, self.zeta, shape, self.error, self.note, self.decay)
+
     @property
     def kind(self):
         """rigid, oscillation, decay, flutter or divergence."""

@@ -7,7 +7,7 @@ zero twice.
 """
 
 from vibcli.analyses.modal.undamped import Mode, undamped
-from vibcli.mechanics.factored_system import OscillatorElements, summed
+from vibcli.mechanics.factored_system import summed
 
 
 def natural_modes(elements, precise=None, exact=None, digits=None):
@@ -16,23 +16,20 @@ def natural_modes(elements, precise=None, exact=None, digits=None):
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
     """
     if elements.drag:
-        return natural_modes(_without(elements, "drag"), _following(precise, "drag"), _following(exact, "drag"), digits)
+        return natural_modes(*_changed(lambda form: form.with_parts(drag=None), elements, precise, exact), digits)
     turning, follows = any(elements.G.values()), elements.circulatory
     if not turning and not follows:
         return undamped(elements, precise=precise, digits=digits)
     from vibcli.analyses.modal.damped import damped
 
-    def sources(*kinds):
-        return _without(elements, *kinds), _following(precise, *kinds), _following(exact, *kinds), digits
-
-    found = damped(*sources("dampers", "C"))
+    sources = _changed(lambda form: form.with_parts(dampers=(), C=None), elements, precise, exact)
+    found = damped(*sources, digits)
     if turning and any(not mode.omega for mode in found):
-        found = _one_each(found, natural_modes(*sources("dampers", "C", "G")))
+        still = natural_modes(*_changed(lambda form: form.with_parts(G=None), *sources), digits)
+        found = _one_each(found, still)
     modes = [_natural(mode) for mode in found if (turning and follows) or not mode.eigenvalue.real < 0]
     modes.sort(key=lambda mode: (1, mode.omega) if mode.growth_rate is None else (0, -mode.growth_rate))
-    for index, mode in enumerate(modes, 1):
-        mode.index = index
-    return modes
+    return [mode._replace(index=index) for index, mode in enumerate(modes, 1)]
 
 
 def damped_modes(elements, natural, precise=None, exact=None, digits=None):
@@ -42,54 +39,36 @@ def damped_modes(elements, natural, precise=None, exact=None, digits=None):
     from vibcli.analyses.modal.damped import damped
 
     if elements.drag:
-        elements, precise, exact = _dragged(elements), _then(_dragged, precise), _then(_dragged, exact)
-
+        elements, precise, exact = _changed(_dragged, elements, precise, exact)
     found = damped(elements, precise=precise, exact=exact, digits=digits)
     still = natural() if any(not mode.omega for mode in found) else ()
     return _one_each(found, still) if still else found
 
 
-def _without(elements, *kinds):
-    """The same elements but for some kinds."""
-    parts = {kind: getattr(elements, kind) for kind in OscillatorElements.__slots__ if kind not in kinds}
-    return OscillatorElements(**parts)
-
-
 def _dragged(elements):
     """The same elements, the skew part of what loads add to C among the gyroscopic terms."""
-    parts = {kind: getattr(elements, kind) for kind in OscillatorElements.__slots__}
-    return OscillatorElements(**parts | {"G": summed(elements.G, elements.drag), "drag": {}})
+    return elements.with_parts(G=summed(elements.G, elements.drag), drag=None)
 
 
-def _following(evaluate, *kinds):
-    """The same re-evaluation of the elements, without some kinds."""
-    return _then(lambda elements: _without(elements, *kinds), evaluate)
+def _changed(change, elements, *evaluations):
+    """The elements with a change, and their re-evaluations with it, of which any may be None or give None."""
+    def following(evaluate):
+        def changed(*args):
+            found = evaluate(*args)
+            return None if found is None else change(found)
+        return None if evaluate is None else changed
 
-
-def _then(change, evaluate):
-    """A re-evaluation of the elements with a change; None where there is none."""
-    if evaluate is None:
-        return None
-
-    def changed(*args):
-        elements = evaluate(*args)
-        return None if elements is None else change(elements)
-    return changed
+    return change(elements), *map(following, evaluations)
 
 
 def _one_each(found, natural):
     """The list with one entry for each rigid-body mode, in the shape of that mode, numbered again."""
     shapes = [mode.shape for mode in natural if mode.rigid]
     resting = [mode for mode in found if not mode.omega][:len(shapes)]
-    for mode, shape in zip(resting, shapes, strict=False):
-        mode.shape = shape
-    moving = [mode for mode in found if mode.omega]
+    rigid = [mode.numbered(index, shape) for index, (mode, shape) in enumerate(zip(resting, shapes, strict=False), 1)]
     numbers = {}
-    for mode in moving:
-        mode.index = len(resting) + numbers.setdefault(mode.index, len(numbers) + 1)
-    for index, mode in enumerate(resting, 1):
-        mode.index = index
-    return resting + moving
+    return rigid + [mode.numbered(len(rigid) + numbers.setdefault(mode.index, len(numbers) + 1), mode.shape)
+                    for mode in found if mode.omega]
 
 
 def _natural(mode):

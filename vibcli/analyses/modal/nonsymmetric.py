@@ -55,7 +55,10 @@ class Follower(MassiveSystem):
 
     def _all(self, norms):
         found = [value for root in self.form.all_roots(norms) for value in self._of(root)]
-        _spread(fx.floats(self.k, self.bits), [d for d in found if not d.re and not d.im])
+        resting = [i for i, d in enumerate(found) if not d.re and not d.im]
+        shapes = _chained(fx.floats(self.k, self.bits), [found[i].x for i in resting])
+        for i, x in zip(resting, shapes, strict=True):
+            found[i] = found[i]._replace(x=x)
         return found
 
     def _enough(self, root, wanted, floor):
@@ -97,16 +100,13 @@ def _parts(x, im):
             for part, size in zip(parts, sizes, strict=True)]
 
 
-def _spread(matrix, resting):
-    """Gives motions at rest that coincide the shapes of a chain: K x₁ = 0, K x₂ ~ x₁, …"""
-    if not resting:
-        return
-    size = np.linalg.svd(np.array([d.x for d in resting]), compute_uv=False)
-    if size[-1] < ALIKE:
-        inner = np.linalg.svd(np.linalg.matrix_power(matrix, len(resting)))[2][-len(resting):].T
-        chain = np.linalg.svd(inner.T @ matrix @ inner)[2][::-1]
-        for d, x in zip(resting, (inner @ chain.T).T, strict=True):
-            d.x = x.astype(complex)
+def _chained(matrix, shapes):
+    """The shapes of motions at rest; of those that coincide those of a chain, K x₁ = 0, K x₂ ~ x₁, …"""
+    if not shapes or np.linalg.svd(np.array(shapes), compute_uv=False)[-1] >= ALIKE:
+        return shapes
+    inner = np.linalg.svd(np.linalg.matrix_power(matrix, len(shapes)))[2][-len(shapes):].T
+    chain = np.linalg.svd(inner.T @ matrix @ inner)[2][::-1]
+    return list((inner @ chain.T).T.astype(complex))
 
 
 def rested(found, bits):

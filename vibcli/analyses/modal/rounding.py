@@ -11,22 +11,23 @@ from vibcli.analyses.modal.damped_in_modal_coordinates import turning
 from vibcli.numerics import fixed_point as fx
 
 
-def add_data_error(found, system, elements, scale, unit):
-    """Widens every radius by the effect of a relative rounding 2^unit of every weight and component.
+def with_data_error(found, system, elements, scale, unit):
+    """The eigenvalues, every radius widened by the effect of a relative rounding 2^unit of every weight and component.
 
     K given with K_size carries 2⁻⁵³ of it even where the other data are exact.
     """
     m, c, k = magnitudes(system, elements, scale, unit)
     unit = last_bit(unit)
-    for d in found:
-        if d.re or d.im:
-            value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
-            change = (value * value * m + value * c + k) @ np.abs(d.x)
-            first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
-            if d.mode is not None:
-                first = min(first, math.sqrt(float(change[d.mode])) * 2.0 ** min(-unit / 2, 1000.0))
-            if first:
-                d.radius = float(np.logaddexp2(d.radius, math.log2(first) + unit))
+
+    def widened(d):
+        value = math.hypot(fx.to_float(d.re, system.bits), fx.to_float(d.im, system.bits))
+        change = (value * value * m + value * c + k) @ np.abs(d.x)
+        first = float(np.abs(d.left) @ change) if np.isfinite(d.left).all() else math.inf
+        if d.mode is not None:
+            first = min(first, math.sqrt(float(change[d.mode])) * 2.0 ** min(-unit / 2, 1000.0))
+        return d._replace(radius=float(np.logaddexp2(d.radius, math.log2(first) + unit))) if first else d
+
+    return [widened(d) if d.re or d.im else d for d in found]
 
 
 def last_bit(unit):

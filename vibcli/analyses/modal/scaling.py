@@ -107,15 +107,11 @@ def _finite(x):
 
 def unmoved(i):
     """The refusal of a coordinate, or a combination led by it, which no inertia moves."""
-    error = PhysicsError(f"no positive inertia moves with coordinate {i + 1}",
-                         hint="give what it moves a mass or inertia")
-    error.coordinate = i
-    return error
+    return PhysicsError(f"no positive inertia moves with coordinate {i + 1}",
+                        hint="give what it moves a mass or inertia")
 
 
 def mechanism(i):
     """The refusal of a massless coordinate which nothing ties."""
-    error = PhysicsError(f"coordinate {i + 1} has no inertia and no spring ties it: it is a mechanism",
-                         hint="give it a mass, tie it with a spring, or take it out")
-    error.coordinate = i
-    return error
+    return PhysicsError(f"coordinate {i + 1} has no inertia and no spring ties it: it is a mechanism",
+                        hint="give it a mass, tie it with a spring, or take it out")

@@ -6,6 +6,7 @@ rounding (floating.py); up to CERTIFIABLE coordinates they are enclosed too wher
 """
 
 import math
+from typing import NamedTuple
 
 from vibcli.analyses.modal.rigid_body_modes import rigid_count
 from vibcli.analyses.modal.scaling import mechanism, scaling
@@ -20,7 +21,7 @@ ESCALATE = 1e-13
 DIGITS = 60
 
 
-class Mode:
+class Mode(NamedTuple):
     """One mode, q = Re(shape e^{λt}), λ = growth_rate + i omega, with shapeᴴ M shape = 1.
 
     omega: 0 exactly if rigid, None where nothing oscillates (divergence); growth_rate: Re λ, None where it is zero;
@@ -28,12 +29,17 @@ class Mode:
     independent of units.
     """
 
-    __slots__ = ("direction", "error", "growth_rate", "index", "omega", "rigid", "shape")
+    index: int
+    omega: object
+    growth_rate: object
+    shape: object
+    direction: object
+    error: object
 
-    def __init__(self, index, omega, growth_rate, shape, direction, error):
-        self.index, self.shape, self.direction, self.error = index, shape, direction, error
-        self.omega, self.growth_rate = omega, growth_rate
-        self.rigid = not omega and growth_rate is None
+    @property
+    def rigid(self):
+        """Does it move without a force?"""
+        return not self.omega and self.growth_rate is None
 
     @property
     def kind(self):

@@ -22,10 +22,14 @@ class Window:
 
     __slots__ = ("end", "g", "length", "q", "rule", "series", "slides", "start", "v", "values")
 
-    def __init__(self, rule, start, length, q, v, A, g, slides):
-        self.rule, self.start, self.length, self.end = rule, start, length, length
+    def __init__(self, rule, start, length, q, v, A, g, slides, end=None):
+        self.rule, self.start, self.length, self.end = rule, start, length, length if end is None else end
         self.q, self.v, self.g, self.slides = q, v, g, slides
         self.values, self.series = A, A @ rule.to_series
+
+    def until(self, end):
+        """The same up to an earlier instant alone."""
+        return Window(self.rule, self.start, self.length, self.q, self.v, self.values, self.g, self.slides, end)
 
     def states(self, tau):
         """(q, q̇, q̈) of shapes (n, instants) at the instants tau [s] after the start."""

@@ -36,6 +36,10 @@ class Sizes:
             self.noise += EPSILON * (np.abs(J) @ np.abs(np.concatenate([q, v])))
         self.meet(a[:, None])
 
+    def roughen(self, factor):
+        """Take the rounding error of q̈ to be so many times as large, if that is more."""
+        self.noise = self.noise * max(factor, 1.0)
+
     def meet(self, a):
         """Note accelerations of shape (n, instants)."""
         self.largest = np.maximum(self.largest, self.lifted(np.abs(a).max(axis=1)))

@@ -28,8 +28,8 @@ def _rest(problem):
     try:
         return at_rest(problem)
     except PhysicsError as error:
-        error.hint = "give the start of every coordinate under `initial`: " + ", ".join(problem.scene.coordinates)
-        raise
+        given = "give the start of every coordinate under `initial`: " + ", ".join(problem.scene.coordinates)
+        raise error.told(hint=given) from None
 
 
 def _with_dependent(problem, q, v):

@@ -6,7 +6,6 @@ integration follows, would move it. From the first instant at which what holds t
 
 import numpy as np
 
-from vibcli.analyses.time_integration.collocation_step import Window
 from vibcli.analyses.time_integration.driven_places import driven_places
 from vibcli.analyses.time_integration.impulses import blow
 from vibcli.symbolic.numeric_code import Compiled
@@ -23,15 +22,12 @@ def stay(march, stops, in_equilibrium):
     """Let the march stay where it is as long as nothing acts: in its equilibrium, or where friction holds it."""
     moving = _of_time(march.system)
     while march.t < march.until and blow(march, stops) is None:
-        start, limit = march.t, stops.after(march.t, march.until)
+        limit = stops.after(march.t, march.until)
         march.begin(limit)
         held = in_equilibrium or len(march.slides) == len(march.q)
         if not held or not _silent(march, limit, moving, in_equilibrium):
             break
-        nothing = np.zeros((len(march.q), march.rule.points))
-        march.windows.append(Window(march.rule, start, limit - start, march.q, march.v, nothing, march.g, march.slides))
-        march.ends.append((march.q, march.v))
-        march.t = limit
+        march.rest(limit)
 
 
 def _of_time(system):

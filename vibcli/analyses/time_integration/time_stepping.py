@@ -82,7 +82,7 @@ class March:
                 if root and self._no_blow(H, done):
                     break
                 if not root and len(tails) >= 4 and tail > 0.25 * tails[-4]:    # it does not fall with the window:
-                    self.sizes.noise = self.sizes.noise * max(tail, 1.0)        # it is rounding
+                    self.sizes.roughen(tail)                                    # it is rounding
                     break
                 tails.append(tail)
             H *= 0.5 if done is None else 0.7
@@ -217,6 +217,18 @@ class March:
         if len(self.q) * self.points[1] <= MOST_UNKNOWNS:
             self.stiff, self.calm, self.rule, self.guess = True, CALM, rule(self.points[1], radau=True), None
 
+    def rest(self, limit):
+        """Stay at rest, under the forces as they are now, up to an instant."""
+        nothing = np.zeros((len(self.q), self.rule.points))
+        window = Window(self.rule, self.t, limit - self.t, self.q, self.v, nothing, self.g, self.slides)
+        self._keep(window)
+        self.t = limit
+
+    def _keep(self, window):
+        """A window, at whose end the state is the present one."""
+        self.windows.append(window)
+        self.ends.append((self.q, self.v))
+
     def finish(self, window, end=None):
         """Keep a window and move to its end, or keep it up to an earlier instant `end` of it alone."""
         self.sizes.move(window.q)
@@ -228,12 +240,11 @@ class March:
             self.t = window.start + H
         else:
             self.q, self.v, _ = window.state(end)
-            self.t, self.guess, window.end = window.start + end, None, end
+            self.t, self.guess, window = window.start + end, None, window.until(end)
         self.close(np.nextafter(self.t, window.start))      # with the speed that it was driven at
         self.sizes.move(self.q)
         if window.end:
-            self.windows.append(window)
-            self.ends.append((self.q, self.v))
+            self._keep(window)
 
     def close(self, t):
         """Put the state on the constraints of an instant, from which it drifts by rounding."""

@@ -48,10 +48,8 @@ def check_inertia(M, heavy):
             return
         weak = int(np.argmax(np.abs(vectors[:, 0])))
     weak = int(heavy[weak])
-    error = PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
-                         hint="give what it moves a mass or inertia")
-    error.coordinate = weak
-    raise error
+    raise PhysicsError(f"no positive inertia moves with coordinate {weak + 1}: its motion in time is not determined",
+                       hint="give what it moves a mass or inertia")
 
 
 def _coupled(M, C, K):

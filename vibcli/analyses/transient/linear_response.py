@@ -41,10 +41,8 @@ class LinearMotion:
     """q(t) for t >= 0; outputs are LinearOutputs. matrices: (M, C, K, Condensed or None). constants: whether the
     constants of outputs count."""
 
-    constants = True
-
-    def __init__(self, matrices, blocks, forcing, q0, v0, work=None):
-        self.work = work or Work()
+    def __init__(self, matrices, blocks, forcing, q0, v0, work=None, constants=True):
+        self.work, self.constants = work or Work(), constants
         self.matrices, self.blocks, self.forcing = matrices, blocks, forcing
         self.M, self.C, self.K, self.system = matrices
         self.q0, self.v0 = np.array(q0, float), np.array(v0, float)
@@ -86,9 +84,8 @@ class LinearMotion:
 
         steady = self.steady
         forcing = transient_forcing(self.forcing, steady.forcing)
-        rest = self.like(forcing, self.q0 - steady.q0, self.v0 - steady.v0)
-        rest.constants = False
-        return rest
+        return LinearMotion(self.matrices, self.blocks, forcing, self.q0 - steady.q0, self.v0 - steady.v0, self.work,
+                            constants=False)
 
     @property
     def start(self):

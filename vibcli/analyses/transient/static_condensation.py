@@ -43,7 +43,7 @@ def condensed(M, C, K):
     _check_undamped(C, U)
     T, left, follow = places.T, places.T, np.zeros((n, n))
     if U.shape[1]:
-        inverse = _inverse(U.T @ K @ U, bare, loose)
+        inverse = _inverse(U.T @ K @ U)
         T, left = T - U @ (inverse @ (U.T @ K @ T)), left - U @ (inverse.T @ (U.T @ K.T @ left))
         follow = U @ inverse @ U.T
     M, C, K = (left.T @ matrix @ T for matrix in (M, C, K))
@@ -78,16 +78,14 @@ def _check_undamped(C, U):
                            hint="give it an inertia, or a damper")
 
 
-def _inverse(K, bare, loose):
+def _inverse(K):
     """K⁻¹ of what follows statically; refused where nothing holds it."""
     unit = np.exp2(-np.round(np.log2(np.maximum(np.abs(K).max(axis=1), np.finfo(float).tiny)) / 2))
     scaled = unit[:, None] * K * unit
-    _, sizes, right = np.linalg.svd(scaled)
+    sizes = np.linalg.svd(scaled, compute_uv=False)
     if sizes[-1] <= 16 * len(K) * EPSILON * sizes[0]:
-        error = PhysicsError("neither inertia, damper nor spring holds a coordinate: its motion in time is not "
-                             "determined", hint="give what it moves a mass, a damper or a spring")
-        error.coordinate = int(bare[np.argmax(np.abs(loose @ (unit * right[-1])))])
-        raise error
+        raise PhysicsError("neither inertia, damper nor spring holds a coordinate: its motion in time is not "
+                           "determined", hint="give what it moves a mass, a damper or a spring")
     return unit[:, None] * np.linalg.inv(scaled) * unit
 
 
