@@ -10,13 +10,12 @@ from support.scenes import problem
 from vibcli.analyses.closed_form import characteristic, many_degrees
 from vibcli.analyses.excitation import forcing
 from vibcli.analyses.time_integration import integrate, time_stepping
-from vibcli.analyses.transient import extremes, largest, linear_response
+from vibcli.analyses.transient import extremes, isolating_intervals, linear_response, zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Spent, Work
 from vibcli.cli import COMMANDS, progress, run
 from vibcli.cli.common import require_quick
 from vibcli.mechanics.equilibrium import all_equilibria
-from vibcli.numerics import bracketed_newton
 from vibcli.results import frequency_response
 from vibcli.results import problem as modes
 from vibcli.symbolic.syntax import NameRef
@@ -135,9 +134,9 @@ def test_searches_through_linear_motions_tell_what_is_known(monkeypatch, quantit
     scene = problem(LONG)
     signal, y = (scene.motion.signal(NameRef(0, 0, name, 0)) for name in "xy")
     full = signal.zeros(0.0, 300.0)
-    for module in (largest, extremes):
+    for module in (zeros, extremes):
         monkeypatch.setattr(module, "MOST", 2)
-    monkeypatch.setattr(bracketed_newton, "BATCH", 1)
+    monkeypatch.setattr(isolating_intervals, "BATCH", 1)
     sense = 1 if quantity.startswith("max") else -1
     search = (lambda: signal.zeros(0.0, 300.0)) if quantity == "period(x)" else lambda: y.extreme(0.0, 300.0, sense)[1]
     with pytest.raises(PhysicsError) as refused:

@@ -44,8 +44,9 @@ class Work:
         self.patience, self.tell, self.open, self.cut = patience, tell, [], False
 
     @contextmanager
-    def task(self, what, limit=inf):
-        """A Task: with work.task("the search for k", 20_000) as task: … task.step(). PhysicsError beyond the limit."""
+    def task(self, what, limit=inf, refusal=None):
+        """A Task: with work.task("the search for k", 20_000) as task: … task.step(). Beyond the limit the PhysicsError
+        `refusal(task)`, or that of the task."""
         task = Task(self, what, limit * self.patience)
         self.open.append(task)
         before = _innermost.set(task)
@@ -54,7 +55,7 @@ class Work:
         except Spent as spent:
             if spent.task is not task:
                 raise
-            raise task.refusal() from None
+            raise (refusal or Task.refusal)(task) from None
         finally:
             _innermost.reset(before)
             self.open.remove(task)
@@ -93,6 +94,15 @@ class Task:
         self.steps += steps
         if self.steps > self.limit:
             raise Spent(self)
+
+    @contextmanager
+    def kept(self):
+        """with task.kept(): … ends where this task comes to its limit; what was found by then is kept."""
+        try:
+            yield
+        except Spent as spent:
+            if spent.task is not self:
+                raise
 
     def tell(self, part=None):
         """Show how far it has come."""

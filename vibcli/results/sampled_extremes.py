@@ -6,7 +6,7 @@ places that no period is in step with, until none does.
 
 import numpy as np
 
-from vibcli.base.work import Spent
+from vibcli.analyses.transient.isolating_intervals import refused
 
 SAMPLES, ROUNDS, LIMIT = 4001, 90, 3_000_000
 STRAIGHT = 2e-3                         # of the range, what a stretch may stray by
@@ -19,14 +19,8 @@ class SampledSearch:
 
     def __init__(self, measure, start, end, work):
         self.measure = measure
-        with work.task(f"the sampling of this signal until t = {end:.6g} s", LIMIT) as task:
-            try:
-                self._sample(np.linspace(start, end, SAMPLES), task)
-            except Spent as spent:
-                if spent.task is not task:
-                    raise
-                refused = task.refusal()
-                raise refused.told(hint=f"ask for a shorter interval; {refused.hint}") from None
+        with work.task(f"the sampling of this signal until t = {end:.6g} s", LIMIT, refused) as task:
+            self._sample(np.linspace(start, end, SAMPLES), task)
         self.range = np.ptp(self.values)
 
     def _sample(self, times, task):

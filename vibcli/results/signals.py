@@ -152,7 +152,7 @@ class ComposedSignal(Signal):
 
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
-        from vibcli.analyses.transient.largest import extreme
+        from vibcli.analyses.transient.extremes import extreme
         from vibcli.results.sampled_extremes import SampledSearch
 
         end = min(end, start + (self.period or end))
@@ -163,7 +163,7 @@ class ComposedSignal(Signal):
 
     def zeros(self, start, end):
         """Instants at which the signal passes or touches zero."""
-        from vibcli.analyses.transient.extremes import zeros
+        from vibcli.analyses.transient.zeros import zeros
         from vibcli.results.sampled_extremes import SampledSearch
 
         try:

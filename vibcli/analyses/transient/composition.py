@@ -6,8 +6,8 @@ bound of its second derivative; what is composed of such sums follows by interva
 
 import numpy as np
 
+from vibcli.analyses.transient.isolating_intervals import EPSILON, Cells, fastest, instants
 from vibcli.analyses.transient.jets import Jet, Jets
-from vibcli.numerics.bracketed_newton import EPSILON, Cells, instants
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.interval_arithmetic import Interval, exact
@@ -154,4 +154,5 @@ class Derivative:
         with np.errstate(all="ignore"):
             change = 2 * (found.slope.high - found.slope.low) / width
         size = np.fmin(found.curvature.size, change)
-        return np.where(instants(self.whole.timeline, Cells(segment, early, late), self), 0.0, size)
+        short = instants(self.whole.timeline, Cells(segment, early, late), fastest(self.whole.nodes))
+        return np.where(short, 0.0, size)

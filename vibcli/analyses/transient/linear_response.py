@@ -8,11 +8,11 @@ import numpy as np
 from vibcli.analyses.modal.mode_numbers import beyond
 from vibcli.analyses.transient.decoupling import spectrum
 from vibcli.analyses.transient.exponential_sum import ExponentialSum
-from vibcli.analyses.transient.extremes import zeros
+from vibcli.analyses.transient.extremes import extreme
 from vibcli.analyses.transient.forced import drives, ends, marched
 from vibcli.analyses.transient.forcing_arrays import Timeline
-from vibcli.analyses.transient.largest import extreme
 from vibcli.analyses.transient.static_condensation import condensed
+from vibcli.analyses.transient.zeros import zeros
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
 
@@ -159,7 +159,7 @@ class SteadyMotion(LinearMotion):
         """The root of the mean square of the output."""
         if self.period is None:
             return math.sqrt(sum(abs(X) ** 2 / (2 if rate else 1) for rate, X in self.phasors(output)))
-        from vibcli.numerics.gauss_quadrature import mean_square
+        from vibcli.analyses.transient.mean_square import mean_square
 
         return math.sqrt(mean_square(self, output, 0.0, self.period))
 

@@ -1,10 +1,11 @@
 """All equilibria of a scene within bounds: a scan of one coordinate, many starts for several; each checked by its
 residual and met once, images of it a turn apart included."""
 
+from contextlib import suppress
+
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium import multistart, one_coordinate
 from vibcli.mechanics.equilibrium.completeness import proved
 from vibcli.mechanics.equilibrium.degenerate import sharpened
@@ -104,16 +105,10 @@ def _box(forces, limits):
 def _cut_short(forces, found):
     """Searches the box; True if that took too much."""
     limit = min(MOST, max(LEAST, MOST_WORK // len(forces.names) ** 2))
-    with forces.work.task("the search for equilibria", limit) as task:
-        try:
-            _search(forces, found, [forces.vector(forces.problem.drawn_floats)])
-            return False
-        except TooMuch:
-            return True
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            return True
+    with forces.work.task("the search for equilibria", limit) as task, task.kept(), suppress(TooMuch):
+        _search(forces, found, [forces.vector(forces.problem.drawn_floats)])
+        return False
+    return True
 
 
 def _search(forces, found, first):

@@ -11,7 +11,6 @@ from itertools import product
 
 import numpy as np
 
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium.newton import zero_from
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.derivatives import gradient
@@ -38,13 +37,9 @@ def proved(forces, found):
         return False
     if enclosed.jumps:
         return False
-    with forces.work.task("the proof that no equilibrium is missed", BOXES[len(forces.names)]) as task:
-        try:
-            return _closed(forces, found, enclosed)
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            return False
+    with forces.work.task("the proof that no equilibrium is missed", BOXES[len(forces.names)]) as task, task.kept():
+        return _closed(forces, found, enclosed)
+    return False
 
 
 def _closed(forces, found, enclosed):

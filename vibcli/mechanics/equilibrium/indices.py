@@ -4,11 +4,11 @@ An equilibrium at which J is proved to be regular has the index sign det J; with
 degree of the forces there. That they do is no proof that none is missing: two of opposite indices may be.
 """
 
+from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
 
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium.completeness import ForceBounds, outside
 from vibcli.mechanics.equilibrium.degree import degree
 from vibcli.mechanics.equilibrium.eigenvector_following import look_for
@@ -57,15 +57,9 @@ def _missing(enclosed, found, asked):
 
 def within_limit(forces, what, limit, act):
     """What an act returns, None where it takes more steps than its limit or finds more than can be listed."""
-    with forces.work.task(what, limit) as task:
-        try:
-            return act()
-        except TooMuch:
-            return None
-        except Spent as spent:
-            if spent.task is not task:
-                raise
-            return None
+    with forces.work.task(what, limit) as task, task.kept(), suppress(TooMuch):
+        return act()
+    return None
 
 
 def _sum(enclosed, found):

@@ -7,7 +7,6 @@ coordinate is scanned, of several Newton's method starts from further points of 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
-from vibcli.base.work import Spent
 from vibcli.mechanics.equilibrium import multistart, one_coordinate
 from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium, find_equilibrium
@@ -33,12 +32,8 @@ def nearest_equilibrium(problem, start):
         fallen = find_equilibrium(problem, start)
     except PhysicsError as error:
         refusal = error
-    with problem.work.task("the search for the nearest equilibrium", WORK) as task:
-        try:
-            search.run(fallen)
-        except Spent as spent:      # the nearest one that was met is kept
-            if spent.task is not task:
-                raise
+    with problem.work.task("the search for the nearest equilibrium", WORK) as task, task.kept():
+        search.run(fallen)
     if search.best is None and fallen is None:
         raise refusal
     return search.found(fallen)

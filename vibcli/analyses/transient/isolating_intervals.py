@@ -1,6 +1,8 @@
-"""Stretches of time within the segments of a motion, how they are divided, and the root of a function in each."""
+"""An output of a linear motion between two instants, and the stretches of time into which its searches divide that."""
 
 import numpy as np
+
+from vibcli.base.errors import PhysicsError
 
 EPSILON = 2.0**-52
 NEWTON = 60
@@ -53,6 +55,58 @@ class Cells:
                        for name in ("segment", "early", "late")))
 
 
+class BoundedOutput:
+    """An output from `start` to `end`: y, its slope and curvature, each with values `at` and a `bound`; count: of the
+    exponentials in it; fastest: the largest magnitude of their exponents; whole: the Cells of the segments, one each.
+    """
+
+    __slots__ = ("count", "curvature", "end", "fastest", "slope", "start", "timeline", "whole", "y")
+
+    def __init__(self, pieces, output, start, end):
+        self.timeline, self.start, self.end = pieces.timeline, start, end
+        self.y, self.slope, self.curvature = (pieces.terms(output, order) for order in range(3))
+        nodes = self.y.nodes()
+        self.count, self.fastest = len(nodes), fastest(nodes)
+        self.whole = stretches(pieces.timeline, start, end)
+
+    def first_cells(self):
+        """Cells that grow with time, the first a part of the fastest wave's period."""
+        return self.whole.doubling(1 / self.fastest) if self.fastest else self.whole
+
+    def times(self, segment, tau):
+        return self.timeline.starts[segment] + tau
+
+    def ends(self, cells):
+        """Its values where the cells begin and where they end."""
+        return [self.y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
+
+    def bound(self, cells):
+        """What it does not exceed in each cell."""
+        return self.y.bound(cells.segment, cells.early, cells.late)
+
+    def bend(self, cells):
+        """Eight times the most by which it strays from the straight line in each cell."""
+        return self.curvature.bound(cells.segment, cells.early, cells.late) * cells.width**2
+
+    def instants(self, cells):
+        """Which of the cells are so short that nothing changes within them but by rounding."""
+        return instants(self.timeline, cells, self.fastest)
+
+    def steps(self, cells):
+        """The steps that looking at the cells takes."""
+        return len(cells) * self.count / STEP
+
+    def batches(self, cells):
+        """[(slice of the cells, Cells of its parts)] of all the cells divided."""
+        many = max(1, BATCH * STEP // (PARTS * self.count or 1))
+        parts = [slice(i, i + many) for i in range(0, len(cells), many)]
+        return [(part, cells.where(part).divided(PARTS)) for part in parts]
+
+    def turns(self, cells):
+        """The zero of the slope in each cell."""
+        return root(self.slope, self.curvature, cells)
+
+
 def stretches(timeline, start, end):
     """The Cells of the segments between two times, one each."""
     first, last = timeline.place(np.array([start, end]))[0]
@@ -61,34 +115,15 @@ def stretches(timeline, start, end):
     return Cells(segment, np.maximum(start - starts, 0.0), np.minimum(timeline.lengths[segment], end - starts))
 
 
-def first_cells(timeline, y, start, end):
-    """Cells that grow with time, the first a part of the fastest wave's period."""
-    speed, cells = fastest(y), stretches(timeline, start, end)
-    return cells.doubling(1 / speed) if speed else cells
-
-
-def fastest(y):
+def fastest(nodes):
     """The largest magnitude of an exponent."""
-    return max((abs(node) for nodes in y.nodes() for node in nodes), default=0.0)
+    return max((abs(node) for part in nodes for node in part), default=0.0)
 
 
-def instants(timeline, cells, y):
-    """Which of the cells are so short that nothing changes within them but by rounding."""
-    speed = fastest(y)
+def instants(timeline, cells, speed):
+    """Which of the cells are so short that nothing of this speed changes within them but by rounding."""
     shortest = 1 / speed if speed else 0.0
     return cells.width <= HAIR * EPSILON * np.maximum(timeline.starts[cells.segment] + cells.late, shortest)
-
-
-def batches(cells, y):
-    """[(slice of the cells, Cells of its parts)] of all the cells divided."""
-    many = max(1, BATCH * STEP // (PARTS * len(y.nodes()) or 1))
-    parts = [slice(i, i + many) for i in range(0, len(cells), many)]
-    return [(part, cells.where(part).divided(PARTS)) for part in parts]
-
-
-def steps(cells, y):
-    """The steps that looking at the cells takes."""
-    return len(cells) * len(y.nodes()) / STEP
 
 
 def root(function, derivative, cells):
@@ -114,3 +149,9 @@ def root(function, derivative, cells):
         tau[moving] = step
         moving[np.flatnonzero(moving)[np.abs(step - here) <= EPSILON * np.abs(here)]] = False
     return tau
+
+
+def refused(task, known=""):
+    """What is said of a search that was given up, and what is known by then."""
+    refusal = task.refusal()
+    return PhysicsError(refusal.message + known, f"ask for a shorter interval; {refusal.hint}")
