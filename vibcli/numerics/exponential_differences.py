@@ -117,3 +117,22 @@ def bounds(nodes, early, late):
             apart = bounds(nodes[:j] + nodes[j + 1:], early, late) + bounds(nodes[:i] + nodes[i + 1:], early, late)
             found = np.minimum(found, apart / gap)
     return found
+
+
+def real_sum(terms, t):
+    """Σ Re(factor tᵏ E[nodes]) of terms (k, nodes, which of the times, factors there)."""
+    total = np.zeros(len(t))
+    for power, nodes, inside, factor in terms:
+        here = t[inside]
+        part = real_wave(factor, nodes[0], here) if len(nodes) == 1 else np.real(factor * differences(nodes, here))
+        total[inside] += here**power * part if power else part
+    return total
+
+
+def largest_sum(terms, early, late):
+    """An upper bound of the magnitude of the same on the intervals early <= t <= late."""
+    total = np.zeros(len(early))
+    for power, nodes, inside, factor in terms:
+        part = bounds(nodes, early[inside], late[inside])
+        total[inside] += np.abs(factor) * (late[inside]**power * part if power else part)
+    return total

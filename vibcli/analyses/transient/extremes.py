@@ -85,7 +85,7 @@ class ExtremeSearch:
 
     def _narrow(self, cells):
         """The peaks within the cells."""
-        rises, falls = (self.sign * self.curve.slope.at(cells.segment, tau) for tau in (cells.early, cells.late))
+        rises, falls = (self.sign * slopes for slopes in self.curve.ends(cells, slope=True))
         peaks = cells.where((rises >= 0) & (falls <= 0))
         self._keep(peaks.segment, self.curve.turns(peaks), True)
 

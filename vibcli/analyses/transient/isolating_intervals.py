@@ -76,9 +76,10 @@ class BoundedOutput:
     def times(self, segment, tau):
         return self.timeline.starts[segment] + tau
 
-    def ends(self, cells):
-        """Its values where the cells begin and where they end."""
-        return [self.y.at(cells.segment, tau) for tau in (cells.early, cells.late)]
+    def ends(self, cells, slope=False):
+        """Its values, or slopes, where the cells begin and where they end."""
+        curve = self.slope if slope else self.y
+        return np.split(curve.at(np.tile(cells.segment, 2), np.concatenate([cells.early, cells.late])), 2)
 
     def bound(self, cells):
         """What it does not exceed in each cell."""

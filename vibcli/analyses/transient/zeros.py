@@ -6,7 +6,7 @@ one are narrowed down, the others divided.
 
 import numpy as np
 
-from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, Cells, BoundedOutput, refused, root
+from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, Cells, refused, root
 
 CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
 
@@ -57,8 +57,7 @@ class PassageSearch:
         cells = cells.where(curve.bound(cells) > 0)
         left, right = curve.ends(cells)
         rounding, bend = 4 * EPSILON * curve.bound(cells), curve.bend(cells)
-        rise = cells.width * np.maximum(*(np.abs(curve.slope.at(cells.segment, tau))
-                                          for tau in (cells.early, cells.late)))
+        rise = cells.width * np.maximum(*map(np.abs, curve.ends(cells, slope=True)))
         jump = (left * right < 0) & curve.instants(cells)
         steep = (rise > bend) & (rise > 4 * rounding) | jump
         through = (left * right < 0) | (left == 0) | (right == 0)
