@@ -13,7 +13,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.numerics.exponential_differences import largest_sum, real_sum
 
 
-class Term(NamedTuple):
+class ExponentialTerm(NamedTuple):
     """Re row · τᵏ E[nodes](τ) with k = power; at: the segments of the rows, None for all."""
 
     power: int
@@ -52,13 +52,13 @@ class ExponentialTerms:
                 given[drive.at] -= part
             else:
                 inputs = factor * math.factorial(drive.power) * drive.inputs[:, j]
-                self.near.append(Term(0, nodes + drive.nodes, drive.at, inputs))
-        (self.free if len(nodes) == 1 else self.linked).append(Term(0, nodes, None, given))
+                self.near.append(ExponentialTerm(0, nodes + drive.nodes, drive.at, inputs))
+        (self.free if len(nodes) == 1 else self.linked).append(ExponentialTerm(0, nodes, None, given))
 
     def _add_wave(self, power, s, at, coefficients):
         if s.imag < 0:
             s, coefficients = s.conjugate(), np.conj(coefficients)
-        new = Term(power, (s,), at, np.zeros(len(at), complex if s.imag else float))
+        new = ExponentialTerm(power, (s,), at, np.zeros(len(at), complex if s.imag else float))
         row = self.waves.setdefault((power, s, at.tobytes()), new).row
         row += coefficients if s.imag else np.real(coefficients)
 
