@@ -49,7 +49,7 @@ def parsed(text: str, option: str) -> tuple[object, Scalar]:
 def expression(text: str, option: str) -> Expression:
     """A signal or quantity as an Expression."""
     tree, scalar = parsed(text, option)
-    return Expression(scalar, tree, None, None)
+    return Expression(scalar, tree)
 
 
 def size(text: str, unit: str, wants: str, exact: bool = False) -> object:

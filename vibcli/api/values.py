@@ -20,7 +20,7 @@ from vibcli.symbolic.syntax import QuantityRef
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
-    from vibcli.reader.read import Spec
+    from vibcli.language.spec import Spec
     from vibcli.results.problem import Problem
 
 
@@ -57,7 +57,7 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
 def quantity_asked(spec: "Spec", text: str) -> "Expression":
     """The text as a quantity of this scene; SpecError where it is none."""
     asked, reader = given_expression(text, "the quantity"), Reader()
-    check_question(spec, reader, asked)
+    asked = check_question(spec, reader, asked)
     if reader.diagnostics:
         raise SpecError(reader.diagnostics)
     return asked

@@ -104,7 +104,7 @@ def _inertia(body, record, scene, placed):
         if not scene.number(mass) > 0 or not scene.number(inertia) >= 0:
             scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
                          "a hole lies within the shape that it is cut from")
-        if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record.values):
+        if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record):
             body.pieces = [piece[:3] for piece in pieces]
         body.rims, body.rolling_radius = rim.of_parts(record, pieces, scene)
     else:

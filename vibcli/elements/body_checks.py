@@ -14,14 +14,14 @@ def part(record, reader):
     """A part of a body: its density is per length of a rod, ring or arch, per area of the rest."""
     shape = record.get("shape", "particle")
     if "density" in record:
-        record["density"].dimension = parse_unit("kg/m" if shape in SLENDER else "kg/m^2").dimension
+        reader.measured(record, "density", parse_unit("kg/m" if shape in SLENDER else "kg/m^2").dimension)
         if shape == "particle":
             reader.report(record.place("density"), "a particle has no area or length", "give its mass, or its shape")
     missing = [key for key in NEEDS[shape] if key not in record]
     if missing:
         reader.report(record.where, f"{article(shape)} needs " + " and ".join(f"'{key}'" for key in missing),
                       "; ".join(f"{key}: {record.element.fields[key].about}" for key in missing[:2]))
-    for key in record.keys:
+    for key in record.places:
         if key in SIZES and key not in NEEDS[shape] and not (key == "angle" and shape in TURNED):
             reader.report(record.place(key), f"'{key}' says nothing about {article(shape)}",
                           "leave it out, or name another `shape`")
@@ -34,7 +34,7 @@ def body(record, reader):
     for key in SIZES if "parts" in record else ():
         if key in record:
             reader.report(record.place(key), f"'{key}' belongs to a part", "write it in the part that it describes")
-    if "gyration" in record and not {"mass", "density", "parts"} & set(record.keys):
+    if "gyration" in record and not {"mass", "density", "parts"} & set(record.places):
         reader.report(record.place("gyration"), f"'{record.name}' has a radius of gyration but no mass",
                       "give its mass too, or `inertia` instead")
     if any(key in record for key in ("at", "from", "to", "parts")):
@@ -61,7 +61,7 @@ def _lumped(record, reader):
         reader.report(record["slide"].place("carrier"), f"'{record.name}' slides in a carrier but has no place",
                       "say where both are drawn with `at: [x, y]`, or write its whole displacement as a sum, as in "
                       "`coordinates: [x1, u]` and `slide: x1 + u`")
-    elif not set(record["slide"].values) <= {"by"}:
+    elif not set(record["slide"]) <= {"by"}:
         reader.report(record.place("slide"), f"'{record.name}' slides along something but has no place",
                       "say where it is drawn with `at: [x, y]`")
     for key in ("inertia", "gyration"):

@@ -19,14 +19,14 @@ _GOES_WITH = {"surface": ("point",), "radii": ("gear", "belt"), "carrier": ("gea
 
 def _settle(record, reader):
     for key, kinds in _GOES_WITH.items():
-        if key in record.keys and not any(kind in record.keys for kind in kinds):
+        if key in record.places and not any(kind in record.places for kind in kinds):
             reader.report(record.place(key), f"'{key}' goes with " + " or ".join(f"'{kind}'" for kind in kinds),
                           f"write `{kinds[0]}:`, or leave it out")
     for kind in ("gear", "belt", "join", "link"):
         ends = [getattr(end, "text", None) for end in record.get(kind, ())]
         if ends and ends[0] is not None and ends[0] == ends[1]:
             reader.report(record.place(kind), f"'{kind}' ties '{ends[0]}' to itself", "name two different ones")
-    if "point" in record.keys and "surface" not in record.keys:
+    if "point" in record.places and "surface" not in record.places:
         reader.report(record.where, "a point on a surface needs 'surface'", "surface: the name of a surface")
 
 

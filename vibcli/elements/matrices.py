@@ -19,7 +19,7 @@ ELEMENT = Element(
 def build(record, scene):
     """Add the entries of the matrices to the scene, after checking shape and symmetry."""
     n = len(scene.spec.coordinates)         # a scene that is opened has further ones, after these
-    for key, rows in record.values.items():
+    for key, rows in record.items():
         wrong = next((i for i, row in enumerate(rows) if len(row) != n), None)
         if len(rows) != n or wrong is not None:
             found = f"rows: {len(rows)}" if len(rows) != n else f"entries in row {wrong + 1}: {len(rows[wrong])}"

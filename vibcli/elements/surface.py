@@ -11,7 +11,7 @@ def _settle(record, reader):
     if "curve" in record and "in" not in record:
         reader.report(record.where, "a curve needs 'in': the name of its abscissa", "as in {curve: x^2/(2*p), in: x}")
     elif "curve" in record:
-        reader.local_names[id(record["curve"])] = record["in"], units.LENGTH
+        reader.local_names[record["curve"].scalar] = record["in"], units.LENGTH
 
 
 ELEMENT = Element(

@@ -30,13 +30,13 @@ def settle_torsion(record, reader, forces, local, rate):
     length = units.NONE if torsion else units.LENGTH
     for key in ("stretch", "gap"):
         if key in record:
-            record[key].dimension = length
+            reader.measured(record, key, length)
     for key in forces:
         if isinstance(record.get(key), Expression):
-            record[key].unit = "N*m" if torsion else "N"
-            record[key].dimension = units.parse_unit(record[key].unit).dimension
+            unit = "N*m" if torsion else "N"
+            reader.measured(record, key, units.parse_unit(unit).dimension, unit)
     if "law" in record:
-        reader.local_names[id(record["law"])] = local, units.times(length, units.TIME, -1) if rate else length
+        reader.local_names[record["law"].scalar] = local, units.times(length, units.TIME, -1) if rate else length
     said = [key for key in ("law", "friction") if key in record]
     if record.get("torsion") is True and not said:
         reader.report(record.place("torsion"), "`torsion: true` stands beside what says how large the moment is",

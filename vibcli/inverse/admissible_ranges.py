@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
-from vibcli.language.reader import Expression, Record
+from vibcli.language.reader import Expression
 from vibcli.quantities.expression import lowered
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -125,8 +125,6 @@ def _expressions(whole):
         part = pending.pop()
         if isinstance(part, Expression):
             yield part
-        elif isinstance(part, Record):
-            pending.extend(part.values.values())
         elif isinstance(part, dict):
             pending.extend(part.values())
         elif isinstance(part, (list, tuple)):

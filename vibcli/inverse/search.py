@@ -11,7 +11,6 @@ from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.folds import followed
 from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
-from vibcli.language.reader import Record
 from vibcli.numerics.newton_systems import common_zeros
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 
@@ -76,8 +75,7 @@ def _one_by_one(problem, system, thorough):
     name, found, entry = alone
     left = [other for other in system.names if other != name]
     records = [record for key, record in problem.spec.choices.items() if key != entry]
-    pairs = {other: Record(None, other, problem.spec.choices[other].where,
-                           {**problem.spec.choices[other].values, "so": record["so"]}, {})
+    pairs = {other: problem.spec.choices[other].with_values({**problem.spec.choices[other], "so": record["so"]})
              for other, record in zip(left, records, strict=True)}
     accepted = []
     for node, in found.tuples:

@@ -1,13 +1,12 @@
 """What was chosen: the solutions, and the scene with the first of them."""
 
-from copy import copy
 from fractions import Fraction
 from math import isclose
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse.admissible_ranges import known
 from vibcli.language.document.document import Scalar
-from vibcli.language.reader import Expression, Record
+from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
 from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
@@ -56,20 +55,19 @@ class Chosen:
 def defined(problem, forms, sample=None):
     """The problem with parameters defined by closed forms ({name: node}); None where one is too long to write.
     `sample`: values of the letters at which these count, where it is drawn."""
-    spec = copy(problem.spec)
-    spec.sample = {name: float(value) for name, value in (sample or {}).items()}
-    spec.parameters = dict(spec.parameters)
+    spec, parameters = problem.spec, dict(problem.spec.parameters)
     for name, node in forms.items():
-        text, old = language(node), spec.parameters[name]
+        text, old = language(node), parameters[name]
         if len(text) > LONGEST or len(reachable([node])) > READABLE:
             return None
         try:
             tree = parse(text)
         except ExpressionError:
             return None
-        value = Expression(Scalar(text, spec.choices[name].where), tree, None, None)
-        spec.parameters[name] = Record(old.element, name, old.where, {**old.values, "value": value}, old.keys)
-    spec.sections = {**spec.sections, "parameters": spec.parameters}
+        value = Expression(Scalar(text, spec.choices[name].where), tree)
+        parameters[name] = old.with_values({**old, "value": value})
+    spec = spec.with_parameters(parameters)._replace(
+        sample={name: float(value) for name, value in (sample or {}).items()})
     found = Problem(spec, problem.given, work=problem.work)
     found.costs = problem.costs
     return found
@@ -84,9 +82,7 @@ def with_chosen(found, problem, solutions, draws=()):
 
 def choosing(problem, choices):
     """The problem with these to choose instead, {name: record}."""
-    spec = copy(problem.spec)
-    spec.choices = choices
-    found = Problem(spec, problem.given, work=problem.work)
+    found = Problem(problem.spec._replace(choices=choices), problem.given, work=problem.work)
     found.costs = problem.costs
     return found
 

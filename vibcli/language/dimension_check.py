@@ -5,17 +5,14 @@ import re
 from vibcli.base import units
 from vibcli.base.spelling import nearest
 from vibcli.language import unit_brackets
+from vibcli.language.record_calls import own
 from vibcli.symbolic.parser import FUNCTIONS, VALUE, ExpressionError
 from vibcli.symbolic.semantics import (
     ALL_NUMBERS,
     ANY,
     DimensionCheck,
-    calls_in,
     literal_unit,
-    literals_in,
     names_in,
-    quantities_in,
-    whole_literal,
 )
 from vibcli.symbolic.syntax import Equation, NameRef, Sum
 
@@ -28,7 +25,7 @@ def check(spec, reader, expression, names, expected, local=None):
     """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
     alone."""
     before = len(reader.diagnostics)
-    named = names_in(expression.tree)
+    named = expression.parts.names
     if not reader.sound and not all(name in names or name in ("pi", "t") for name, *_ in named):
         return True
     for name, primes, start, end in named:
@@ -42,8 +39,8 @@ def check(spec, reader, expression, names, expected, local=None):
             _primes(spec, reader, expression, name, primes, start, end)
         elif name != "pi":
             reader.report(expression.scalar.place(start, end - start),
-                          *(_bracketed(expression, name, start) or _unknown(spec, name, names, any(
-                              expression is motion for motion in reader.motions))))
+                          *(_bracketed(expression, name, start) or _unknown(spec, name, names,
+                                                                            expression.scalar in reader.motions)))
     _ambiguous(spec, reader, expression, local)
     _of_time_alone(spec, reader, expression)
     if not spec.asked_dimension:
@@ -55,7 +52,10 @@ def check(spec, reader, expression, names, expected, local=None):
             known = local[1] if local and name == local[0] else spec.dimensions.of(name)
             return units.times(known, units.TIME, -primes)
 
-        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension, expression.text)
+        def quantity(tree):
+            return spec.asked_dimension(spec, tree)
+
+        checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, quantity, expression.text)
         whole = not isinstance(expression.tree, Equation)
         found = checker.dimension(expression.tree) if whole else _sides(checker, expression)
         _fits(spec, reader, expression, found, expected)
@@ -66,8 +66,11 @@ def check(spec, reader, expression, names, expected, local=None):
 
 def _of_time_alone(spec, reader, expression):
     """Impulses, waves and records are functions of the time, not of where things are."""
-    for call in calls_in(expression.tree):
-        if call.name in TIMED or call.name in spec.named.get("records", ()):
+    for call in expression.parts.calls:
+        recorded = call.name in spec.named.get("records", ())
+        if recorded:
+            spec.used.add(own(call.name))
+        if recorded or call.name in TIMED:
             for name, _, start, end in (place for arg in call.args for place in names_in(arg)):
                 if name in spec.coordinates:
                     reader.report(expression.scalar.place(start, end - start), f"{call.name} is a function of the "
@@ -82,20 +85,20 @@ def _sides(checker, expression):
 
 def _fits(spec, reader, expression, found, expected):
     if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (
-            spec.free_numbers and _only_numbers(expression.tree)):
+            spec.free_numbers and _only_numbers(expression)):
         return
-    wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
-    if not spec.dimensions.equate(expected, found):
-        literal = whole_literal(expression.tree)
+    if found != expected and not spec.dimensions.equate(expected, found):
+        literal = expression.parts.whole
         if literal and (competing := _competing(spec, expression, literal)):
             _two_readings(reader, expression, literal, competing[0])
             return
-        message = f"expected {wanted}, found {_found(expression.tree, spec.dimensions.resolve(found))}"
+        wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
+        message = f"expected {wanted}, found {_found(expression, spec.dimensions.resolve(found))}"
         reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
 
 
-def _found(tree, dimension):
-    literal = whole_literal(tree)
+def _found(expression, dimension):
+    literal = expression.parts.whole
     if literal and literal.units:
         if not dimension and literal.units[0].unit != "%":
             return "an angle (rad)"
@@ -106,7 +109,7 @@ def _found(tree, dimension):
 
 def _unit_hint(spec, expression):
     """A number without unit: where and how to write it."""
-    literal = whole_literal(expression.tree)
+    literal = expression.parts.whole
     if not expression.unit:
         return None
     found = literal_unit(literal.units).dimension if literal else None
@@ -118,7 +121,7 @@ def _unit_hint(spec, expression):
     value = spec.parameters[name].get("value") if name in spec.parameters else None
     if name in spec.parameters and value is None:
         return f"'{name}' is {units.name(spec.dimensions.of(name))} in another place"
-    literal = value and whole_literal(value.tree)
+    literal = value and value.parts.whole
     unit = unit_of_a_number(expression.unit)
     return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal.units else None
 
@@ -129,7 +132,7 @@ def unit_of_a_number(unit):
 
 
 def _no_quantities(reader, expression):
-    for tree in quantities_in(expression.tree):
+    for tree in expression.parts.quantities:
         if tree.head == VALUE:
             applied(reader, expression, tree)
             continue
@@ -150,8 +153,8 @@ def applied(reader, expression, tree):
                   "there is no implicit multiplication: write a * between factors")
 
 
-def _only_numbers(tree):
-    return all(name == "pi" for name, _, _, _ in names_in(tree))
+def _only_numbers(expression):
+    return all(name == "pi" for name, *_ in expression.parts.names)
 
 
 def _primes(spec, reader, expression, name, primes, start, end):
@@ -161,10 +164,10 @@ def _primes(spec, reader, expression, name, primes, start, end):
     if name in spec.parameters or name not in spec.coordinates:
         what = "a parameter" if name in spec.parameters else "the time"
         reader.report(place, f"'{name}' is {what}: it has no derivative", "only coordinates move")
-    elif primes > 1 and any(expression is load for load in reader.loads):
+    elif primes > 1 and expression.scalar in reader.loads:
         reader.report(place, "accelerations cannot stand here",
                       "loads depend on coordinates and velocities, constraints on positions")
-    elif reader.sound and id(expression) not in spec.velocities:
+    elif reader.sound and expression.scalar not in reader.at_speed:
         reader.report(place, "velocities cannot stand here", "they stand in energies, forces and expected equations")
 
 
@@ -199,9 +202,9 @@ def _unknown(spec, name, names, moves):
 
 def _ambiguous(spec, reader, expression, local):
     """`2 N*m` within a larger expression of a scene that has a name m may mean two things."""
-    if whole_literal(expression.tree):
+    if expression.parts.whole:
         return
-    for literal in literals_in(expression.tree):
+    for literal in expression.parts.numbers:
         for unit in _competing(spec, expression, literal, local[:1] if local else ()):
             _two_readings(reader, expression, literal, unit)
 
@@ -209,7 +212,7 @@ def _ambiguous(spec, reader, expression, local):
 def check_whole_literal(spec, reader, expression):
     """A value `36 km/h` is a speed; of a scene with a time h, and wherever the name fits as well, it may mean two
     things, as `2 kg*g` does. (`800 N/m` of a scene with a mass m has one meaning.)"""
-    literal = whole_literal(expression.tree)
+    literal = expression.parts.whole
     for unit in _competing(spec, expression, literal) if literal else ():
         others = [units.UNITS[other.unit].dimension for other in literal.units
                   if other is not unit and other.power == unit.power]

@@ -12,6 +12,7 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.reader import Expression, Record, Reference, article, check_name
+from vibcli.language.record_calls import with_record_calls
 from vibcli.symbolic.parser import ExpressionError, parse, plain_name
 
 
@@ -56,8 +57,10 @@ class Quantity(Kind):
             tree = parse(node.text, self.equation)
         except ExpressionError as error:
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
+        if reader.records and "(" in node.text:
+            tree = with_record_calls(tree, reader.records)
         expression = Expression(node, tree, self.unit, self.dimension)
-        reader.expressions.append(expression)
+        reader.expressions[node] = expression
         return expression
 
     @property
@@ -74,7 +77,7 @@ class MotionField(Quantity):
     def read(self, node, reader):
         expression = super().read(node, reader)
         if expression is not None:
-            reader.motions.append(expression)
+            reader.motions[node] = expression
         return expression
 
 
@@ -84,7 +87,7 @@ class Load(Quantity):
     def read(self, node, reader):
         expression = super().read(node, reader)
         if expression is not None:
-            reader.loads.append(expression)
+            reader.loads[node] = expression
         return expression
 
 

@@ -2,35 +2,36 @@
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.language.document.document import Scalar
+from vibcli.language.reader import Expression
+from vibcli.language.record_calls import with_record_calls
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LARGEST, RANGE, SMALLEST, ExpressionError, parse
 from vibcli.symbolic.rationals import bits
-from vibcli.symbolic.semantics import lower, names_in, whole_literal
-from vibcli.symbolic.syntax import Call, Number, Power, Product, Sum
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import Call, Number, Power, Product, Sum, whole_literal
 
 WIDEST = 4096       # bits
 
 
-def override(record, tree, scalar):
-    """Replace a parameter's value; a bare number takes the unit in which the file gives the parameter."""
-    from vibcli.language.fields import Expression
-
-    old, number = record.get("value"), whole_literal(tree)
+def overridden(record, tree, scalar, reader):
+    """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
+    number = whole_literal(tree)
     if number and not number.units and (unit := _unit_of(record)):
         was = parse("1 " + unit)
         tree, scalar = _with_unit(tree, was.units), Scalar(f"{scalar.text} {unit}", scalar.where)
-    if old is None:
-        record.values["value"] = Expression(scalar, tree, None, None)
-    else:
-        old.tree, old.scalar = tree, scalar
+    value = Expression(scalar, with_record_calls(tree, reader.records))
+    if "value" in record:
+        del reader.expressions[record["value"].scalar]
+        reader.expressions[scalar] = value
+    return record.with_values({**record, "value": value})
 
 
 def _unit_of(record):
     """The text of the unit in which the file gives a parameter, '' where it gives none."""
     if "value" not in record:
         return record.get("unit", "")
-    was = whole_literal(record["value"].tree)
+    was = record["value"].parts.whole
     return record["value"].text[was.units[0].start:was.end].strip() if was and was.units else ""
 
 
@@ -149,12 +150,12 @@ class Parameters:
 def independent(records):
     """Names of the parameters that are not defined by others."""
     return [name for name, record in records.items() if "value" not in record
-            or not any(other in records for other, *_ in names_in(record["value"].tree))]
+            or not any(other in records for other, *_ in record["value"].parts.names)]
 
 
 def definition_order(records):
     """Names in an order in which each comes after those it is defined by (there are no circles)."""
-    needs = {name: [n for n, _, _, _ in names_in(record["value"].tree) if n in records] if "value" in record else []
+    needs = {name: [n for n, *_ in record["value"].parts.names if n in records] if "value" in record else []
              for name, record in records.items()}
     done, order = set(), []
     for start in records:

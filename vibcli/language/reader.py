@@ -1,9 +1,10 @@
-"""What reading a file collects: diagnostics, expressions, names, records; and the words of its messages."""
+"""The reading of a file: the diagnostics, expressions and names that it collects; records; the words of messages."""
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic
 from vibcli.language.document.document import Mapping, Sequence
 from vibcli.symbolic.parser import plain_name
+from vibcli.symbolic.syntax import parts_of
 
 MOST_PROBLEMS = 100
 
@@ -17,15 +18,16 @@ class TooManyErrors(Exception):
 
 
 class Reader:
-    """Collects what reading a file yields beside its values: diagnostics, every expression, the expressions that
-    move something (a bare name there is a coordinate), those that load or tie it, names that are good in one expression
-    alone as {id: (name, dimension)}, and every reference as (Name, namespaces, what is wanted).
-    `sound` tells whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it."""
+    """Collects what reading a file yields beside its values: diagnostics, every reference as (Name, namespaces, what is
+    wanted), and by their Scalars every expression, those that move something (a bare name there is a coordinate), those
+    that load or tie it, (name, dimension) of a name that is good in one expression alone, and those in which velocities
+    may stand. `sound` tells whether the scene was read whole, apart from what is asked of it; `files`: what was read
+    beside it; `records`: the names of its records."""
 
-    def __init__(self, files=None):
-        self.files = {} if files is None else files
-        self.diagnostics, self.expressions, self.motions, self.loads, self.references = [], [], [], [], []
-        self.local_names, self.named_places = {}, []
+    def __init__(self, files=None, records=()):
+        self.files, self.records = {} if files is None else files, records
+        self.diagnostics, self.references, self.named_places = [], [], []
+        self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
         self.sound = True
 
     def report(self, where, message, hint=None):
@@ -33,6 +35,18 @@ class Reader:
         if len(self.diagnostics) == MOST_PROBLEMS:
             self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
             raise TooManyErrors
+
+    def not_whole(self):
+        """A part of the scene could not be read."""
+        self.sound = False
+
+    def measured(self, record, key, dimension, unit=None):
+        """An expression of a record is of this dimension, which its other keys determine."""
+        old = record[key]
+        record[key] = Expression(old.scalar, old.tree, unit or old.unit, dimension)
+        for kept in (self.expressions, self.motions, self.loads):
+            if old.scalar in kept:
+                kept[old.scalar] = record[key]
 
     def columns_of(self, scene, name, read):
         """What `read(scene, name)` gives, once for a file however many cases use it."""
@@ -53,12 +67,14 @@ def _found(node):
 
 
 class Expression:
-    """A parsed expression with its place, and the dimension that its field wants (None: settled elsewhere)."""
+    """A parsed expression with its place, its Parts, and the unit and dimension that its field wants (None: settled
+    elsewhere)."""
 
-    __slots__ = ("dimension", "scalar", "tree", "unit")
+    __slots__ = ("dimension", "parts", "scalar", "tree", "unit")
 
-    def __init__(self, scalar, tree, unit, dimension):
+    def __init__(self, scalar, tree, unit=None, dimension=None):
         self.scalar, self.tree, self.unit, self.dimension = scalar, tree, unit, dimension
+        self.parts = parts_of(tree)
 
     @property
     def text(self):
@@ -78,25 +94,26 @@ class Reference:
         self.text, self.where = text, where
 
 
-class Record:
-    """One element as written: its declared kind, its name, its values and the place of each key."""
+class Record(dict):
+    """One element as written, {key: value}: its declared kind, its name, and the place of each key, of those as well
+    whose value could not be read. Two records are never equal."""
 
-    __slots__ = ("element", "keys", "name", "values", "where")
+    __slots__ = ("element", "name", "places", "where")
+    __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__
 
-    def __init__(self, element, name, where, values, keys):
-        self.element, self.name, self.where, self.values, self.keys = element, name, where, values, keys
+    def __init__(self, element, name, where, values, places):
+        super().__init__(values)
+        self.element, self.name, self.where, self.places = element, name, where, places
 
-    def __getitem__(self, key):
-        return self.values[key]
-
-    def get(self, key, default=None):
-        return self.values.get(key, default)
-
-    def __contains__(self, key):
-        return key in self.values
+    def __bool__(self):
+        return True
 
     def place(self, key):
-        return self.keys.get(key, self.where)
+        return self.places.get(key, self.where)
+
+    def with_values(self, values):
+        """The record with other values."""
+        return Record(self.element, self.name, self.where, values, self.places)
 
 
 def check_name(node, reader, forbidden=()):

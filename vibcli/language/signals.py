@@ -1,6 +1,7 @@
 """Signals: what can be read off a scene beside its coordinates — places, turns, stretches, forces — and their units."""
 
 from vibcli.base import units
+from vibcli.language.reader import Record
 
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
@@ -81,7 +82,7 @@ def drives(spec, record):
     if key == "roll":
         key = next(kind for kind in ("travel", "swing", "turn") if kind in value)
         value = value[key]
-    value = value["by"] if hasattr(value, "keys") and "by" in value else value
+    value = value["by"] if isinstance(value, Record) and "by" in value else value
     parts = DRIVES[key]
     given = value if isinstance(value, list) else [value]
     return {part: unit for (part, unit), one in zip(parts.items(), given, strict=False) if _in_time(spec, one)}
@@ -89,11 +90,9 @@ def drives(spec, record):
 
 def _in_time(spec, expression):
     """Does an expression hold the time?"""
-    from vibcli.symbolic.semantics import names_in
-
     if "t" in spec.parameters or "t" in spec.coordinates:
         return False
-    return any(name == "t" for name, *_ in names_in(expression.tree))
+    return any(name == "t" for name, *_ in expression.parts.names)
 
 
 def near_signals(spec, text):

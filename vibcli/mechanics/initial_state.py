@@ -14,7 +14,7 @@ def given_start(problem):
     """{coordinate, or velocity x': value} of `initial`, and of the equilibrium under a force that lets go."""
     record = problem.spec.get("initial")
     found = dict(at_rest(problem.before)) if problem.before is not None else {}
-    for key, expression in record.values.items() if record is not None else ():
+    for key, expression in record.items() if record is not None else ():
         if key == RELEASED:
             continue
         if key.rstrip("'") not in problem.scene.coordinates:
@@ -59,7 +59,7 @@ def start_in_letters(problem):
     if record is None:
         return None
     held = equilibrium_in_letters(problem.before) if problem.before is not None else {}
-    if any(key != RELEASED and key.rstrip("'") != name for key in record.values):
+    if any(key != RELEASED and key.rstrip("'") != name for key in record):
         raise NotInLetters("this start is found in numbers", "give the parameters values with --set")
     rest = equilibrium_in_letters(problem)[name]
     place, speed = (problem.scene.lower(record[key]) if key in record else None for key in (name, name + "'"))

@@ -23,9 +23,12 @@ PERIODS = ("period", "beat_period")
 
 def cycles(spec, text=""):
     """What counts the cycles in trees of a text."""
-    if spec.counts is None:
-        spec.counts = {}
+    if not spec.counts:
         _count_names(spec)
+    return _counter(spec, text)
+
+
+def _counter(spec, text=""):
     return Cycles(lambda name: spec.counts.get(name, NEITHER), lambda tree: _quantity(spec, tree),
                   lambda tree: known_dimension(spec, tree), text)
 
@@ -39,7 +42,7 @@ def _count_names(spec):
     """spec.counts of the records and parameters, in an order in which each comes after those it is defined by."""
     for name, record in (spec.get("records") or {}).items():
         spec.counts[own(name)] = count_of_unit(record)
-    counter = cycles(spec)
+    counter = _counter(spec)
     for name in definition_order(spec.parameters):
         record = spec.parameters[name]
         try:
@@ -98,9 +101,11 @@ def known_dimension(spec, tree):
         return units.times(spec.dimensions.of(name), units.TIME, -primes)
 
     def quantity(part):
+        if spec.asked_dimension:
+            return spec.asked_dimension(spec, part)
         unit = _unit_of(part)
         return None if unit is None else unit.dimension
 
-    checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, spec.asked_dimension or quantity)
+    checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, quantity)
     found = checker.dimension(tree) if not isinstance(tree, Equation) else None
     return None if found is None else spec.dimensions.resolve(found)

@@ -4,6 +4,7 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check
+from vibcli.language.reader import Expression
 from vibcli.quantities.quantity import (
     ALL,
     ASKED,
@@ -20,27 +21,26 @@ from vibcli.reader.quantity_dimensions import (
     output_dimension,
     usage_here,
 )
+from vibcli.reader.sections.answer import Answer
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import DimensionCheck, names_in, quantities_in
+from vibcli.symbolic.semantics import DimensionCheck
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 ANGULAR = ("omega", "omega_d", "decay", "growth_rate", "rayleigh", "dunkerley")
 
 
 def check_answers(spec, reader):
-    """Report whatever is wrong with the answers of a file."""
-    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
-    spec.velocities |= {id(a.expected) for a in spec.answers}
-    for answer in spec.answers:
-        _answer(spec, reader, answer)
+    """The answers of a file, names alone being the quantities that they stand for; reports what is wrong with them."""
+    return [_answer(spec, reader, answer) for answer in spec.answers]
 
 
 def check_question(spec, reader, asked):
-    """Report whatever is wrong with a quantity, or an expression of some, that is asked without an expected value."""
-    spec.asked_dimension = lambda tree: asked_dimension(spec, tree)
+    """A quantity, or an expression of some, that is asked without an expected value; reports what is wrong with it."""
+    asked = as_quantity(spec, asked)
     if is_asked(spec, reader, asked) and check(spec, reader, asked, spec.parameters, None):
         check_terms(spec, reader, asked)
+    return asked
 
 
 def _is_parameter(spec, name):
@@ -49,27 +49,25 @@ def _is_parameter(spec, name):
     return name in spec.choices or (measured is not None and measured != units.parse_unit(ASKED[name].unit).dimension)
 
 
-def as_quantity(spec, tree):
-    """The tree of a quantity that is written as a name alone, such as rayleigh or T; other trees as they are."""
+def as_quantity(spec, expression):
+    """The quantity that is written as a name alone, such as rayleigh or T; other expressions as they are."""
+    tree = expression.tree
     if isinstance(tree, NameRef) and tree.name in BARE and not tree.primes and not _is_parameter(spec, tree.name):
-        return QuantityRef(tree.start, tree.end, tree.name, tree.name)
-    return tree
+        return Expression(expression.scalar, QuantityRef(tree.start, tree.end, tree.name, tree.name))
+    return expression
 
 
 def is_asked(spec, reader, asked):
-    """Is this a quantity, or an expression of some, that can be asked of the scene? Reports what is wrong with it; a
-    name alone becomes the quantity that it stands for."""
-    tree = asked.tree = as_quantity(spec, asked.tree)
-    whole = isinstance(tree, QuantityRef)
-    if not all(can_be_asked(spec, reader, asked, quantity) for quantity in quantities_in(tree)):
+    """Is this a quantity, or an expression of some, that can be asked of the scene? Reports what is wrong with it."""
+    if not all(can_be_asked(spec, reader, asked, quantity) for quantity in asked.parts.quantities):
         return False
-    names = {name for name, *_ in names_in(tree)} - {"pi"}
+    names = {name for name, *_ in asked.parts.names} - {"pi"}
     of_parameters = names & set(spec.choices) or (names and names <= set(spec.parameters))
-    if not whole and not quantities_in(tree) and not of_parameters:
+    if not asked.parts.quantities and not of_parameters:
         if asked.text in ASKED:
             needs = "an index" if ASKED[asked.text].indices else "a signal"
             reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage_here(spec, asked.text)}")
-        elif at_no_time(spec, tree):
+        elif at_no_time(spec, asked.tree):
             reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
@@ -79,10 +77,19 @@ def is_asked(spec, reader, asked):
 
 
 def _answer(spec, reader, answer):
-    """The quantity asked for must exist, and the expected value must have its dimension."""
+    """The finished Answer: the quantity asked for must exist, and the expected value must have its dimension."""
+    asked, expected = as_quantity(spec, answer.asked), answer.expected
+    whole = isinstance(asked.tree, QuantityRef)
+    unit = unit_asked(asked.tree) if whole and not is_choice(spec, asked.tree) else None
+    found = Answer(asked, Expression(expected.scalar, expected.tree, unit), answer.rtol)
+    if is_asked(spec, reader, asked):
+        _expected(spec, reader, found)
+    return found
+
+
+def _expected(spec, reader, answer):
+    """Report what is wrong with an expected value."""
     asked, expected = answer.asked, answer.expected
-    if not is_asked(spec, reader, asked):
-        return
     tree = asked.tree
     whole = isinstance(tree, QuantityRef)
     head = tree.head if whole else None
@@ -92,11 +99,11 @@ def _answer(spec, reader, answer):
                           "write stable: true")
         return
     for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
-        for quantity in quantities_in(part.tree):
+        for quantity in part.parts.quantities:
             if not can_be_asked(spec, reader, part, quantity):
                 return
-    if head in STATE_FUNCTIONS and quantities_in(expected.tree):
-        quantity = quantities_in(expected.tree)[0]
+    if head in STATE_FUNCTIONS and expected.parts.quantities:
+        quantity = expected.parts.quantities[0]
         reader.report(expected.scalar.place(quantity.start, quantity.end - quantity.start),
                       f"'{quantity.text}' cannot stand in an expected '{head}'",
                       "write it in parameters and coordinates")
@@ -104,7 +111,6 @@ def _answer(spec, reader, answer):
     names = spec.parameters if head not in STATE_FUNCTIONS else (*spec.parameters, *spec.coordinates, "t")
     fits = check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
-    expected.unit = unit_asked(tree) if whole and not is_choice(spec, tree) else None
     if check(spec, reader, expected, names, dimension_asked) and fits:
         check_cycles(spec, reader, asked, expected)
     if answer.rtol is not None:
@@ -118,8 +124,8 @@ def at_no_time(spec, tree):
 
 def unit_asked(tree):
     """The unit that the value of a quantity is expected in; None where its indices or arguments settle it."""
-    unit = declared(tree).unit
-    return None if unit == SIGNAL else unit
+    asked = declared(tree)
+    return None if asked is None or asked.unit == SIGNAL else asked.unit
 
 
 def dimension_of(spec, expression):

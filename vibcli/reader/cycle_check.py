@@ -1,28 +1,23 @@
 """Cycles and radians in a file: where cycles stand for radians."""
 
 from vibcli.quantities.cycle_count import count_of_unit, cycles, known_dimension
-from vibcli.symbolic.cycles import (
-    CYCLE,
-    agree,
-    fits_both,
-    left_over,
-)
+from vibcli.symbolic.cycles import CYCLE, agree, fits_both, left_over
 from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import literal_unit, literals_in, quantities_in
+from vibcli.symbolic.semantics import literal_unit
 
 
 def uses_cycles(spec, reader):
     """Does anything in the file count cycles?"""
     values = [record["value"] for record in spec.parameters.values() if "value" in record]
-    if any(part.units and literal_unit(part.units).cycles for expression in (*reader.expressions, *values)
-           for part in literals_in(expression.tree)):
+    if any(part.units and literal_unit(part.units).cycles for expression in (*reader.expressions.values(), *values)
+           for part in expression.parts.numbers):
         return True
     records = (*spec.parameters.values(), *(spec.get("records") or {}).values())
     if any(count_of_unit(record).get(CYCLE) for record in records):
         return True
     asked = [answer.asked for answer in spec.answers]
     asked += [side for record in spec.choices.values() for side in record["so"].sides]
-    return any(tree.head == "frequency" for expression in asked for tree in quantities_in(expression.tree))
+    return any(tree.head == "frequency" for expression in asked for tree in expression.parts.quantities)
 
 
 def check_radians(spec, reader, expression):

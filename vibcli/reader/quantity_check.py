@@ -55,7 +55,7 @@ def can_be_asked(spec, reader, expression, tree, bare=False):
     if not all(_index(spec, reader, place, head, kind, index) for kind, index in pairs):
         return False
     bodies = spec.get("bodies") or {}
-    lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].keys)]
+    lumped = [name for name in indices if name in bodies and not {"at", "from", "parts"} & set(bodies[name].places)]
     if lumped and (head == "centre" or (head == "J" and len(indices) == 2)):
         reader.report(place, f"'{lumped[0]}' has no place", "say where it is drawn with `at: [x, y]`")
         return False

@@ -14,6 +14,7 @@ from vibcli.language.fields import Choice, Kind, Lazy, Named, Text
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import coordinates, equilibrium, initial
+from vibcli.language.spec import Spec
 from vibcli.reader.sections import answer, find
 from vibcli.reader.unit_consistency import resolve
 from vibcli.symbolic.parser import plain_name
@@ -81,29 +82,6 @@ INSTEAD = {
 } | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
 
 
-class Spec:
-    """A scene file as read: records by section, coordinates in order, dimensions of all names."""
-
-    __slots__ = ("answers", "asked_dimension", "cases", "choices", "coordinates", "counts", "dimensions", "file",
-                 "free_numbers", "named", "parameters", "sample", "sections", "used", "velocities")
-
-    def __init__(self, file, sections, named):
-        """`named`: the names that stand in each section, of what could not be read as well."""
-        self.file, self.sections, self.named = file, sections, named
-        self.parameters = sections.get("parameters", {})
-        self.answers, self.choices = sections.get("answers", []), {}
-        self.cases, self.asked_dimension, self.velocities, self.used = {}, None, set(), set()
-        self.counts = None      # of cycles, by name: see counting.py
-        self.sample = {}        # values of letters at which the scene is drawn, where not any will do
-
-    def get(self, section, default=None):
-        return self.sections.get(section, default)
-
-    def example(self, literal):
-        """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
-        return literal.partition(" ")[0] if self.free_numbers else literal
-
-
 def read_spec(root, file, diagnostics=(), settings=None):
     """The Spec of a document and of its cases; SpecError with every diagnostic where it is not one."""
     found = list(diagnostics)
@@ -124,8 +102,7 @@ def read_spec(root, file, diagnostics=(), settings=None):
         _report_unused(spec, used, found)
     if found:
         raise SpecError(_once(found))
-    base.cases = specs
-    return base
+    return base._replace(cases=specs)
 
 
 def _once(diagnostics):
@@ -142,7 +119,7 @@ def _merged(root, part):
         merged["choose"] = _still_chosen(*merged["choose"], part)
         if not merged["choose"][1].entries:
             del merged["choose"]
-    return _mapping(merged, part.where)
+    return Mapping(part.where, merged)
 
 
 def _still_chosen(key_node, choices, part):
@@ -153,13 +130,7 @@ def _still_chosen(key_node, choices, part):
              if not (isinstance(value, Scalar) and not value.text)} if isinstance(given, Mapping) else set()
     names -= {plain_name(key) for key in own.entries} if isinstance(own, Mapping) else set()
     left = {key: pair for key, pair in choices.entries.items() if plain_name(key) not in names}
-    return key_node, _mapping(left, choices.where)
-
-
-def _mapping(entries, where):
-    mapping = Mapping(where)
-    mapping.entries = entries
-    return mapping
+    return key_node, Mapping(choices.where, left)
 
 
 def _over(below, above):
@@ -167,34 +138,33 @@ def _over(below, above):
     for key, (key_node, value) in above.items():
         old = merged.get(key)
         if old is not None and isinstance(old[1], Mapping) and isinstance(value, Mapping):
-            value = _mapping(_over(old[1].entries, value.entries), value.where)
+            value = Mapping(value.where, _over(old[1].entries, value.entries))
         merged[key] = (key_node, value)
     return merged
 
 
 def _read_one(root, file, found, settings, files, remark=""):
-    reader = Reader(files)
+    named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
+    reader = Reader(files, named.get("records", ()))
     try:
-        spec = Spec(file, _sections(root, reader), {key: _names(value) for key, (_, value) in root.entries.items()})
-        if "choose" in spec.named:
-            from vibcli.reader.choices import enter
+        spec = Spec.of(file, _sections(root, reader), named)
+        if "choose" in named:
+            from vibcli.reader.choices import with_choices
 
-            enter(spec, reader, spec.named["choose"])
-        _settings(spec, settings)
-        resolve(spec, reader)
+            spec = with_choices(spec, reader)
+        spec = resolve(_with_settings(spec, reader, settings), reader)
         _question(spec, root, reader)
     except TooManyErrors:
         pass
     known = {(d.where, d.message) for d in found}
     for diagnostic in reader.diagnostics:
         if (diagnostic.where, diagnostic.message) not in known:
-            diagnostic.message += remark
-            found.append(diagnostic)
+            found.append(Diagnostic(diagnostic.where, diagnostic.message + remark, diagnostic.hint))
     return None if reader.diagnostics else spec
 
 
 def _sections(root, reader):
-    """The records of each section; reader.sound tells whether the scene was read whole."""
+    """The records of each section."""
     sections = {}
     for key, (key_node, value) in root.entries.items():
         before = len(reader.diagnostics)
@@ -206,8 +176,8 @@ def _sections(root, reader):
             record = SECTIONS[key][0].read(value, reader)
             if record is not None:
                 sections[key] = record
-        if key not in ("answers", "find", "cases", "choose", "initial"):
-            reader.sound &= len(reader.diagnostics) == before
+        if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
+            reader.not_whole()
     return sections
 
 
@@ -225,14 +195,16 @@ def _names(node):
     return [plain_name(item.text) for item in items if isinstance(item, Scalar)]
 
 
-def _settings(spec, settings):
-    """Values given from outside replace those of the file, and conditions; a bare number takes the unit there."""
-    from vibcli.language.parameters import override
+def _with_settings(spec, reader, settings):
+    """The Spec with values given from outside, which replace those of the file, and conditions."""
+    if not settings:
+        return spec
+    from vibcli.language.parameters import overridden
 
-    for name, tree_and_scalar in settings.items():
-        if name in spec.parameters:
-            override(spec.parameters[name], *tree_and_scalar)
-            spec.choices = {key: record for key, record in spec.choices.items() if key != name}
+    given = {name: overridden(spec.parameters[name], *value, reader) for name, value in settings.items()
+             if name in spec.parameters}
+    choices = {name: record for name, record in spec.choices.items() if name not in given}
+    return spec.with_parameters({**spec.parameters, **given})._replace(choices=choices)
 
 
 def _question(spec, root, reader):

@@ -58,7 +58,7 @@ def start(problem, values, rest):
                            "give the start as values")
     record, scene = problem.spec.get("initial"), problem.scene
     given = {key: evaluate([scene.lower(expression)], multiprecision(), values)[0]
-             for key, expression in (record.values.items() if record is not None else ()) if key != RELEASED}
+             for key, expression in (record.items() if record is not None else ()) if key != RELEASED}
     return ({name: given.get(name, rest[name]) for name in scene.coordinates},
             {name: given.get(name + "'", mpmath.mpf(0)) for name in scene.coordinates})
 

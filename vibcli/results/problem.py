@@ -6,7 +6,6 @@
 Each stage is computed on first touch, by one call to a pure function whose module is imported there.
 """
 
-from copy import copy
 from functools import cached_property
 
 from vibcli.base.errors import defined_as_drawn
@@ -37,9 +36,8 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
     def without(self, damper):
         """The problem with one damper taken out."""
-        spec = copy(self.spec)
-        dampers = {name: record for name, record in spec.get("dampers").items() if name != damper}
-        spec.sections = {**spec.sections, "dampers": dampers}
+        dampers = {name: record for name, record in self.spec.get("dampers").items() if name != damper}
+        spec = self.spec._replace(sections={**self.spec.sections, "dampers": dampers})
         return Problem(spec, self.given, self.holding, self.work)
 
     def with_values(self, given):

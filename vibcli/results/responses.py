@@ -84,7 +84,7 @@ def check_start(problem, motion):
     if motion.system is None or record is None:
         return
     names, reach = problem.scene.coordinates, abs(motion.start).max() + abs(motion.q0).max()
-    for key in record.values:
+    for key in record:
         i = names.index(key.rstrip("'")) if key.rstrip("'") in names else None
         if i is None or motion.M[i, i]:
             continue

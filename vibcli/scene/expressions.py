@@ -54,8 +54,7 @@ class Expressions:
         if not all(parts):
             whole = self.lower(expression)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
-        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)), expression.unit,
-                                           expression.dimension)) for part in parts)
+        return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)))) for part in parts)
 
     def pair(self, expressions):
         return self.lower(expressions[0]), self.lower(expressions[1])

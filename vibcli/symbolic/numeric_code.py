@@ -25,8 +25,8 @@ class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
 
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
-    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node: value} of what
-    is known already."""
+    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants:
+    {node: value} of what is known already."""
 
     def __init__(self, slots, floats, switches, constants=()):
         self.slots, self.floats, self.switches = dict(slots), floats, switches

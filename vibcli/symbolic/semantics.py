@@ -1,4 +1,4 @@
-"""What a syntax tree means: its dimension, checked part by part, and the expression it stands for."""
+"""The meaning of a syntax tree: its dimension, checked part by part, and the expression it stands for."""
 
 from fractions import Fraction
 
@@ -6,52 +6,29 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
 from vibcli.symbolic.rationals import HALF, ONE
-from vibcli.symbolic.syntax import Call, Equation, NameRef, Number, Power, Product, QuantityRef, Sum
+from vibcli.symbolic.syntax import Equation, NameRef, Number, Power, Product, QuantityRef, Sum, parts_of, whole_literal
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
 
 
-def _within(tree, kind):
-    """The parts of a tree that are of one kind."""
-    pending, found = [tree], []
-    while pending:
-        part = pending.pop()
-        if isinstance(part, kind):
-            found.append(part)
-        pending.extend(part.children)
-    return found
-
-
 def names_in(tree):
     """(name, primes, start, end) of each name of a tree."""
-    return [(part.name, part.primes, part.start, part.end) for part in _within(tree, NameRef)]
+    return parts_of(tree).names
 
 
 def quantities_in(tree):
     """The quantity trees (`omega[1]`) within a tree."""
-    return _within(tree, QuantityRef)
-
-
-def calls_in(tree):
-    """The calls of functions and records within a tree."""
-    return _within(tree, Call)
+    return parts_of(tree).quantities
 
 
 def literals_in(tree):
     """The number trees within a tree."""
-    return _within(tree, Number)
+    return parts_of(tree).numbers
 
 
 def literal_unit(chain):
     return units.combine(tuple((name, power) for name, power, _, _ in chain))
-
-
-def whole_literal(tree):
-    """The number tree of a field that is one literal, perhaps with a sign; else None."""
-    if isinstance(tree, Sum) and len(tree.parts) == 1:
-        tree = tree.parts[0][1]
-    return tree if isinstance(tree, Number) else None
 
 
 class DimensionCheck:

@@ -125,3 +125,39 @@ class Equation(NamedTuple):
     @property
     def children(self):
         return self.left, self.right
+
+
+class Parts(NamedTuple):
+    """The parts of a tree by their kinds: (name, primes, start, end) of each name, the numbers, the calls of functions
+    and records, the quantities (`omega[1]`); `whole`: the number that it is as a whole, perhaps signed, or None."""
+
+    names: list[tuple]
+    numbers: list[Number]
+    calls: list[Call]
+    quantities: list[QuantityRef]
+    whole: Number | None
+
+
+def parts_of(tree):
+    """The Parts of a tree, in one walk."""
+    names, numbers, calls, quantities, pending = [], [], [], [], [tree]
+    while pending:
+        part = pending.pop()
+        if part.kind == "name":
+            names.append((part.name, part.primes, part.start, part.end))
+        elif part.kind == "number":
+            numbers.append(part)
+        elif part.kind == "quantity":
+            quantities.append(part)
+        else:
+            if part.kind == "call":
+                calls.append(part)
+            pending.extend(part.children)
+    return Parts(names, numbers, calls, quantities, whole_literal(tree))
+
+
+def whole_literal(tree):
+    """The number tree of a field that is one literal, perhaps with a sign; else None."""
+    if isinstance(tree, Sum) and len(tree.parts) == 1:
+        tree = tree.parts[0][1]
+    return tree if isinstance(tree, Number) else None

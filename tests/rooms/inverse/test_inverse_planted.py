@@ -1,6 +1,5 @@
 """Values of the problems taken away and asked back: the frequency or damping that a value gives must give the value."""
 
-from copy import copy
 from fractions import Fraction
 from pathlib import Path
 
@@ -23,20 +22,19 @@ EVERY = 4
 
 def planted(problem, name, quantity, number):
     """The problem with the value of a parameter taken away and a condition on a quantity instead."""
-    spec, record = copy(problem.spec), problem.spec.parameters[name]
+    spec, record = problem.spec, problem.spec.parameters[name]
     where = record.where
 
     def side(text):
         return Expression(Scalar(text, where), parse(text), None, None)
 
-    values = {key: entry for key, entry in record.values.items() if key != "value"}
+    values = {key: entry for key, entry in record.items() if key != "value"}
     if problem.floats[name] < 0:
         values["sign"] = "any"
     condition = choose.Condition(f"{quantity} = {number!r}", where, None, side(quantity), side(repr(number)))
-    spec.parameters = {**spec.parameters, name: Record(record.element, name, where, values, record.keys)}
-    spec.choices = {name: Record(choose.ELEMENT, name, where, {"so": condition}, {})}
-    spec.sections = {**spec.sections, "parameters": spec.parameters, "choose": spec.choices}
-    return Problem(spec)
+    choices = {name: Record(choose.ELEMENT, name, where, {"so": condition}, {})}
+    spec = spec.with_parameters({**spec.parameters, name: record.with_values(values)})
+    return Problem(spec._replace(choices=choices, sections={**spec.sections, "choose": choices}))
 
 
 def measured_nearby(problem, name, quantity):

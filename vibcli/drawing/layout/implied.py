@@ -24,7 +24,7 @@ def ropes(sketch):
     tied, rates, found = _tied(sketch), None, []
     for name, body in sketch.scene.bodies.items():
         slide = body.record.get("slide")
-        if name not in sketch.frames or slide is None or name in tied or set(slide.values) & {"surface", "carrier"}:
+        if name not in sketch.frames or slide is None or name in tied or set(slide) & {"surface", "carrier"}:
             continue
         rates = rates or {other: _rates(sketch, other) for other in sketch.frames if other in sketch.scene.bodies}
         others = [other for other in rates if other != name]

@@ -36,7 +36,7 @@ def of(stage):
             if kind in record and any(scene.bodies[end.text].frame is None for end in record[kind]):
                 names = " – ".join(end.text for end in record[kind])
                 found.append(lettering.words(f"{name}: {kind} {names}", SIZE))
-    for key, field in getattr(spec.get("energies"), "values", {}).items():
+    for key, field in (spec.get("energies") or {}).items():
         found.append(_note(f"{GREEK.get(key, key)} = ", scene, (field, "")))
     return found
 

@@ -89,7 +89,7 @@ def _wheel(centre, radii, toothed):
 def _loose(body, centre, sketch, ties):
     """A body that moves freely: a bar through the places that it carries, else a ball."""
     carried = [place for place in ties.carried.get(body.name, ()) if plane.distance(place, centre) > 1e-6]
-    turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record.values)
+    turns = body.inertia is not None and {"inertia", "gyration"} & set(body.record)
     if len(carried) > 1 or (carried and turns):
         ends = sorted([*carried, centre])
         if all(abs(plane.across(plane.minus(p, ends[0]), plane.minus(ends[-1], ends[0]))) < 1e-6 * (

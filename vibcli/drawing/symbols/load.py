@@ -45,10 +45,10 @@ def _unsigned(field):
     text = field.text.strip()
     if not text.startswith("-") or not isinstance(field.tree, (Sum)) or len(field.tree.parts) != 1:
         return field
-    from vibcli.language.fields import Expression
+    from vibcli.language.reader import Expression
 
     shorter = type(field.scalar)(text[1:].strip(), field.scalar.where)
-    return Expression(shorter, field.tree.parts[0][1], field.unit, field.dimension)
+    return Expression(shorter, field.tree.parts[0][1])
 
 
 class _Rates(dict):

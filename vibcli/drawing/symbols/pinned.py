@@ -25,7 +25,7 @@ def pinned(body, centre, pivot, sketch, ties):
         return Look([*rail(centre, slots), ball(centre, radius)], "hub")
     if body.mass is None and body.inertia is None:
         return Look([Polyline((pivot, centre), width=2.4, layer=BODY), *rail(centre, slots)], "arm")
-    if {"inertia", "gyration"} & set(body.record.values):
+    if {"inertia", "gyration"} & set(body.record):
         return _blob(pivot, centre)
     bob = ball(centre, BALL + 1.5)
     return Look([Polyline((pivot, centre), width=1.6, layer=BEHIND), bob, *rail(centre, slots)], "bob", bob.points)

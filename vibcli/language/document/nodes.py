@@ -1,4 +1,4 @@
-"""What a scene file consists of: texts, lists and mappings, each with its place."""
+"""The nodes of a scene file: texts, lists and mappings, each with its place."""
 
 
 class Scalar:
@@ -25,11 +25,19 @@ class Sequence:
     def __init__(self, where):
         self.items, self.where = [], where
 
+    def widen(self, width):
+        """It ends so many characters further on its line."""
+        self.where = self.where._replace(width=width)
+
 
 class Mapping:
     """Entries in file order: {key text: (key Scalar, value node)}."""
 
     __slots__ = ("entries", "where")
 
-    def __init__(self, where):
-        self.entries, self.where = {}, where
+    def __init__(self, where, entries=None):
+        self.entries, self.where = {} if entries is None else entries, where
+
+    def widen(self, width):
+        """It ends so many characters further on its line."""
+        self.where = self.where._replace(width=width)

@@ -153,8 +153,7 @@ class Tree:
             self.flow -= 1
             mark, where = event.end_mark, node.where
             if mark.line + 1 == where.line:
-                width = max(1, mark.column + 1 - where.column)
-                node.where = _place(Where, (where.file, where.line, where.column, width))
+                node.widen(max(1, mark.column + 1 - where.column))
 
     def _add(self, node):
         """Put a node where the parser stands: the top, the next item, the next key or its value."""

@@ -36,7 +36,7 @@ class _Record(Element):
         samples = _samples(record, reader)
         if samples is None:
             return None
-        record.values["samples"] = samples
+        record["samples"] = samples
         return record
 
 

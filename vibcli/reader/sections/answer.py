@@ -55,7 +55,7 @@ class Answers(Kind):
             equation = isinstance(tree, QuantityRef) and tree.head in ("equation", "motion")
             record = (_EQUATION if equation else ELEMENT).read(value, reader, key.text, key.where)
             if record is not None:
-                answers.append(Answer(Expression(key, tree, None, None), record["value"], record.get("rtol")))
+                answers.append(Answer(Expression(key, tree), record["value"], record.get("rtol")))
         return answers
 
     def schema(self):

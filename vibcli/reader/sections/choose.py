@@ -11,7 +11,8 @@ BALANCE, LIMIT = "equilibrium", "stability limit"
 
 
 class Condition:
-    """What determines a parameter: `word` BALANCE or LIMIT, or the two sides of an equation (then `word` is None)."""
+    """A condition that determines a parameter: `word` BALANCE or LIMIT, or the two sides of an equation (then `word` is
+    None)."""
 
     __slots__ = ("left", "right", "text", "where", "word")
 
@@ -26,6 +27,10 @@ class Condition:
     @property
     def sides(self):
         return () if self.word else (self.left, self.right)
+
+    def with_sides(self, left, right):
+        """The same condition with other sides."""
+        return Condition(self.text, self.where, None, left, right)
 
 
 class _Condition(Kind):
@@ -52,7 +57,7 @@ class _Condition(Kind):
                                      nearest(asked, ASKED) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
         sides = [_side(node, tree) for tree in equation.children]
-        reader.expressions += sides
+        reader.expressions.update((side.scalar, side) for side in sides)
         return Condition(words, node.where, None, *sides)
 
     def schema(self):
@@ -64,7 +69,7 @@ def _side(node, tree):
     text = node.text[tree.start:tree.end].rstrip()
     inset = None if node.inset is None else 0
     scalar = Scalar(text, node.place(tree.start, len(text)), node.quoted, inset)
-    return Expression(scalar, parse(text), None, None)
+    return Expression(scalar, parse(text))
 
 
 ELEMENT = Element(

@@ -1,4 +1,4 @@
-"""What is asked of a scene: words, the search for all equilibria, motions in time and frequency responses."""
+"""Questions of a scene: words, the search for all equilibria, motions in time and frequency responses."""
 
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Choice, Element, Expression, Field, Kind, Many, OneOf, Quantity
@@ -7,6 +7,8 @@ from vibcli.quantities.quantity import FIND
 from vibcli.symbolic.parser import ExpressionError, parse
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
+
+
 class _Signal(Kind):
     """An expression of signals; what its names mean is settled when all are known."""
 
@@ -16,7 +18,7 @@ class _Signal(Kind):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         try:
-            return Expression(node, parse(node.text), None, None)
+            return Expression(node, parse(node.text))
         except ExpressionError as error:
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
 

@@ -54,7 +54,7 @@ def _moves(problem):
     for body, record in (problem.spec.get("bodies") or {}).items():
         for key, words in MOVES.items():
             motion = record.get(key)
-            for value in motion.values.values() if hasattr(motion, "values") else (motion,):
+            for value in motion.values() if hasattr(motion, "values") else (motion,):
                 text = getattr(value, "text", None)
                 if text is not None:
                     found.setdefault(text, f"{words} of {body}")

@@ -1,0 +1,45 @@
+"""A scene file as read: records by section, coordinates in order, dimensions of all names."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vibcli.base.units import Dimensions
+from vibcli.language.reader import Record
+
+
+class Spec(NamedTuple):
+    """`named`: the names that stand in each section, of what could not be read as well; `used`: those on which
+    something depends; `counts`: what names count, cycles or radians; `asked_dimension(spec, tree)`: that of a quantity,
+    None while none may stand; `sample`: values of letters at which the scene is drawn, where not any will do."""
+
+    file: str
+    sections: dict
+    named: dict[str, list[str]]
+    parameters: dict[str, Record]
+    choices: dict[str, Record]
+    answers: list
+    used: set[str]
+    counts: dict[str, dict]
+    sample: dict[str, float]
+    cases: dict[str, "Spec"]
+    coordinates: dict[str, Record] | None = None
+    dimensions: Dimensions | None = None
+    free_numbers: bool | str = False
+    asked_dimension: Callable | None = None
+
+    @classmethod
+    def of(cls, file, sections, named):
+        """A Spec whose names are not settled yet."""
+        return cls(file, sections, named, parameters=sections.get("parameters", {}), choices={},
+                   answers=sections.get("answers", []), used=set(), counts={}, sample={}, cases={})
+
+    def get(self, section, default=None):
+        return self.sections.get(section, default)
+
+    def with_parameters(self, parameters):
+        """The Spec with other parameters."""
+        return self._replace(parameters=parameters, sections={**self.sections, "parameters": parameters})
+
+    def example(self, literal):
+        """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
+        return literal.partition(" ")[0] if self.free_numbers else literal
