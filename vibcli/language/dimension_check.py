@@ -225,8 +225,8 @@ def _competing(spec, expression, literal, local=()):
     """The units of a literal, joined by an operator, that are names of the scene as well."""
     if _in_brackets(expression.text, literal):
         return []
-    names = (*spec.parameters, *spec.coordinates, *local)
-    return [unit for unit in literal.units[1:] if unit.unit in names]
+    names = (spec.parameters, spec.coordinates, local)
+    return [unit for unit in literal.units[1:] if any(unit.unit in some for some in names)]
 
 
 def _two_readings(reader, expression, literal, unit):
