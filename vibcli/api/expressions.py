@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from sympy import Eq, Expr
 
     from vibcli.results.problem import Problem
-    from vibcli.scene.build import Scene
+    from vibcli.scene.scene import Scene
 
 
 class SymbolicExpression:

@@ -5,6 +5,8 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
+from typing import NamedTuple
+
 from vibcli.elements import body_checks, rim
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.language.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
@@ -57,7 +59,7 @@ ELEMENT = Element(
 )
 
 
-class Body:
+class Body(NamedTuple):
     """A body as built: mass centre as drawn, mass and J_C (nodes), frame, or its lumped motion.
 
     pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
@@ -65,39 +67,55 @@ class Body:
     surface that it rolls or slides on to the body.
     """
 
-    __slots__ = ("centre", "frame", "inertia", "lumped", "mass", "name", "normal", "pieces", "record", "rims",
-                 "rolling_radius")
-
-    def __init__(self, name, record):
-        self.name, self.record = name, record
-        self.centre = self.frame = self.lumped = self.rolling_radius = self.normal = None
-        self.mass = self.inertia = self.pieces = None
-        self.rims = []
+    name: str
+    record: object
+    mass: object = None
+    inertia: object = None
+    centre: tuple = None
+    pieces: list = None
+    rims: tuple = ()
+    rolling_radius: object = None
+    frame: object = None
+    lumped: tuple = None
+    normal: tuple = None
 
     @property
     def moves(self):
+        """Has it a motion of its own?"""
         return any(key in self.record for key in MOTIONS)
+
+    @property
+    def nodes(self):
+        """The expressions of the coordinates that it is made of."""
+        frame = self.frame.nodes if self.frame is not None else []
+        return [*frame, *(self.lumped or ())[1:], *(self.normal or ())]
+
+    def over(self, new):
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(frame=self.frame and self.frame.over(new),
+                             lumped=self.lumped and (self.lumped[0], new[self.lumped[1]]),
+                             normal=self.normal and tuple(new[node] for node in self.normal))
 
 
 def build(record, scene):
     """The body of a record, its frame included; its energies are added to the scene."""
     body = Body(record.name, record)
     placed = any(key in record for key in ("at", "from", "parts"))
+    motion = next((key for key in MOTIONS if key in record), None)
     try:
-        _inertia(body, record, scene, placed)
-        motion = next((key for key in MOTIONS if key in record), None)
-        if placed:
-            _place(body, motion, scene)
-        else:
-            _lump(body, motion, scene)
+        body = _with_inertia(body, scene, placed)
+        body = _placed(body, motion, scene) if placed else body._replace(
+            lumped=load(motion).lump(record[motion], scene))
+        _add_energies(body, motion, scene)
     except ZeroDivisionError:
         scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn",
                      "look for a length or a mass that vanishes")
     return body
 
 
-def _inertia(body, record, scene, placed):
-    """Set mass, J_C, mass centre and circle."""
+def _with_inertia(body, scene, placed):
+    """The body with its mass, J_C, mass centre and circles."""
+    record = body.record
     if "parts" in record:
         pieces = [_piece(part, scene, part.get("cut", False)) for part in record["parts"]]
         mass, centre, inertia = _welded(pieces)
@@ -105,16 +123,16 @@ def _inertia(body, record, scene, placed):
             scene.report(record.place("parts"), f"the parts of '{body.name}' do not leave a positive mass and inertia",
                          "a hole lies within the shape that it is cut from")
         if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record):
-            body.pieces = [piece[:3] for piece in pieces]
-        body.rims, body.rolling_radius = rim.of_parts(record, pieces, scene)
+            body = body._replace(pieces=[piece[:3] for piece in pieces])
+        rims, radius = rim.of_parts(record, pieces, scene)
     else:
-        mass, centre, inertia, drawn, body.rolling_radius = _piece(record, scene, False, placed)
-        body.rims = [drawn] if body.rolling_radius is not None else []
+        mass, centre, inertia, drawn, radius = _piece(record, scene, False, placed)
+        rims = [] if radius is None else [drawn]
     if "inertia" in record:
         inertia = scene.positive(record["inertia"], f"the inertia of '{body.name}'", zero=True)
     elif "gyration" in record:
         inertia = mass * scene.positive(record["gyration"], f"the radius of gyration of '{body.name}'", zero=True) ** 2
-    body.mass, body.inertia, body.centre = mass, inertia, centre
+    return body._replace(mass=mass, inertia=inertia, centre=centre, rims=rims, rolling_radius=radius)
 
 
 def _piece(record, scene, cut, placed=True):
@@ -164,12 +182,20 @@ def _welded(pieces):
     return mass, (x, y), inertia
 
 
-def _place(body, motion, scene):
-    """Give a placed body its frame, then its energies."""
-    record = body.record
-    body.frame = load(motion).build(record[motion], body, scene) if motion else scene.still(body.centre)
-    if scene.releasing and motion and motion != "weld":
-        body.frame = scene.release(body)
+def _placed(body, motion, scene):
+    """The body with its frame."""
+    if motion is None:
+        return body._replace(frame=scene.still(body.centre))
+    return scene.supported(load(motion).build(body.record[motion], body, scene))
+
+
+def _add_energies(body, motion, scene):
+    """½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and the weight; of a lumped body ½ m u̇² or ½ J φ̇²."""
+    if body.frame is None:
+        weight = body.mass if motion == "slide" else body.inertia
+        if weight is not None:
+            scene.add_inertia(weight, body.lumped[1])
+        return
     for mass, centre, inertia in body.pieces or ((body.mass, body.centre, body.inertia),):
         if mass is not None:
             x, y = body.frame.point(*centre)
@@ -178,11 +204,3 @@ def _place(body, motion, scene):
             scene.add_weight(mass, x, y)
         if inertia is not None:
             scene.add_inertia(inertia, body.frame.angle)
-
-
-def _lump(body, motion, scene):
-    record = body.record
-    body.lumped = load(motion).lump(record[motion], scene)
-    weight = body.mass if motion == "slide" else body.inertia
-    if weight is not None:
-        scene.add_inertia(weight, body.lumped[1])

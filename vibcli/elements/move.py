@@ -34,8 +34,9 @@ ELEMENT = Element(
 
 
 def build(move, body, scene):
-    """The frame of a body moved by (Δx, Δy, Δφ) in its carrier."""
+    """The body with its frame, moved by (Δx, Δy, Δφ) in its carrier."""
     dx, dy, turn = map(scene.change, move["by"], (".x", ".y", ".moment"))
     carrier = scene.carrier(move)
     x0, y0 = body.centre
-    return scene.new_frame((x0, y0), carrier.point(x0 + dx, y0 + dy), carrier.angle + turn)
+    frame = scene.new_frame((x0, y0), carrier.point(x0 + dx, y0 + dy), carrier.angle + turn)
+    return body._replace(frame=frame)

@@ -18,7 +18,7 @@ ELEMENT = Element(
 
 
 def build(pin, body, scene):
-    """The frame of a pinned body: the pin moves with its carrier, the body turns about it by φ."""
+    """A pinned body with its frame: the pin moves with its carrier, the body turns about it by φ."""
     pivot, place, carrier = scene.pivot(pin, body)
     angle = scene.change(pin["by"])
     if pin.get("relative"):
@@ -26,4 +26,4 @@ def build(pin, body, scene):
             scene.report(pin.place("relative"), "'relative' needs a carrier",
                          "name the body that carries the pin, or leave it out")
         angle = angle + carrier.angle
-    return scene.new_frame(pivot, place, angle)
+    return body._replace(frame=scene.new_frame(pivot, place, angle))

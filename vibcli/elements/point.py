@@ -18,13 +18,10 @@ ELEMENT = Element(
 )
 
 
-def build(point, scene):
-    """(drawn place, present place) of a point."""
-    x, y = drawn = scene.pair(point["at"])
-    if "moves" in point:
-        if not any(scene.lower(part).mask for part in point["moves"]):
-            scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
-                         "let `at` say where it is")
-        x, y = (place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
-                for axis, place, part in zip("xy", drawn, point["moves"], strict=True))
-    return drawn, scene.frame(point["body"]).point(x, y) if "body" in point else (x, y)
+def driven(point, drawn, scene):
+    """Where a point is that is driven, `drawn` being its place as drawn."""
+    if not any(scene.lower(part).mask for part in point["moves"]):
+        scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",
+                     "let `at` say where it is")
+    return tuple(place + scene.driven_by(scene.lower(part), f"{point.name}.{axis}", f"{point.name}.drive.{axis}")
+                 for axis, place, part in zip("xy", drawn, point["moves"], strict=True))

@@ -27,17 +27,18 @@ ELEMENT = Element(
 
 
 def build(roll, body, scene):
-    """The frame of a rolling body; its reference point is the centre of the rolling circle."""
+    """A rolling body with its frame, whose reference point is the centre of the rolling circle, and the normal of
+    the surface."""
     surface = scene.surfaces[roll["surface"].text]
     radius = scene.positive(roll["radius"], "the radius it rolls on") if "radius" in roll else body.rolling_radius
     if radius is None:
         scene.report(roll.where, f"'{body.name}' has no radius to roll on", "give `radius`, or a shape that is round")
-        return scene.still(body.centre)
+        return body._replace(frame=scene.still(body.centre))
     drawn, carrier = scene.rim(body, roll.where), scene.carrier(surface, "body")
     if "curve" in surface:
         scene.report(roll["surface"].where, "bodies roll on lines and circles, not on other curves",
                      "`slide: {surface: …, by: …}` moves a particle along a curve")
-        return scene.still(body.centre)
+        return body._replace(frame=scene.still(body.centre))
     on = _on_line if "line" in surface else _on_circle
     return on(roll, body, drawn, scene, surface, radius, carrier)
 
@@ -53,7 +54,7 @@ def _on_line(roll, body, drawn, scene, surface, radius, carrier):
                         "move the body or the line until they touch")
     if "swing" in roll:
         scene.report(roll.place("swing"), "'swing' is for circles", "on a line use `travel` or `turn`")
-        return scene.still(body.centre)
+        return body._replace(frame=scene.still(body.centre))
     if "travel" in roll:
         travel = scene.change(roll["travel"])
         turn = carrier.angle - travel * side / radius
@@ -61,8 +62,7 @@ def _on_line(roll, body, drawn, scene, surface, radius, carrier):
         turn = scene.change(roll["turn"])
         travel = -(turn - carrier.angle) * side * radius
     place = carrier.point(x0 + travel * ex, y0 + travel * ey)
-    body.normal = carrier.turned(-side * ey, side * ex)
-    return scene.new_frame(drawn, place, turn)
+    return body._replace(normal=carrier.turned(-side * ey, side * ex), frame=scene.new_frame(drawn, place, turn))
 
 
 def abs_of(node, sign):
@@ -82,7 +82,7 @@ def _on_circle(roll, body, drawn, scene, surface, radius, carrier):
                         "move the body, or say on which `side` of the circle it is")
     if not scene.number(arm):
         scene.report(roll.where, f"'{body.name}' is as large as the circle it rolls on", "give another radius")
-        return scene.still(body.centre)
+        return body._replace(frame=scene.still(body.centre))
     sense = -1 if inside else 1
     given = scene.change(roll["turn"]) if "turn" in roll else None
     if "swing" in roll:
@@ -95,5 +95,5 @@ def _on_circle(roll, body, drawn, scene, surface, radius, carrier):
     centre = carrier.point(cx, cy)
     frame = scene.new_frame((cx, cy), centre, carrier.angle + swing)
     outward = -1 if inside or encloses else 1
-    body.normal = frame.turned(outward * (x0 - cx) / distance, outward * (y0 - cy) / distance)
-    return scene.new_frame(drawn, frame.point(x0, y0), turn)
+    normal = frame.turned(outward * (x0 - cx) / distance, outward * (y0 - cy) / distance)
+    return body._replace(normal=normal, frame=scene.new_frame(drawn, frame.point(x0, y0), turn))

@@ -12,6 +12,7 @@ all sides as an eyelet does.
 """
 
 from itertools import pairwise
+from typing import NamedTuple
 
 from vibcli.language.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, vector
 from vibcli.symbolic.normal_form import root_of_square, textbook
@@ -33,14 +34,15 @@ KIND = Many(OneOf("a point, a body, or a pulley such as {over: drum}",
                   sequence=vector("m", "a place [x, y]"), mapping=PULLEY), 2, 50, "a list of two or more stops")
 
 
-class Stop:
-    """A place that a rope passes or ends at: the centre of its circle now, its radius, its sense σ, how far its rim
-    turns."""
+class Stop(NamedTuple):
+    """A place that a rope passes or ends at: the centre of its circle now, its radius, on which side the rope passes,
+    how far its rim turns, its sense σ."""
 
-    __slots__ = ("centre", "radius", "sense", "side", "turn")
-
-    def __init__(self, centre, radius, side, turn):
-        self.centre, self.radius, self.side, self.turn, self.sense = centre, radius, side, turn, 0
+    centre: tuple
+    radius: object
+    side: tuple
+    turn: object
+    sense: int = 0
 
     @property
     def contact(self):
@@ -59,9 +61,8 @@ def build(record, scene):
     stops = [_stop(item, scene) for item in record["rope"]]
     if None in stops:
         return
-    for i, stop in enumerate(stops):
-        if stop.side is not None:
-            stop.sense = _sense(record, scene, stops, i)
+    stops = [stop if stop.side is None else stop._replace(sense=_sense(record, scene, stops, i))
+             for i, stop in enumerate(stops)]
     if not (_sides_are_named(record, scene) and _touches(record, scene, stops)):
         return
     groups, total = [], scene.table.zero
@@ -95,13 +96,14 @@ def _touches(record, scene, stops):
         offset = scene.number(one.reach - two.reach)
         length = sqrt(max(hypot(x, y) ** 2 - offset**2, 0.0))
         directions.append(atan2(y, x) + atan2(offset, length))
-    for (arriving, leaving), stop, item in zip(pairwise(directions), stops[1:-1], record["rope"][1:-1], strict=True):
+    for i, (arriving, leaving) in enumerate(pairwise(directions), 1):
+        stop = stops[i]
         if stop.side is None:
             continue
-        sense = stop.sense or _sense(record, scene, stops, stops.index(stop), peg=True)
+        sense = stop.sense or _sense(record, scene, stops, i, peg=True)
         wrap = (leaving - arriving) * sense % tau
         if 1.25 * pi < wrap < tau - 1e-9:
-            scene.report(item.where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
+            scene.report(record["rope"][i].where, f"the rope '{record.name}', drawn taut, does not touch this pulley",
                          "name the other side, or draw the pulley where the rope bends round it")
             return False
     return True
@@ -130,7 +132,7 @@ def _sense(record, scene, stops, i, peg=False):
     if not (peg or scene.number(stops[i].radius)):
         return 0
     before, after = stops[max(i - 1, 0)], stops[min(i + 1, len(stops) - 1)]
-    if stops[i] in (before, after):
+    if i in (0, len(stops) - 1):
         dx, dy = (scene.number(b - a) for a, b in zip(before.centre, after.centre, strict=True))
     else:
         dx, dy = (scene.number(b - a) for a, b in zip(before.contact, after.contact, strict=True))

@@ -9,19 +9,21 @@ With R the radius, α the half angle, O the centre of a sector's or arch's circl
     rod        J_C = m l²/12                    particle J_C = 0
 """
 
+from typing import NamedTuple
+
 NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
          "rectangle": ("width", "height"), "ellipse": ("a", "b"), "sector": ("radius", "half_angle"),
          "arch": ("radius", "half_angle")}
 
 
-class Uniform:
+class Uniform(NamedTuple):
     """What a shape gives: the square of its radius of gyration about C, the offset OC along its axis, its measure
     (area or length; None for a particle), and the radius it rolls on (None where it is not round)."""
 
-    __slots__ = ("gyration2", "measure", "offset", "radius")
-
-    def __init__(self, gyration2, measure, radius=None, offset=None):
-        self.gyration2, self.measure, self.radius, self.offset = gyration2, measure, radius, offset
+    gyration2: object
+    measure: object
+    radius: object = None
+    offset: object = None
 
 
 def _disc(table, radius):

@@ -22,7 +22,7 @@ ELEMENT = Element(
 
 
 def build(slide, body, scene):
-    """The frame of a sliding body: x = x₀ + u·e, turned and displaced with the carrier."""
+    """A sliding body with its frame: x = x₀ + u·e, turned and displaced with the carrier."""
     x0, y0 = body.centre
     if "surface" in slide:
         return _on_surface(slide, body, scene)
@@ -30,11 +30,11 @@ def build(slide, body, scene):
     ex, ey = scene.direction(slide["along"]) if "along" in slide else (scene.table.one, scene.table.zero)
     u = scene.change(slide["by"])
     x, y = carrier.point(x0 + u * ex, y0 + u * ey)
-    return scene.new_frame((x0, y0), (x, y), carrier.angle)
+    return body._replace(frame=scene.new_frame((x0, y0), (x, y), carrier.angle))
 
 
 def _on_surface(slide, body, scene):
-    """The frame of a particle on a surface."""
+    """A particle on a surface with its frame and the normal of the surface."""
     surface, (x0, y0) = scene.surfaces[slide["surface"].text], body.centre
     carrier, u = scene.carrier(surface, "body"), scene.change(slide["by"])
     if "line" in surface:
@@ -54,8 +54,8 @@ def _on_surface(slide, body, scene):
     off = off if scene.sign(off) > 0 else -off
     scene.require_equal(off, scene.table.zero, slide.where, f"'{body.name}' is {{}} m off its surface as drawn",
                         "draw it on the surface", size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
-    body.normal = carrier.turned(*normal)
-    return scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle)
+    normal = carrier.turned(*normal)
+    return body._replace(normal=normal, frame=scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle))
 
 
 def lump(slide, scene):

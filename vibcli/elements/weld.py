@@ -7,4 +7,5 @@ ABOUT = "The body is carried rigidly by another one: `weld: rod`."
 
 
 def build(weld, body, scene):
-    return scene.frame(weld)
+    """The body with the frame of the one that carries it."""
+    return body._replace(frame=scene.frame(weld))

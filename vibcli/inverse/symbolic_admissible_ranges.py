@@ -12,7 +12,7 @@ from typing import NamedTuple
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
 from vibcli.quantities.expression import lowered
-from vibcli.scene.build import sample_values
+from vibcli.scene.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 

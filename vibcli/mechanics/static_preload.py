@@ -17,9 +17,7 @@ LOOSE = 1e-9
 
 
 def settle_static_preloads(scene):
-    """Replace every `preload: static` of the scene by its tension."""
-    if not scene.static_preloads:
-        return {}
+    """(the scene with every `preload: static` replaced by its tension, {name: tension})."""
     names = [record.name for _, record in scene.static_preloads]
     unknowns = [node for node, _ in scene.static_preloads]
     vibrating = scene.vibrating
@@ -35,8 +33,7 @@ def settle_static_preloads(scene):
     _consistent(scene, numbers, [values[unknown] for unknown in unknowns], names)
     for free in set(range(len(unknowns))) - set(picked):
         _harmless(scene, form, unknowns, columns, rows, picked, free)
-    scene.put(values)
-    return {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
+    return scene.with_preloads(values), {name: values[unknown] for name, unknown in zip(names, unknowns, strict=True)}
 
 
 def _column(form, unknown):
@@ -136,8 +133,10 @@ def _listed(names):
 
 
 def take_over(scene, preloads):
-    """Give a variant of a scene the static preloads {name: node} of the scene itself."""
+    """A variant of a scene with the static preloads {name: node} of the scene itself."""
+    if not scene.static_preloads:
+        return scene
     from vibcli.symbolic.transfer_between_tables import copied
 
     tensions = copied([preloads[record.name] for _, record in scene.static_preloads], scene.table)
-    scene.put({node: tension for (node, _), tension in zip(scene.static_preloads, tensions, strict=True)})
+    return scene.with_preloads(dict(zip([node for node, _ in scene.static_preloads], tensions, strict=True)))

@@ -7,10 +7,12 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import solve_linear
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.scene.build import SAMPLES, build_scene, sample_values
+from vibcli.scene.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.rationals import ONE
+
+SAMPLES = range(20, 28)     # attempts to draw a scene with other sample values
 
 
 def vanishes(scene, terms):
@@ -68,12 +70,12 @@ def equilibrium_in_letters(problem):
     return {name: simplest(place[i] + shift[i]) if i in shift else place[i] for i, name in enumerate(scene.coordinates)}
 
 
-def drawn_stable(spec, given, scene):
+def drawn_stable(scene):
     """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
     for start in SAMPLES:
         if not _falls_as_drawn(scene):
             break
-        scene = build_scene(spec, given, start)
+        scene = scene.drawn_anew(start)
     return scene
 
 

@@ -89,33 +89,28 @@ class Problem(InNumbers, InLetters, InTime, OnRequest):
 
     @Stage
     def scene(self):
-        from vibcli.scene.build import build_scene
+        from vibcli.scene.build import build_preloaded, build_scene
 
-        scene = build_scene(self.spec, self.given, holding=self.holding is not None)
+        scene = (build_scene if self.holding is None else build_preloaded)(self.spec, self.given)
         if self.symbolic_parameters(scene):
             from vibcli.mechanics.symbolic_equilibrium_linear import drawn_stable
 
-            scene = drawn_stable(self.spec, self.given, scene)
+            scene = drawn_stable(scene)
         self.preloads = {}
         if scene.static_preloads and self.holding is not None:
             from vibcli.mechanics.static_preload import take_over
 
-            take_over(scene, self.holding.preloads)
+            scene = take_over(scene, self.holding.preloads)
         elif scene.static_preloads:
             from vibcli.mechanics.static_preload import settle_static_preloads
 
-            self.preloads = defined_as_drawn(settle_static_preloads, scene)
+            scene, self.preloads = defined_as_drawn(settle_static_preloads, scene)
         return scene
 
     @cached_property
     def loose(self):
         """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
-        if self.scene.loops is None:
-            return self.scene
-        from vibcli.scene.build import build_scene
-
-        return build_scene(self.spec, self.given, self.scene.attempt, loose=True,
-                           holding=self.holding is not None)
+        return self.scene if self.scene.loops is None else self.scene.with_multipliers()
 
     @property
     def symbolic(self):

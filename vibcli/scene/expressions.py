@@ -11,7 +11,18 @@ from vibcli.symbolic.syntax import Sum
 
 
 class Expressions:
-    """The part of a Scene that lowers fields to nodes and compares nodes."""
+    """Lowers fields to nodes of a scene and compares nodes in its drawn position, the `coordinates` being its own."""
+
+    __slots__ = ("coordinates", "parameters", "reports", "sample", "table")
+
+    def __init__(self, coordinates, parameters, sample, reports):
+        self.coordinates, self.parameters, self.sample, self.reports = coordinates, parameters, sample, reports
+        self.table = coordinates.table
+
+    def _symbol(self, name, primes, tree):
+        if name in self.parameters.in_letters:
+            return self.parameters.in_letters[name]
+        return self.parameters.nodes[name] if name in self.parameters.nodes else self.coordinates.symbol(name, primes)
 
     def lower(self, expression, local=None):
         """The node of a parsed field; `local`: (name, node) of a name that is good there alone. Who reads more of a
@@ -22,13 +33,14 @@ class Expressions:
         try:
             node = lower(expression.tree, self.table, symbol)
         except ExpressionError as error:
-            self.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
+            self.reports.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
             return self.table.one
-        if self.built or node.mask or node.op == "symbol":
+        if self.reports.finished or node.mask or node.op == "symbol":
             return node
         problem = unusable(self._constant(node), Floats)
         if problem:
-            self.report(expression.scalar.place(0, len(expression.text)), "this value is " + problem[0], problem[1])
+            where = expression.scalar.place(0, len(expression.text))
+            self.reports.report(where, "this value is " + problem[0], problem[1])
         return self.table.one if problem else node
 
     def _constant(self, node):
@@ -41,7 +53,7 @@ class Expressions:
         if not (value > 0 or (zero and value == 0)):
             found = f"{value:.6g} {units.text(expression.dimension or {})}".rstrip()
             wanted = "zero or more" if zero else "a positive value"
-            self.report(expression.where, f"{what} is {found}, expected {wanted}",
+            self.reports.report(expression.where, f"{what} is {found}, expected {wanted}",
                         "mind the signs" if value < 0 else None)
         return node
 
@@ -57,13 +69,15 @@ class Expressions:
         return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)))) for part in parts)
 
     def pair(self, expressions):
+        """The nodes of two fields, such as a place [x, y]."""
         return self.lower(expressions[0]), self.lower(expressions[1])
 
     def number(self, node):
         """The value of a node as drawn, with sample values for symbols."""
-        return evaluate(self.at_drawn(node), Floats, self.sample)[0]
+        return evaluate(self.coordinates.at_drawn(node), Floats, self.sample)[0]
 
     def sign(self, node):
+        """That of a node as drawn."""
         return -1 if self.number(node) < 0 else 1
 
     def agree(self, a, b):
@@ -103,5 +117,5 @@ class Expressions:
 
     def require_equal(self, a, b, where, message, hint=None, size=0.0):
         """Report `message` with both values where they differ in the drawn position by more than `size`."""
-        if not self.agree(*self.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
-            self.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
+        if not self.agree(*self.coordinates.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
+            self.reports.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)

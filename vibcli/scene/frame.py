@@ -1,13 +1,23 @@
 """The frame of a body: where it was drawn, where it is now, how far it has turned."""
 
+from typing import NamedTuple
 
-class Frame:
+
+class Frame(NamedTuple):
     """A reference point drawn at `drawn`, now at `place`, and the rotation `angle`: all expressions."""
 
-    __slots__ = ("angle", "drawn", "place")
+    drawn: tuple
+    place: tuple
+    angle: object
 
-    def __init__(self, drawn, place, angle):
-        self.drawn, self.place, self.angle = drawn, place, angle
+    @property
+    def nodes(self):
+        """The expressions of the coordinates that it is made of."""
+        return [*self.place, self.angle]
+
+    def over(self, new):
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(place=tuple(new[node] for node in self.place), angle=new[self.angle])
 
     def point(self, x, y):
         """Where the body's point drawn at (x, y) is now: place + R(angle)·(its offset as drawn)."""

@@ -2,10 +2,14 @@
 
 from fractions import Fraction
 
-from vibcli.scene.build import sample_values
-
 FAR = 100           # where attempts unrelated to those of the drawing start
 FAR_APART = 5       # letters of one scene may differ by orders of magnitude
+
+
+def sample_values(names, attempt):
+    """Values for symbols without one: positive, unrelated, and others at each attempt."""
+    return {name: 0.6 + 1.7 * ((Fraction(7919 * (i + 1) + 104729 * attempt, 10007) * (attempt + 3)) % 1)
+            for i, name in enumerate(names)}
 
 
 def given_values(scene, free, attempt):

@@ -70,12 +70,13 @@ class Table:
     `squares_at_sample` how (R − r)² is.
     """
 
-    def __init__(self):
+    def __init__(self, records=None):
+        """`records`: {name: samples} of functions of the time."""
         self._nodes = {}
         self._count = 0
         self.variables, self.called = [], set()
         self.sample, self._signs, self.squares_at_sample = None, {}, False
-        self.time, self.records = None, {}      # the variable that is the time; sampled functions of it by name
+        self.time, self.records = None, records or {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)
         self.pi = self._make("pi", (), ONE, 0, "pi")
@@ -114,6 +115,11 @@ class Table:
         node = self._make("symbol", (), ONE, 1 << len(self.variables), name)
         self.variables.append(node)
         return node
+
+    def time_variable(self, name):
+        """The variable that is the time."""
+        self.time = self.variable(name)
+        return self.time
 
     def dependent(self, name, mask, at_rest=False):
         """A symbol that depends on variables through an equation: its `gradient` is set where that is solved.

@@ -14,7 +14,7 @@ from vibcli.language.document.document import read
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
-from vibcli.scene.coordinates import SceneCoordinates
+from vibcli.scene.displacements import Displacements
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -174,14 +174,14 @@ def parts_of(found, monkeypatch):
     """The scene; or where displacements are driven to and fro, those with SMALL and −SMALL times them."""
     if found.scene.resting is found.scene:
         return [found.scene]
-    whole = SceneCoordinates.driven_by
+    whole = Displacements.driven_by
     scenes = []
     for factor in (SMALL, -SMALL):
         def scaled(self, node, name, drive=None, factor=factor):
             return whole(self, node * self.table.number(Fraction(factor)) if self.waves(node) else node, name, drive)
 
         with monkeypatch.context() as patched:
-            patched.setattr(SceneCoordinates, "driven_by", scaled)
+            patched.setattr(Displacements, "driven_by", scaled)
             scenes.append(Problem(found.spec).scene)
     return scenes
 

@@ -95,13 +95,12 @@ def plain(path):
 def built(scene, path):
     """The scene with all its coordinates."""
     node, diagnostics = read(yaml.dump(scene, Dumper=Dumper, sort_keys=False, width=10**6).encode(), str(path))
-    return build_scene(read_spec(node, str(path), diagnostics), loose=True)
+    return build_scene(read_spec(node, str(path), diagnostics)).with_multipliers()
 
 
 def described(scene):
     """T, V, Φ, Q, G and the displacements of all bodies at a few positions that are drawn at random."""
-    for node, record in scene.static_preloads:
-        scene.replace({node: scene.table.number(len(record.name))})
+    scene = scene.with_preloads({node: scene.table.number(len(record.name)) for node, record in scene.static_preloads})
     V = potential(scene)
     nodes = [kinetic(scene), V - scene.at_drawn(V)[0], dissipation(scene), *(tie.node for tie in scene.constraints),
              *(generalised_force(scene, i) for i in range(len(scene.q))),

@@ -128,18 +128,12 @@ def equations_of(problem):
 
 def _loose(problem):
     """The scene with all its coordinates, its static preloads in numbers."""
-    from vibcli.scene.build import build_scene
-
     loose = problem.loose
-    if loose is problem.scene:
-        loose = build_scene(problem.spec, problem.given, loose.attempt, loose=True,
-                            holding=problem.holding is not None)
-    if loose.static_preloads:
-        number, floats = loose.table.number, problem.floats
-        loose.replace({node: number(Fraction(evaluate([problem.preloads[record.name]], Floats, floats)[0]))
-                       for node, record in loose.static_preloads})
-        loose.static_preloads = []
-    return loose
+    if not loose.static_preloads:
+        return loose
+    number, floats = loose.table.number, problem.floats
+    return loose.with_preloads({node: number(Fraction(evaluate([problem.preloads[record.name]], Floats, floats)[0]))
+                                for node, record in loose.static_preloads})
 
 
 def _marched(march, stops, events):

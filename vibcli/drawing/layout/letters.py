@@ -13,15 +13,12 @@ def pleasing(problem, stage_of):
     stage = stage_of(problem.scene)
     if not problem.symbolic or crowding(stage) <= ENOUGH:
         return stage
-    from vibcli.scene.build import build_scene
-
-    attempt, best = problem.scene.attempt, (crowding(stage), stage)
+    scene, best = problem.scene, (crowding(stage), stage)
     for _ in range(TRIES):
         try:
-            scene = build_scene(problem.spec, problem.given, attempt + 1)
+            scene = scene.drawn_anew(scene.attempt + 1)
         except SpecError:
             break
-        attempt = scene.attempt
         if _same(problem.scene, scene):
             other = stage_of(scene)
             best = min(best, (crowding(other), other), key=lambda pair: pair[0])

@@ -14,7 +14,6 @@ from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import take_over
-from vibcli.scene.build import build_scene
 from vibcli.scene.closed_loops import drawn_values
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -27,11 +26,8 @@ class Opened:
 
     def __init__(self, problem, releasing=False):
         self.problem = problem
-        self.scene = scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=releasing,
-                                         releasing=releasing, opened=True, holding=problem.holding is not None)
-        if scene.static_preloads:
-            take_over(scene, problem.preloads)
-        scene.rename([q for q in scene.q if q not in scene.inputs] + list(scene.inputs))
+        scene = problem.scene.with_released_supports() if releasing else problem.scene
+        self.scene = scene = take_over(scene.with_inputs(), problem.preloads)
         self.n = len(scene.q) - len(scene.inputs)
         self.timed = linearise(scene)
         self.form = steady(scene, self.timed)

@@ -35,15 +35,10 @@ class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
     def __init__(self, problem):
-        from vibcli.scene.build import build_scene
-
-        self.problem = problem
-        self.scene = build_scene(problem.spec, problem.given, problem.scene.attempt, loose=True, releasing=True,
-                                 holding=problem.holding is not None)
+        self.problem, self.scene = problem, problem.scene.with_released_supports()
         if self.scene.static_preloads and not problem.symbolic:
-            nodes = {node: self.scene.table.number(_float_of(problem, record)) for node, record
-                     in self.scene.static_preloads}
-            self.scene.put(nodes)
+            self.scene = self.scene.with_preloads({node: self.scene.table.number(_float_of(problem, record))
+                                                   for node, record in self.scene.static_preloads})
         count = len(problem.spec.coordinates)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 

@@ -4,12 +4,18 @@ TURNING = "torsion acts between two bodies, or a body and `ground`"
 
 
 class Ends:
-    """The part of a Scene that turns two ends into a stretch."""
+    """Turns the two ends of a spring or damper into its stretch."""
+
+    __slots__ = ("bodies", "expressions", "geometry", "places", "report", "table")
+
+    def __init__(self, places):
+        self.places, self.bodies, self.geometry = places, places.bodies, places.geometry
+        self.expressions, self.table, self.report = self.geometry.expressions, places.table, places.report
 
     def stretch(self, record, torsion):
         """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
         if "stretch" in record:
-            return self.moving(record, self.lower(record["stretch"]))
+            return self.moving(record, self.expressions.lower(record["stretch"]))
         if torsion:
             return self.moving(record, self._difference(record, [self._angle(end) for end in record["between"]]))
         lumped = [self._lumped(end) for end in record["between"]]
@@ -19,12 +25,12 @@ class Ends:
         if dx is None:
             return None
         length = self.length(record, dx, dy)
-        return None if length is None else self.moving(record, length - self.at_drawn(length)[0])
+        return None if length is None else self.moving(record, length - self.geometry.at_drawn(length)[0])
 
     def length(self, record, dx, dy):
         """The distance of two ends; None where they coincide as drawn, which is reported."""
-        length = self.distance(dx, dy)
-        if self.number(length) > 0:
+        length = self.geometry.distance(dx, dy)
+        if self.expressions.number(length) > 0:
             return length
         self.report(record.where, f"the ends of '{record.name}' coincide as drawn: its direction is not defined",
                     "draw them apart" + (", or give `free_length: 0`" if "k" in record else ""))
@@ -50,7 +56,7 @@ class Ends:
 
     def _place_of(self, end, record):
         if isinstance(end, list):
-            return self.pair(end)
+            return self.expressions.pair(end)
         if end.text == "ground":
             self.report(end.where, f"'{record.name}' joins a place and bare ground", "say where on the ground: [x, y]")
             return None
@@ -58,7 +64,7 @@ class Ends:
             self.report(end.where, f"'{end.text}' is lumped: it has no place, so '{record.name}' has no free length",
                         "give `preload` instead, or say where the body is drawn with `at`")
             return None
-        return self.place(end)[1]
+        return self.places.place(end)[1]
 
     def _lumped(self, end):
         """(kind, motion) of a lumped body, 0 for the ground, None for what has a place."""

@@ -1,0 +1,206 @@
+"""The scene while it is built: the services by which elements make their functions of the coordinates, and to which
+they contribute."""
+
+from vibcli.language.fields import load
+from vibcli.language.parameters import Parameters
+from vibcli.language.reader import Reference
+from vibcli.language.sections.initial import let_go
+from vibcli.scene.build_order import carriers_first
+from vibcli.scene.constraints import Constraint
+from vibcli.scene.contents import Contents
+from vibcli.scene.coordinates import SceneCoordinates
+from vibcli.scene.displacements import Displacements
+from vibcli.scene.ends import Ends
+from vibcli.scene.energy_terms import AppliedLoad, Damper, Inertia, Spring, Weight
+from vibcli.scene.expressions import Expressions
+from vibcli.scene.frame import Frame
+from vibcli.scene.geometry import Geometry
+from vibcli.scene.laws import Law
+from vibcli.scene.parameter_samples import sample_values
+from vibcli.scene.places import Places
+from vibcli.scene.reports import Reports
+from vibcli.symbolic.antiderivatives import from_zero
+from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.evaluation import Floats
+from vibcli.symbolic.expression import Table
+
+CONNECTING = {"springs": "spring", "dampers": "damper", "forces": "force", "constraints": "constraint"}
+SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
+
+
+class Builder:
+    """A scene that is built: elements see it as `scene`. `owner`: the name of the element that contributes."""
+
+    def __init__(self, spec, given, attempt, variant):
+        self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
+        self.table = table = Table({name: record["samples"] for name, record in (spec.get("records") or {}).items()})
+        self.parameters = Parameters(spec, table)
+        self.sample = self.parameters.values(Floats, _samples(spec, self.parameters.free, given, attempt))
+        table.resample(self.sample)
+        self.time = table.time_variable("the time" if "t" in spec.parameters or "t" in spec.coordinates else "t")
+        self.coordinates = SceneCoordinates.named(spec.coordinates, self.time)
+        self.expressions = Expressions(self.coordinates, self.parameters, self.sample, self.reports)
+        self.coordinates.draw([self.expressions.lower(record["drawn"]) if "drawn" in record else table.zero
+                               for record in spec.coordinates.values()])
+        self.contents, self.displacements = Contents.empty(table), Displacements(self.expressions, variant)
+        self._offer_expressions(self.expressions, Geometry(self.expressions))
+        self._offer_places(Places(spec, self.geometry, self.contents.bodies, self.contents.points, self._driven_point))
+        self._offer_displacements(self.displacements)
+
+    def _offer_expressions(self, expressions, geometry):
+        """The services of expressions and directions."""
+        self.report, self.diagnostics, self.geometry = self.reports.report, self.reports.diagnostics, geometry
+        self.lower, self.pair, self.load = expressions.lower, expressions.pair, expressions.load
+        self.positive, self.number, self.sign = expressions.positive, expressions.number, expressions.sign
+        self.agree, self.vanishes = expressions.agree, expressions.vanishes
+        self.require_equal, self.terms_with = expressions.require_equal, expressions.terms_with
+        self.unit, self.direction, self.distance = geometry.unit, geometry.direction, geometry.distance
+        self.height_of, self.unit_normal = geometry.height_of, geometry.unit_normal
+        self.symbol, self.at_drawn = self.coordinates.symbol, self.coordinates.at_drawn
+        self.v, self.a = self.coordinates.v, self.coordinates.a
+
+    def _offer_places(self, places):
+        """The services of bodies, points, and what is joined."""
+        self.bodies, self.surfaces, self.ground = places.bodies, self.spec.get("surfaces") or {}, places.ground
+        self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
+        self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
+        self.extent, ends = places.extent, Ends(places)
+        self.stretch, self.span, self.length = ends.stretch, ends.span, ends.length
+        self.moving, self.angle_of = ends.moving, ends.angle_of
+
+    def _offer_displacements(self, displacements):
+        """The services of what is driven, and of supports that give way."""
+        self.driven_by, self.turns = displacements.driven_by, displacements.turns
+        self.released = displacements.released
+
+    def change(self, expression, part=""):
+        """A displacement of the body that is built."""
+        return self.displacements.change(expression, self.owner, part)
+
+    def supported(self, body):
+        """A body that moves; where supports give way, with that of its own."""
+        if not self.variant.released or "weld" in body.record:
+            return body
+        return body._replace(frame=self.displacements.release(body))
+
+    @property
+    def supports(self):
+        """The coordinates by which supports give way, drives apart."""
+        return [q for q in self.released if ".reaction." in q.name]
+
+    def _driven_point(self, record, drawn):
+        return load("point").driven(record, drawn, self)
+
+    def add_elements(self):
+        """Build the bodies, carriers first, then what connects them."""
+        spec, contents = self.spec, self.contents
+        if "gravity" in spec.sections:
+            self.contents = contents._replace(gravity=load("gravity").build(spec.get("gravity"), self))
+        for name in carriers_first(spec, self.report):
+            self.owner = name
+            contents.bodies[name] = load("body").build(spec.get("bodies")[name], self)
+        if self.diagnostics:
+            return
+        for section, element in CONNECTING.items():
+            for record in (spec.get(section) or {}).values():
+                if section != "forces" or self.variant.preloaded or record.name != let_go(spec):
+                    self._add(element, record)
+        for section in ("energies", "matrices"):
+            if section in spec.sections:
+                load(section).build(spec.get(section), self)
+        for name, record in (spec.get("points") or {}).items():
+            if "moves" in record:
+                self.place(Reference(name, record.where))
+
+    def _add(self, element, record):
+        """One spring, damper, force or constraint."""
+        self.owner = record.name
+        try:
+            load(element).build(record, self)
+        except ZeroDivisionError:
+            self.report(record.where, f"'{record.name}' divides by zero as drawn", "draw its ends apart")
+
+    def add_inertia(self, weight, s):
+        """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
+        if s.mask and not weight.is_zero:
+            self.contents.inertias.append(Inertia(weight, s, owner=self.owner))
+
+    def add_weight(self, mass, x, y):
+        """−mass·(gₓ x + g_y y) to V."""
+        if self.contents.gravity is not None:
+            for g, s in zip(self.contents.gravity, (x, y), strict=True):
+                if s.mask and not g.is_zero:
+                    self.contents.weights.append(Weight(-mass * g, s, owner=self.owner))
+
+    def add_spring(self, k, preload, s):
+        """preload·s + ½·k·s² to V."""
+        self.contents.springs.append(Spring(k, s, preload, self.owner))
+
+    def add_damper(self, c, s):
+        """½·c·ṡ² to Φ."""
+        self.contents.dampers.append(Damper(c, s, owner=self.owner))
+
+    def add_force(self, steady, in_time, s):
+        """The virtual work δA = force·δs of a load in two parts, which depend on coordinates and velocities as they
+        like."""
+        if (s.mask or self.variant.inputs) and not (steady.is_zero and in_time.is_zero):
+            offset = None if in_time.is_zero else steady
+            self.contents.forces.append(AppliedLoad(steady + in_time, s, offset, self.owner))
+
+    def add_constraint(self, record, node, form, part=""):
+        """The condition node = 0."""
+        self.contents.constraints.append(Constraint(record.name + part, node, record.where, form))
+
+    def law_variable(self, damper=False):
+        """The symbol of the deflection, or of its rate, in a law."""
+        return self.table.variable("the rate" if damper else "the deflection")
+
+    def integrated(self, force, x, where):
+        """∫₀ˣ force dx; None where it is not found, which is reported."""
+        found = from_zero(force, x)
+        if found is None:
+            self.report(where, "the energy of this law is not found", "write it as a sum of powers, |d|^n, sines and "
+                        "exponentials of d; other energies stand under `energies`")
+        return found
+
+    def value_at(self, node, x, place=None):
+        """A function of x at a place, 0 if none is given."""
+        return substitute([node], {x: self.table.zero if place is None else place})[0]
+
+    def add_law(self, s, x, energy, damper=False, bound=None):
+        """V(s) of a spring or Φ(ṡ) of a damper, given as a function of x."""
+        force = gradient(energy).get(x, self.table.zero)
+        self.contents.laws.append(Law(self.owner, s, x, energy, force, damper, bound))
+
+    def static_preload(self, record):
+        """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""
+        node = self.table.parameter(record.name + ".preload", positive=False)
+        self.contents.static_preloads.append((node, record))
+        return node
+
+    def add_energy(self, key, node):
+        """A term of T, V or Φ that is written out."""
+        record, names = self.spec.get("energies"), self.coordinates.names
+        velocities = set(self.v)
+        found = gradient(node)
+        if key == "V" and velocities & set(found):
+            self.report(record.place(key), "V depends on the coordinates alone, not on velocities")
+        if set(self.a) & set(found):
+            self.report(record.place(key), "energies do not depend on accelerations")
+        moving = {"T": {*velocities, *self.coordinates.q}, "Phi": velocities}
+        if key in moving and not moving[key] & set(found):
+            self.report(record.place(key), f"{key} must depend on a velocity such as {names[0]}'" if names else
+                        f"{key} must depend on a velocity")
+        self.contents.energies[key] = self.contents.energies[key] + node
+
+    def add_matrix(self, key, nodes):
+        """M, C or K given outright."""
+        self.contents.matrices[key] = nodes
+
+
+def _samples(spec, free, given, attempt):
+    """{name: float} of the symbols without value: given ones, those that the spec names, and others."""
+    found = sample_values(free, attempt)
+    found |= {name: found[name] * SIZES[attempt % len(SIZES)] for name in spec.choices if name in found}
+    found |= {name: value for name, value in spec.sample.items() if name in found}
+    return {**found, **{name: float(value) for name, value in given.items()}}

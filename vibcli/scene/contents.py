@@ -1,0 +1,60 @@
+"""What the elements of a scene contribute: bodies, points and the terms of the energies."""
+
+from typing import NamedTuple
+
+TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
+DRIVEN = TERMS[:-1]     # kept as functions of driven displacements, too
+
+
+class Contents(NamedTuple):
+    """`points`: {name: (drawn, present)}; `energies`: T, V and Φ that are written out, and the laws once they are
+    settled; `static_preloads`: [(symbol, record)] of unknown tensions; `shaken`: {kind: terms} as functions of the
+    symbols of driven displacements, empty where nothing is driven."""
+
+    gravity: tuple
+    bodies: dict
+    points: dict
+    inertias: list
+    springs: list
+    dampers: list
+    weights: list
+    forces: list
+    laws: list
+    constraints: list
+    energies: dict
+    matrices: dict
+    static_preloads: list
+    shaken: dict
+
+    @classmethod
+    def empty(cls, table):
+        """Contents to which elements may add."""
+        energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
+        return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})
+
+    @property
+    def nodes(self):
+        """All expressions of the coordinates in it."""
+        kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values()]
+        places = [node for _, place in self.points.values() for node in place]
+        return [*(node for kind in kinds for part in kind for node in part.nodes), *places, *self.energies.values()]
+
+    @property
+    def terms(self):
+        """{kind: terms and laws}."""
+        return {kind: getattr(self, kind) for kind in DRIVEN}
+
+    @property
+    def depends_on(self):
+        """Those of the inertias, springs, dampers, weights and loads, with their factors, and of the energies."""
+        kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces)
+        return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
+
+    def over(self, new):
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(
+            **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},
+            shaken={kind: [term.over(new) for term in terms] for kind, terms in self.shaken.items()},
+            bodies={name: body.over(new) for name, body in self.bodies.items()},
+            points={name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place) in self.points.items()},
+            energies={key: new[node] for key, node in self.energies.items()})

@@ -1,0 +1,88 @@
+"""Displacements of bodies and points from where they are drawn: by coordinates, in time, by supports that give way."""
+
+from typing import NamedTuple
+
+from vibcli.scene.bounded_motion import stays_bounded
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.normal_form import textbook
+
+
+class Opening(NamedTuple):
+    """An input of a scene with inputs: whose it is, what drives it (None of a load), and of which term of the loads it
+    stands beside (None of a displacement, or along a coordinate)."""
+
+    name: str
+    node: object = None
+    load: int = None
+
+
+class Displacements:
+    """What drives a scene that is built: `driven`, {symbol: function of the time}; `inputs`, {symbol: Opening}; and the
+    coordinates `released` by which supports give way, if the `variant` says so."""
+
+    __slots__ = ("coordinates", "driven", "expressions", "inputs", "released", "table", "time", "variant")
+
+    def __init__(self, expressions, variant):
+        self.expressions, self.variant, self.coordinates = expressions, variant, expressions.coordinates
+        self.table, self.time = self.coordinates.table, self.coordinates.time
+        self.driven, self.inputs, self.released = {}, {}, []
+
+    def driven_by(self, node, name, drive=None):
+        """A displacement of what has this name: where it depends on the time, a symbol that is zero as drawn and stands
+        for it until the scene is assembled; of a scene with inputs an input. Where supports give way its `drive`
+        does."""
+        if not node.mask & self.time.mask:
+            return node
+        slip = self._released(drive) if self.variant.released and drive else self.table.zero
+        if self.variant.inputs and self.waves(node):
+            return self.add_input(name, node) + slip
+        symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
+        self.driven[symbol], self.coordinates.at_rest[symbol] = node, self.table.zero
+        return symbol + slip
+
+    def change(self, expression, owner, part=""):
+        """A displacement from the drawn position: how much the terms that hold coordinates have changed since then, and
+        what is prescribed in time, which counts as it stands, constants included. `part`: .x, .y or .moment of a body
+        that has several."""
+        node, drive = self.expressions.lower(expression), f"{owner}.drive{part}"
+        if node.mask == self.time.mask:
+            return self.driven_by(node, owner, drive)
+        drawn, = self.coordinates.at_drawn(node)
+        held = self.expressions.terms_with(node, ~self.time.mask) if node.mask & self.time.mask else node
+        driven = textbook(node - held)
+        if not driven.mask:
+            return node - drawn
+        at_start, = self.coordinates.at_drawn(held)
+        if drawn.is_zero:
+            driven = driven + at_start
+        return held - at_start + self.driven_by(driven, owner, drive)
+
+    def waves(self, node):
+        """Does a function of the time stay bounded, so that it counts as a small displacement?"""
+        return stays_bounded(node, self.time, self.expressions.sample)
+
+    def release(self, body):
+        """The frame of a body whose support gives way: by x and y in the fixed axes, and by a rotation."""
+        x, y, turn = (self._released(f"{body.name}.reaction.{part}") for part in ("x", "y", "moment"))
+        frame = body.frame
+        return frame._replace(place=(frame.place[0] + x, frame.place[1] + y), angle=frame.angle + turn)
+
+    def turns(self, body):
+        """Does a body turn, other than by its support giving way?"""
+        angle, = substitute([body.frame.angle], dict.fromkeys(self.released, self.table.zero))
+        return bool(angle.mask)
+
+    @property
+    def supports(self):
+        """The coordinates by which supports give way, drives apart."""
+        return [q for q in self.released if ".reaction." in q.name]
+
+    def _released(self, name):
+        self.released.append(self.coordinates.further(name))
+        return self.released[-1]
+
+    def add_input(self, name, node=None, load=None):
+        """An input as a further coordinate: a displacement that is driven by `node`, or a load beside a given one."""
+        symbol = self.coordinates.further(f"input {len(self.inputs) + 1}")
+        self.inputs[symbol] = Opening(name, node, load)
+        return symbol

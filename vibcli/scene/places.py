@@ -1,0 +1,96 @@
+"""Where the bodies and points of a scene are, as drawn and now."""
+
+from vibcli.scene.frame import Frame
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+
+class Places:
+    """The frames, circles, places and turns of `bodies` and of the points of a scene.
+
+    `points`: {name: (drawn, present)} of those that are known; `driven(record, drawn)`: where a point is that moves.
+    """
+
+    __slots__ = ("bodies", "driven", "geometry", "ground", "points", "report", "spec", "table")
+
+    def __init__(self, spec, geometry, bodies, points, driven=None):
+        self.spec, self.geometry, self.bodies, self.points, self.driven = spec, geometry, bodies, points, driven
+        self.table, self.report = geometry.table, geometry.report
+        self.ground = self.still((self.table.zero, self.table.zero))
+
+    def still(self, drawn):
+        """The frame of what does not move."""
+        return Frame(drawn, drawn, self.table.zero)
+
+    def frame(self, name):
+        """That of a body, which must have a place."""
+        frame = self.bodies[name.text].frame
+        if frame is None:
+            self.report(name.where, f"'{name.text}' has no place, so it carries nothing",
+                        "say where it is drawn with `at: [x, y]`")
+        return frame or self.ground
+
+    def carrier(self, record, key="carrier"):
+        """The frame of the body that a record names, or the ground."""
+        return self.frame(record[key]) if key in record else self.ground
+
+    def rim(self, body, where):
+        """The centre as drawn of the circle about which a body rolls, meshes and carries ropes; of one that is not
+        round its pin, or else its mass centre."""
+        if len(body.rims) > 1:
+            self.report(where, f"which circle of '{body.name}' is meant is not clear: its parts have several",
+                        "give the body, beside its `parts`, the centre of that circle: `at: [x, y]`")
+        if body.rims:
+            return body.rims[0]
+        return body.frame.drawn if "pin" in body.record else body.centre
+
+    def place_of(self, end):
+        """Where an end is now: a place [x, y], or a named point or body."""
+        return self.geometry.expressions.pair(end) if isinstance(end, list) else self.place(end)[1]
+
+    def pivot(self, pin, body):
+        """(pin as drawn, pin now, frame that carries it)."""
+        carrier = self.carrier(pin)
+        at = pin.get("at")
+        if at is None:
+            drawn = body.centre
+        elif isinstance(at, list):
+            drawn = self.geometry.expressions.pair(at)
+        else:
+            drawn, place, frame = self.place(at)
+            if "carrier" not in pin:
+                return drawn, place, frame
+        return drawn, carrier.point(*drawn), carrier
+
+    def place(self, name):
+        """(drawn, present, carrying frame) of a named point or body."""
+        if name.text in self.bodies:
+            body = self.bodies[name.text]
+            if body.frame is None:
+                self.report(name.where, f"'{name.text}' has no place", "say where it is drawn with `at: [x, y]`")
+                return self.ground.drawn, self.ground.drawn, self.ground
+            return body.centre, body.frame.point(*body.centre), body.frame
+        record = self.spec.get("points")[name.text]
+        drawn, present = self.points[name.text] = self.points.get(name.text) or self._located(record)
+        return drawn, present, self.carrier(record, "body")
+
+    def _located(self, record):
+        """(drawn, present) of a point."""
+        drawn = self.geometry.expressions.pair(record["at"])
+        place = self.driven(record, drawn) if "moves" in record else drawn
+        return drawn, self.frame(record["body"]).point(*place) if "body" in record else place
+
+    def extent(self, values):
+        """The size of the drawn figure in metres, {name: float} given; 0 where nothing has a place."""
+        places = [body.centre for body in self.bodies.values() if body.frame is not None]
+        places += [self.geometry.expressions.pair(end) for record in (self.spec.get("springs") or {}).values()
+                   for end in record.get("between", ()) if isinstance(end, list)]
+        found = evaluate([node for place in places for node in place], Floats, values)
+        if not found:
+            return 0.0
+        size = max(max(found[0::2]) - min(found[0::2]), max(found[1::2]) - min(found[1::2]))
+        return size or max(map(abs, found))
+
+    def unit_of(self, name):
+        """A natural size of a coordinate: 1 of an angle, the extent of the figure of a length."""
+        sample = self.geometry.expressions.sample
+        return (self.extent(sample) or 1.0) if self.spec.dimensions.of(name) else 1.0

@@ -1,0 +1,217 @@
+"""A scene: every body, spring and damper as scalar functions s(q, t) with their weights.
+
+    T = ½ Σ w ṡ²       V = Σ (N s + ½ k s²) − Σ m (gₓ x + g_y y)       Φ = ½ Σ c ṡ²
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from vibcli.scene.bounded_motion import stays_bounded
+from vibcli.scene.expressions import Expressions
+from vibcli.scene.geometry import Geometry
+from vibcli.scene.laws import switches
+from vibcli.scene.places import Places
+from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.rationals import ONE
+
+CONNECTIONS = ("springs", "dampers", "laws")
+
+
+class Variant(NamedTuple):
+    """What a scene is beside that of its file: its constraints held by multipliers, its supports `released`, its drives
+    and loads as further coordinates, the `inputs`; `preloaded`: with the force that lets go where the motion starts."""
+
+    multipliers: bool = False
+    released: bool = False
+    inputs: bool = False
+    preloaded: bool = False
+
+
+class Setting(NamedTuple):
+    """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
+    same file and values."""
+
+    spec: object
+    attempt: int
+    variant: Variant
+    parameters: object
+    sample: dict
+    reports: object
+    draw: Callable
+
+
+class Drives(NamedTuple):
+    """`driven`: {symbol: function of the time}; `inputs`: {symbol: Opening}; coordinates `released` by supports."""
+
+    driven: dict
+    inputs: dict
+    released: list
+
+
+class Freedom(NamedTuple):
+    """How many coordinates and independent conditions a scene has, and which constraints follow from others."""
+
+    coordinates: int
+    conditions: int
+    redundant: tuple
+
+
+class Closure(NamedTuple):
+    """What constraints make of a scene: its Loops, if any, the `dependent` coordinates {name: node}, its Freedom."""
+
+    loops: object
+    dependent: dict
+    freedom: Freedom
+
+
+class Scene:
+    """The scalar functions of a scene; finished when it is made.
+
+    `still`: the scene at rest, where something is driven to and fro; `unclosed`: itself with all its coordinates,
+    before its constraints were put in.
+    """
+
+    def __init__(self, setting, coordinates, contents, drives, closure=None, still=None, unclosed=None):
+        self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
+                       "closure": closure, "still": still, "unclosed": unclosed}
+        self.setting, self.contents, self.still, self.unclosed = setting, contents, still, unclosed
+        self.spec, self.attempt, self.parameters, self.sample = (setting.spec, setting.attempt, setting.parameters,
+                                                                 setting.sample)
+        self._expressions(coordinates)
+        self._contents(contents)
+        self.driven, self.inputs, self.released = drives
+        self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
+        self.timed = any(node.mask & self.time.mask for node in contents.depends_on)
+
+    def _expressions(self, coordinates):
+        """Coordinates, and what may be asked of them and of expressions."""
+        self.kinematics, self.report = coordinates, self.setting.reports.report
+        self.table, self.time, self.coordinates = coordinates.table, coordinates.time, coordinates.names
+        self.q, self.v, self.a, self.speeds, self.drawn = (coordinates.q, coordinates.v, coordinates.a,
+                                                           coordinates.speeds, coordinates.drawn)
+        self.symbol, self.rate, self.at_drawn = coordinates.symbol, coordinates.rate, coordinates.at_drawn
+        expressions = Expressions(coordinates, self.parameters, self.sample, self.setting.reports)
+        self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
+        self.terms_with, self._geometry = expressions.terms_with, Geometry(expressions)
+        self.distance, self.height_of, self.unrooted = (self._geometry.distance, self._geometry.height_of,
+                                                        self._geometry.unrooted)
+
+    def _contents(self, contents):
+        """Bodies, points and terms, and what may be asked of them."""
+        self.gravity, self.bodies, self.points = contents.gravity, contents.bodies, contents.points
+        self.surfaces = self.spec.get("surfaces") or {}
+        self.inertias, self.springs, self.dampers, self.weights, self.forces, self.laws = (
+            contents.inertias, contents.springs, contents.dampers, contents.weights, contents.forces, contents.laws)
+        self.constraints, self.energies, self.matrices = contents.constraints, contents.energies, contents.matrices
+        self.static_preloads, self.shaken = contents.static_preloads, contents.shaken
+        places = Places(self.spec, self._geometry, self.bodies, self.points)
+        self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
+        self.extent, self.unit_of = places.extent, places.unit_of
+
+    def with_parts(self, **parts):
+        """The same with other parts, as they are named where a Scene is made."""
+        return Scene(**{**self._parts, **parts})
+
+    def replaced(self, values, **parts):
+        """With other parts, and symbols replaced in every expression, {symbol: node}."""
+        scene = self.with_parts(**parts)
+        nodes = scene.contents.nodes
+        new = scene.unrooted(substitute(nodes, values))
+        return scene.with_parts(contents=scene.contents.over(dict(zip(nodes, new, strict=True))))
+
+    def with_preloads(self, tensions):
+        """The same with its static preloads, {symbol: node}; so is the scene at rest."""
+        found = self.replaced(tensions, contents=self.contents._replace(static_preloads=[]))
+        return found.with_parts(still=self.still and self.still.with_preloads(tensions))
+
+    def with_multipliers(self):
+        """The same with all its coordinates, its constraints to be held by multipliers."""
+        return self.unclosed or self
+
+    def with_released_supports(self):
+        """The same with all its coordinates and those by which its supports give way, whose forces are reactions."""
+        return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True, released=True))
+
+    def with_inputs(self):
+        """The same with what drives it as further coordinates, which stand last: displacements that come and go, a load
+        beside each load, and one along each coordinate."""
+        return self.setting.draw(self.attempt, self.setting.variant._replace(inputs=True))
+
+    def drawn_anew(self, attempt):
+        """The same drawn with other sample values for its symbols, of the first attempt from this one that fits."""
+        return self.setting.draw(attempt, self.setting.variant)
+
+    @property
+    def resting(self):
+        """The scene at rest: itself where nothing is driven to and fro."""
+        return self.still or self
+
+    @property
+    def vibrating(self):
+        """The scene whose small oscillations are those of this one: itself; but the one at rest where constraints tie
+        its coordinates to what is driven to and fro."""
+        tied = self.still and any(node.mask & self.time.mask for node in self.dependent.values())
+        return self.still if tied else self
+
+    @property
+    def drawn_position(self):
+        """{symbol: its value as drawn} of all coordinates and the time."""
+        return {**self.drawn, self.time: self.table.zero}
+
+    @property
+    def drawn_coordinates(self):
+        """{name: node as drawn} of the independent coordinates."""
+        return {q.name: self.drawn[q] for q in self.q}
+
+    def terms_of(self, name, *kinds, undriven=False):
+        """The springs, dampers and laws of an element, or those of the given kinds; `undriven`: as functions of the
+        symbols of driven displacements."""
+        return [term for kind in kinds or CONNECTIONS
+                for term in (self.undriven(kind) if undriven else getattr(self, kind)) if term.owner == name]
+
+    def force_of(self, name):
+        """The force of a spring or damper, of a spring without free length its magnitude; None of another element."""
+        forces = [term.force(self) for term in self.terms_of(name)]
+        if len(forces) > 1:
+            return self.table.sqrt(self.table.sum(*((force * force, ONE) for force in forces)))
+        return forces[0] if forces else None
+
+    def law_switches(self):
+        """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws."""
+        return switches(self)
+
+    def undriven(self, kind):
+        """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
+        return self.shaken[kind] if self.shaken else getattr(self, kind)
+
+    def oscillates(self, symbol):
+        """Does a driven displacement come and go, so that it counts as a small one?"""
+        return stays_bounded(self.driven[symbol], self.time, self.sample)
+
+    def at_still(self, kind):
+        """The springs, dampers, inertias or loads with the driven displacements that oscillate left out; those in
+        `shaken` are functions of them."""
+        if not self.shaken:
+            return getattr(self, kind)
+        held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
+        moved = {symbol: node for symbol, node in self.driven.items() if symbol not in held}
+        found = []
+        for term in self.shaken[kind]:
+            new = dict(zip(term.nodes, substitute(term.nodes, {**held, **moved}), strict=True))
+            found.append(term.over(new))
+        return found
+
+    def loads_at_still(self):
+        """The loads, the steady ones with the driven displacements that oscillate left out; beside each of them what of
+        it is a load in time, as it is."""
+        if not any(map(self.oscillates, self.driven)):
+            return self.forces
+        found, zero = [], self.table.zero
+        for still, term in zip(self.at_still("forces"), self.forces, strict=True):
+            if term.offset is None:
+                found.append(still)
+                continue
+            if not still.offset.is_zero:
+                found.append(still._replace(weight=still.offset, offset=None))
+            found.append(term._replace(weight=term.weight - term.offset, offset=zero))
+        return found
