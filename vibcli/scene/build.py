@@ -63,7 +63,7 @@ def _assembled(builder, setting):
     scene = _with_laws(scene)
     if scene.constraints and not setting.variant.multipliers:
         try:
-            scene = closed(scene.with_parts(unclosed=scene))
+            scene = closed(scene)
         except ZeroDivisionError:
             _report_singular(scene)
     if setting.variant.inputs:

@@ -67,14 +67,13 @@ class Closure(NamedTuple):
 class Scene:
     """The scalar functions of a scene; finished when it is made.
 
-    `still`: the scene at rest, where something is driven to and fro; `unclosed`: itself with all its coordinates,
-    before its constraints were put in.
+    `still`: the scene at rest, where something is driven to and fro.
     """
 
-    def __init__(self, setting, coordinates, contents, drives, closure=None, still=None, unclosed=None):
+    def __init__(self, setting, coordinates, contents, drives, closure=None, still=None):
         self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
-                       "closure": closure, "still": still, "unclosed": unclosed}
-        self.setting, self.contents, self.still, self.unclosed = setting, contents, still, unclosed
+                       "closure": closure, "still": still}
+        self.setting, self.contents, self.still = setting, contents, still
         self.spec, self.attempt, self.parameters, self.sample = (setting.spec, setting.attempt, setting.parameters,
                                                                  setting.sample)
         self._expressions(coordinates)
@@ -126,7 +125,7 @@ class Scene:
 
     def with_multipliers(self):
         """The same with all its coordinates, its constraints to be held by multipliers."""
-        return self.unclosed or self
+        return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True))
 
     def with_released_supports(self):
         """The same with all its coordinates and those by which its supports give way, whose forces are reactions."""
