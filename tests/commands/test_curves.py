@@ -136,7 +136,7 @@ def test_a_motion_is_looked_at_as_long_as_the_manual_says(k, c, load, end):
                                                       for i in range(len(k)))])
     text += f"\ndampers: {{d: {{c: {c} N*s/m, between: [ground, b0]}}}}" * bool(c)
     text += f"\nforces: {{F: {{at: b0, force: 5 N*{load}}}}}" * bool(load) + "\ninitial: {x0': 1 m/s}"
-    assert problem(text).motion.lasting() == pytest.approx(end, rel=1e-2 if c == 0.002 else 1e-12)
+    assert problem(text).response.lasting() == pytest.approx(end, rel=1e-2 if c == 0.002 else 1e-12)
 
 
 @pytest.mark.parametrize(("force", "sign"), [

@@ -50,13 +50,13 @@ def test_figures():
 def rows_supported(found):
     """How many numbers of the tables of modes have digits that their bounds support; AssertionError for others."""
     count = 0
-    for mode in found.modes:
+    for mode in found.modal.modes:
         if mode.omega:
             omega = float(mode.omega)
             for text, value in zip(mode_row(mode)[1:4], (omega, omega / math.tau, math.tau / omega), strict=True):
                 assert_supported(text, value, mode.error)
                 count += 1
-    for mode in found.damped or ():
+    for mode in found.modal.damped or ():
         if not mode.omega_d:
             continue
         size = abs(complex(mode.eigenvalue))        # the error of λ falls on its parts, however small
@@ -73,7 +73,7 @@ def test_tables_of_all_problems():
     counts = []
     for path in FILES[::2]:
         found = problem_of(path)
-        if found.symbolic or found.spec.choices:
+        if found.numeric.has_free_symbols or found.spec.choices:
             continue
         try:
             counts.append(rows_supported(found))
@@ -120,7 +120,7 @@ def test_light_damping(c):
         roots = mpmath.polyroots([mpmath.mpf("1.7"), mpmath.mpf(c) * mpmath.mpf("1.7"), mpmath.mpf("14.9"),
                                   3 * mpmath.mpf(c), 12], maxsteps=200, extraprec=200)
         wanted = sorted((root for root in roots if root.imag > 0), key=abs)
-    for mode, root in zip(found.damped, wanted, strict=True):
+    for mode, root in zip(found.modal.damped, wanted, strict=True):
         row = damped_row(mode)
         for text, value in ((row[1], abs(root)), (row[2], -root.real / abs(root)), (row[3], root.imag),
                             (row[5], -root.real)):
@@ -135,7 +135,7 @@ def test_nearly_loose(k):
         k = mpmath.mpf(k)
         a, b, c = mpmath.mpf("1.7"), 10**9 * mpmath.mpf("2.7") + mpmath.mpf("1.7") * k, 10**9 * k
         lowest = mpmath.sqrt(2 * c / (b + mpmath.sqrt(b * b - 4 * a * c)))
-    text = mode_row(found.modes[0])[1]
+    text = mode_row(found.modal.modes[0])[1]
     assert abs(float(text) - lowest) <= 1.01 * 10.0 ** (1 - digits(text)) * lowest
 
 
@@ -144,13 +144,16 @@ def test_equilibria_of_all_problems():
     count = 0
     for path in FILES:
         found = problem_of(path)
-        if found.symbolic or found.spec.choices or not found.scene.q or found.is_linear or found.equilibrium.drawn:
+        if found.numeric.has_free_symbols or found.spec.choices or not found.scene.q or found.system.is_linear:
+            continue
+        near = found.configuration.equilibrium
+        if near.drawn:
             continue
         with mpmath.workdps(45):
             arithmetic = multiprecision()
-            exact = equilibrium_to(found, found.values(arithmetic), arithmetic)
+            exact = equilibrium_to(found.numeric, near, found.numeric.values(arithmetic), arithmetic)
         for name in found.scene.coordinates:
-            text = figure(found.equilibrium.values[name])
+            text = figure(found.configuration.equilibrium.values[name])
             assert abs(float(text) - exact[name]) <= 5.1e-6 * max(abs(exact[name]), 1e-9)
             count += 1
     assert count > 10
@@ -166,5 +169,5 @@ energies: {{T: m*x'^2/2, V: k*L*((x/L)^3/3 - p*x/L)}}
 @pytest.mark.parametrize("p", ["1e-2", "1e-4", "1e-6", "1e-8"])
 def test_an_equilibrium_near_a_fold(p):
     found = problem(FOLD.format(p=p))
-    text = figure(found.equilibrium.values["x"])
+    text = figure(found.configuration.equilibrium.values["x"])
     assert float(text) == pytest.approx(math.sqrt(float(p)), rel=1.01e-5)

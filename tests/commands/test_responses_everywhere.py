@@ -28,7 +28,7 @@ def problems_of(path):
     """The scene and its cases; where a scene holds letters or choices, the same in numbers as well."""
     scene = problem_of(path)
     for problem in (scene, *(scene.case(name) for name in scene.spec.cases)):
-        if problem.symbolic:
+        if problem.numeric.has_free_symbols:
             yield problem
         numeric = next(iter(Draws(problem)), None)
         if numeric is not None:

@@ -100,10 +100,10 @@ def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
 def test_a_motion_far_beyond_the_limit_is_given_up_early(times, early, monkeypatch):
     """At an even pace: it is known soon how far the limit would bring it."""
     whole = problem(MOTION)
-    per_second = len(integrate.simulate(whole, 20.0, initial=whole.given_start).windows) / 20
+    per_second = len(integrate.simulate(whole.configuration, 20.0, initial=whole.initial.given).windows) / 20
     monkeypatch.setattr(integrate, "MOST_STEPS", 400)
     monkeypatch.setattr(time_stepping, "PACE", 20)
-    found = integrate.simulate(whole, times * 400 / per_second, initial=whole.given_start)
+    found = integrate.simulate(whole.configuration, times * 400 / per_second, initial=whole.initial.given)
     windows = len(found.windows)
     assert windows <= 60 if early else 300 <= windows <= 400
 
@@ -132,7 +132,7 @@ answers: {'max(x)': 0.5 m}
     ("period(x)", r"before t = (\S+) s it passes (\d+) times")])
 def test_searches_through_linear_motions_tell_what_is_known(monkeypatch, quantity, known):
     scene = problem(LONG)
-    signal, y = (scene.motion.signal(NameRef(0, 0, name, 0)) for name in "xy")
+    signal, y = (scene.response.signal(NameRef(0, 0, name, 0)) for name in "xy")
     full = signal.zeros(0.0, 300.0)
     for module in (zeros, extremes):
         monkeypatch.setattr(module, "MOST", 2)

@@ -106,9 +106,9 @@ def agrees(problem, answer, found):
     if head in ("T", "V", "Phi", "equation", "motion"):
         return same_function(sampled(problem, answer, head, found), up_to_factor=head in ("equation", "motion"),
                              up_to_constant=head == "V")
-    expected = float(number(answer.expected.tree, problem.floats))
-    scale = max(map(abs, problem.floats.values()), default=1.0)
-    rtol = number(answer.rtol.tree, problem.floats) if answer.rtol else tolerance(answer.expected.text)
+    expected = float(number(answer.expected.tree, problem.numeric.floats))
+    scale = max(map(abs, problem.numeric.floats.values()), default=1.0)
+    rtol = number(answer.rtol.tree, problem.numeric.floats) if answer.rtol else tolerance(answer.expected.text)
     return same_number(expected, float(found), rtol, scale)
 
 
@@ -116,8 +116,8 @@ def sampled(problem, answer, head, found):
     """(file's value, derivation's value) of a function of state, at random states."""
     names = problem.scene.coordinates
     pairs = []
-    for q, v, a in states(names, problem.drawn_floats, head == "equation"):
-        symbols = q | problem.floats | {name: q[name] for name in names}
+    for q, v, a in states(names, problem.numeric.drawn_floats, head == "equation"):
+        symbols = q | problem.numeric.floats | {name: q[name] for name in names}
         symbols |= {f"{n}'": v[n] for n in names} | {f"{n}''": a[n] for n in names}
         arguments = {"V": (q,), "T": (q, v), "Phi": (q, v)}.get(head, (q, v, a))
         pairs.append((float(number(answer.expected.tree, symbols)), float(found(*arguments))))
@@ -128,7 +128,7 @@ def compared(path):
     """[(key, agrees)] of one problem file."""
     verdicts = []
     for draw in draws(scene(path)):
-        found = {plain(key): value for key, value in derivation(path).answers(dict(draw.floats)).items()}
+        found = {plain(key): value for key, value in derivation(path).answers(dict(draw.numeric.floats)).items()}
         for prefix, part in cases(draw, settle=True):
             verdicts += [(key := plain(prefix + answer.asked.text), agrees(part, answer, found[key]))
                          for answer in part.spec.answers]
@@ -144,7 +144,7 @@ def test_answers_agree_with_the_derivation(path):
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_the_derivation_covers_exactly_the_answers(path):
     problem = scene(path)
-    found = derivation(path).answers(dict(draws(problem)[0].floats))
+    found = derivation(path).answers(dict(draws(problem)[0].numeric.floats))
     assert sorted(map(plain, found)) == sorted(keys_of(problem))
 
 
@@ -184,7 +184,7 @@ def wrong_term(q, v=None, a=None):
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_a_wrong_derivation_is_rejected(path):
     draw = draws(scene(path))[0]
-    found = {plain(key): value for key, value in derivation(path).answers(dict(draw.floats)).items()}
+    found = {plain(key): value for key, value in derivation(path).answers(dict(draw.numeric.floats)).items()}
     accepted = [prefix + answer.asked.text for prefix, part in cases(draw, settle=True) for answer in part.spec.answers
                 if agrees(part, answer, spoiled(found[plain(prefix + answer.asked.text)]))]
     assert not accepted

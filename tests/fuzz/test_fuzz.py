@@ -70,8 +70,8 @@ def try_scene(root, problems):
         for problem in (Problem(part, work=Work(PATIENCE)) for part in (spec, *spec.cases.values())):
             small = len(problem.scene.coordinates) <= 6
             if small:
-                json.dumps([equations_data(problem), problem.energies is None], allow_nan=False)
-            if not problem.symbolic:
+                json.dumps([equations_data(problem), problem.symbolic.energies is None], allow_nan=False)
+            if not problem.numeric.has_free_symbols:
                 json.dumps(frequencies_data(problem), allow_nan=False)
         for verdict in check(Problem(spec, work=Work(PATIENCE))):
             json.dumps([verdict.expected, verdict.found], allow_nan=False)

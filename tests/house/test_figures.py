@@ -8,11 +8,11 @@ import pytest
 from house.measure import PACKAGE
 
 MOST = {        # methods of House that list or count something
-    "arrows": 106,
+    "arrows": 104,
     "floors": 14,
-    "taking_problem": 143,
-    "set_from_outside": 242,
-    "with_several_bases": 3,
+    "taking_problem": 0,
+    "set_from_outside": 117,
+    "with_several_bases": 1,
 }
 
 

@@ -91,12 +91,12 @@ class Both:
         self.problem = next(iter(Draws(problem_of(PROBLEMS[self.name]))))
         self.scene = self.problem.scene
         with mpmath.workdps(DIGITS):
-            self.parameters = self.problem.values(multiprecision())
+            self.parameters = self.problem.numeric.values(multiprecision())
         self.kane = Kane(build, list(self.parameters))
 
     def drawn(self):
         """The values of Kane's coordinates in the drawn position."""
-        return [mpmath.mpf(self.problem.drawn_floats.get(name, 0)) for name in self.kane.names]
+        return [mpmath.mpf(self.problem.numeric.drawn_floats.get(name, 0)) for name in self.kane.names]
 
     def states(self):
         """(q, v, a, t) at random near the drawn position, the loops closed."""
@@ -121,7 +121,7 @@ class Both:
         found = dict(zip(self.kane.names, q, strict=True)) | {self.scene.time.name: t}
         for primes, rates in (("'", v), ("''", a)):
             found |= {name + primes: x for name, x in zip(self.kane.names, rates, strict=False)}
-        return {name: float(x) for name, x in found.items()} | self.problem.floats
+        return {name: float(x) for name, x in found.items()} | self.problem.numeric.floats
 
 
 @cache
@@ -201,7 +201,7 @@ def slopes(pair, p, q, kind):
 def equilibrium(pair, p):
     """Kane's coordinates at rest, by Newton's method from vibcli's."""
     n, now = pair.kane.free, mpmath.mpf(0)
-    known = pair.problem.at_rest | pair.problem.dependent_values
+    known = pair.problem.configuration.at_rest | pair.problem.configuration.dependent_values
     q = pair.kane.closed(p, [mpmath.mpf(known.get(name, 0)) for name in pair.kane.names], now)
     for _ in range(4):
         left = pair.kane.residual(p, q, [now] * n, [now] * n, now)
@@ -217,7 +217,7 @@ def oscillations(pair, spoiled=None, share=0):
     p = [value * (name != still) * (1 + share * (name == spoiled)) for name, value in pair.parameters.items()]
     q = equilibrium(pair, p)
     M, C, G, K = (mpmath.matrix([[matrix.get((i, j), 0.0) for j in range(n)] for i in range(n)])
-                  for matrix in pair.problem.elements.matrices())
+                  for matrix in pair.problem.configuration.linear_system.matrices())
     return q, [(found, slopes(pair, p, q, kind)) for found, kind in ((M, 2), (C + G, 1), (K, 0))]
 
 
@@ -230,8 +230,8 @@ def alike(found, exact):
 def test_small_oscillations(pair):
     q, matrices = oscillations(pair)
     assert all(alike(found, exact) for found, exact in matrices)
-    assert q[:pair.kane.free] == [pytest.approx(pair.problem.equilibrium.values[name], rel=1e-12, abs=1e-14)
-                                  for name in pair.scene.coordinates]
+    place = pair.problem.configuration.equilibrium.values
+    assert q[:pair.kane.free] == [pytest.approx(place[name], rel=1e-12, abs=1e-14) for name in pair.scene.coordinates]
 
 
 @pytest.mark.parametrize("build", [kane.four_bar_with_springs, kane.particle_on_turning_disc,

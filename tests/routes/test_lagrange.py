@@ -52,7 +52,7 @@ class Theirs:
 
     def equilibrium(self):
         """The equilibrium in many digits, by Newton's method from that of vibcli."""
-        start = [mpmath.mpf(self.problem.equilibrium.values[name]) for name in self.names]
+        start = [mpmath.mpf(self.problem.configuration.equilibrium.values[name]) for name in self.names]
         n = len(start)
 
         def force(*q):
@@ -62,7 +62,8 @@ class Theirs:
 
 
 def exact_parameters(scene):
-    return scene.rational | {name: value for name, value in scene.floats.items() if name not in scene.rational}
+    rational = scene.numeric.rational
+    return rational | {name: value for name, value in scene.numeric.floats.items() if name not in rational}
 
 
 def rational(value):
@@ -90,7 +91,7 @@ def states(theirs):
 
 
 def ours(theirs, nodes, state):
-    return evaluate(nodes, Floats, theirs.problem.floats | theirs.symbols(state))
+    return evaluate(nodes, Floats, theirs.problem.numeric.floats | theirs.symbols(state))
 
 
 def agree(found, exact, rtol=1e-12):
@@ -133,8 +134,8 @@ def test_a_wrong_equation_is_noticed(mechanism):
 def test_mass_matrix_anywhere(mechanism):
     n = len(mechanism.names)
     for state in states(mechanism):
-        values = mechanism.problem.floats | dict(zip(mechanism.names, state[0], strict=True))
-        M = in_numbers(mechanism.problem.form, Floats, values).elements.matrices()[0]
+        values = mechanism.problem.numeric.floats | dict(zip(mechanism.names, state[0], strict=True))
+        M = in_numbers(mechanism.problem.system.linearisation, Floats, values).elements.matrices()[0]
         exact = mechanism.at(mechanism.M, state)
         assert agree([M.get((i, j), 0.0) for i in range(n) for j in range(n)], exact, 1e-14)
 
@@ -168,7 +169,7 @@ def magnitudes(elements, n):
 
 
 def test_matrices_in_floats(mechanism):
-    elements, n = mechanism.problem.elements, len(mechanism.names)
+    elements, n = mechanism.problem.configuration.linear_system, len(mechanism.names)
     sizes = magnitudes(elements, n)
     ours = flat(elements.matrices(), n)
     for found, exact, size in zip(ours, at_equilibrium(mechanism), sizes, strict=True):
@@ -176,23 +177,24 @@ def test_matrices_in_floats(mechanism):
 
 
 def test_matrices_in_many_digits(mechanism):
-    elements, n = mechanism.problem.precise_elements(DIGITS), len(mechanism.names)
+    elements, n = mechanism.problem.configuration.precise_system(DIGITS), len(mechanism.names)
     for found, exact in zip(flat(elements.matrices(), n), at_equilibrium(mechanism), strict=True):
         assert agree(found, exact, mpmath.mpf(10) ** -34) if any(exact) else not any(found)
 
 
 def test_floats_are_the_rounded_many_digits(mechanism):
     n = len(mechanism.names)
-    sizes = magnitudes(mechanism.problem.elements, n)
+    configuration = mechanism.problem.configuration
+    sizes = magnitudes(configuration.linear_system, n)
     rounded, exact = (flat(e.matrices(), n) for e in
-                      (mechanism.problem.elements, mechanism.problem.precise_elements(DIGITS)))
+                      (configuration.linear_system, configuration.precise_system(DIGITS)))
     for found, theirs, size in zip(rounded, exact, sizes, strict=True):
         assert all(abs(x - y) <= 1e-14 * s for x, y, s in zip(found, theirs, size, strict=True))
 
 
 def test_residual_vanishes_at_the_equilibrium(mechanism):
     rest = [0] * len(mechanism.names)
-    q = [mechanism.problem.equilibrium.values[name] for name in mechanism.names]
+    q = [mechanism.problem.configuration.equilibrium.values[name] for name in mechanism.names]
     exact = mechanism.equilibrium()
     assert all(abs(x - y) <= 1e-13 for x, y in zip(q, exact, strict=True))
     weight = max(abs(x) for x in mechanism.at(mechanism.force, ([0.3] * len(q), rest, rest)))
@@ -202,7 +204,7 @@ def test_residual_vanishes_at_the_equilibrium(mechanism):
 def test_equations_in_many_digits(mechanism):
     """The same expressions evaluated in 40 digits leave no doubt about the formula."""
     scene, state = mechanism.problem.scene, states(mechanism)[0]
-    values = mechanism.problem.values(multiprecision()) | {
+    values = mechanism.problem.numeric.values(multiprecision()) | {
         name: mpmath.mpf(x) for name, x in mechanism.symbols(state).items()}
     found = evaluate([equation_of(scene, i) for i in range(len(scene.q))], multiprecision(), values)
     assert agree(found, mechanism.at(mechanism.left, state), mpmath.mpf(10) ** -34)
@@ -214,7 +216,8 @@ def test_kane_gives_the_same():
 
     theirs = both(mechanisms.cart_pendulum)
     x, f, u, w = me.dynamicsymbols("x f u w")
-    p = {name: sympy.Rational(value.numerator, value.denominator) for name, value in theirs.problem.rational.items()}
+    p = {name: sympy.Rational(value.numerator, value.denominator)
+         for name, value in theirs.problem.numeric.rational.items()}
     N, origin = me.ReferenceFrame("N"), me.Point("O")
     origin.set_vel(N, 0)
     A = N.orientnew("A", "Axis", [f, N.z])

@@ -48,11 +48,11 @@ def full_equations(one):
 def compare(one):
     scene, equations = full_equations(one)
     try:
-        M, C, G, K = one.elements.matrices()
+        M, C, G, K = one.configuration.linear_system.matrices()
     except PhysicsError as error:
         assert "kink" in error.message or "dead centre" in error.message
         return
-    values = {**one.at_rest, **dict.fromkeys((a.name for a in scene.a), 0.0)}
+    values = {**one.configuration.at_rest, **dict.fromkeys((a.name for a in scene.a), 0.0)}
     n, size = len(scene.q), dict.fromkeys("qva", 0.0)
     for kind, symbols, parts in (("a", scene.a, (M,)), ("v", scene.v, (C, G)), ("q", scene.q, (K,))):
         nodes = [gradient(equation).get(x, scene.table.zero) for equation in equations for x in symbols]

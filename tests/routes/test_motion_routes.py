@@ -77,8 +77,8 @@ class Load:
     """Q(t) of a problem, and the instants at which it jumps or strikes."""
 
     def __init__(self, problem):
-        self.n, self.given = len(problem.scene.q), (problem.floats, problem.scene.time)
-        self.rows = problem.excitation
+        self.n, self.given = len(problem.scene.q), (problem.numeric.floats, problem.scene.time)
+        self.rows = problem.symbolic.excitation
         self.smooth, self.struck = ([(i, function(node, *self.given, blow)) for i, node in self.rows.items()]
                                     for blow in (0.0, 1.0))
 
@@ -121,7 +121,7 @@ def followed(M, C, K, load, state, end, times):
 def matrices(scene):
     n = len(scene.scene.q)
     M, C, G, K = (np.zeros((n, n)) for _ in range(4))
-    for matrix, entries in zip((M, C, G, K), scene.elements.matrices(), strict=True):
+    for matrix, entries in zip((M, C, G, K), scene.configuration.linear_system.matrices(), strict=True):
         for pair, x in entries.items():
             matrix[pair] = x
     return M, C + G, K
@@ -138,14 +138,14 @@ def rates_of(M, C, K):
 def test_small_motion_against_an_integrator(name):
     scene, dice = first(name), np.random.default_rng(5)
     M, C, K = matrices(scene)
-    n, end = len(M), min(scene.motion.until, 2 * TURNS / rates_of(M, C, K).max())
+    n, end = len(M), min(scene.response.until, 2 * TURNS / rates_of(M, C, K).max())
     times, load = np.sort(dice.uniform(0, end, 25)), Load(scene)
     places, speeds = scene.start
-    q0 = np.array([places[q] - scene.equilibrium.values[q] for q in scene.scene.coordinates])
+    q0 = np.array([places[q] - scene.configuration.equilibrium.values[q] for q in scene.scene.coordinates])
     exact = followed(M, C, K, load, np.append(q0, [speeds[q] for q in scene.scene.coordinates]), end, times)
     for i, q in enumerate(scene.scene.coordinates):
-        for row, order in ((exact[i] + scene.equilibrium.values[q], 0), (exact[n + i], 1)):
-            found = scene.motion.signal(parse(q + "'" * order)).values(times)
+        for row, order in ((exact[i] + scene.configuration.equilibrium.values[q], 0), (exact[n + i], 1)):
+            found = scene.response.signal(parse(q + "'" * order)).values(times)
             assert np.abs(found - row).max() <= 1e-8 * (np.abs(exact[order * n:][:n]).max() + 1e-30)
     assert np.abs(exact).max() > 0
 
@@ -159,16 +159,16 @@ FREE = ("pendulum_on_sprung_cart", "bead_on_swinging_rod", "four_bar_with_spring
 def test_full_motion_of_small_amplitude_is_the_small_motion(name):
     scene = first(name)
     M, C, K = matrices(scene)
-    names, rest = scene.scene.coordinates, scene.equilibrium.values
+    names, rest = scene.scene.coordinates, scene.configuration.equilibrium.values
     end = TURNS / rates_of(M, C, K).max()
     times, shift = np.linspace(0, end, 30), np.array([0.7 * reach(scene, q) * (-0.6) ** i for i, q in enumerate(names)])
-    exact = linear_motion(M, C, K, scene.motion.forcing(), shift, np.zeros(len(M)))
+    exact = linear_motion(M, C, K, scene.response.forcing(), shift, np.zeros(len(M)))
     q = np.array([exact.values(SimpleNamespace(constant=0.0, q={i: 1.0}, v={}, a={}, channels={}), times)
                   for i in range(len(M))])
     gaps = []
     for size in (1e-3, 1e-5):
         start = {name: rest[name] + size * x for name, x in zip(names, shift, strict=True)}
-        found = simulate(scene, end, initial=start)
+        found = simulate(scene.configuration, end, initial=start)
         rows = [found.names.index(name) for name in names]
         moved = found.at(times)[0][rows] - np.array([[rest[name]] for name in names])
         gaps.append(np.abs((moved / size - q) / np.abs(shift)[:, None]).max())
@@ -211,14 +211,14 @@ def by_kane(build, scene, values, until, times):
 def test_full_motion_against_kanes_method(build):
     scene = first(build.__name__)
     names = scene.scene.coordinates
-    start = {q: scene.drawn_floats.get(q, 0.0) for q in names}
+    start = {q: scene.numeric.drawn_floats.get(q, 0.0) for q in names}
     start |= {q + "'": 3 * reach(scene, q) * (-0.7) ** i for i, q in enumerate(names)}
     until = 1.5
-    found = simulate(scene, until, initial=start)
+    found = simulate(scene.configuration, until, initial=start)
     times = np.linspace(0, until, 12)
     places, speeds, _ = found.at([0.0])
     known = [dict(zip(found.names, part[:, 0], strict=True)) for part in (places, speeds)]
-    exact = by_kane(build, known, scene.floats, until, times)
+    exact = by_kane(build, known, scene.numeric.floats, until, times)
     rows = dict(zip(found.names, found.at(times)[0], strict=True))
     common = [q for q in exact if q in rows]
     assert set(names) <= set(common)
@@ -251,14 +251,14 @@ SIGNALS = ("x", "phi", "x'", "phi''", "s.force", "w.stretch", "e.force", "B.x", 
 
 
 def at(scene, text, times, order=0):
-    return scene.motion.signal(parse(text)).values(np.asarray(times, dtype=float), order)
+    return scene.response.signal(parse(text)).values(np.asarray(times, dtype=float), order)
 
 
 @pytest.mark.parametrize("signal", SIGNALS)
 def test_a_frequency_response_is_the_steady_state(signal):
     scene = problem(DRIVEN)
     quarter = math.pi / 12
-    steady = scene.motion.signal(parse(signal)).steady.values(np.array([0.0, quarter, 2 * quarter]))
+    steady = scene.response.signal(parse(signal)).steady.values(np.array([0.0, quarter, 2 * quarter]))
     middle = 0.5 * (steady[0] + steady[2])
     H = scene.frequency_response(signal, "pull").at(6.0)[0] * 3.0
     assert abs(complex(steady[0] - middle, middle - steady[1]) - H) <= 1e-11 * abs(H) > 0

@@ -333,7 +333,7 @@ class Compared:
 
     def machine(self, **wrong):
         """The model with the file's parameters, but for those that are given."""
-        return self.build(SimpleNamespace(**self.problem.floats | wrong)).choose(self.names)
+        return self.build(SimpleNamespace(**self.problem.numeric.floats | wrong)).choose(self.names)
 
     def state(self, i):
         """(q, q', q'', t)."""
@@ -341,7 +341,7 @@ class Compared:
         return *parts, self.states[self.problem.scene.time.name][i] if self.problem.scene.timed else 0.0
 
     def equilibrium(self):
-        return np.array([self.problem.equilibrium.values[name] for name in self.names])
+        return np.array([self.problem.configuration.equilibrium.values[name] for name in self.names])
 
     def agrees(self, machine, groups):
         """Do the left sides agree in each group, measured by their size there?"""
@@ -395,7 +395,7 @@ def test_rest(both):
 
 def test_frequencies_and_damping(both):
     M, C, K = both.machine().small_oscillations(both.equilibrium())
-    modes, damped = both.problem.modes, both.problem.damped
+    modes, damped = both.problem.modal.modes, both.problem.modal.damped
     undamped = [complex(mode.growth_rate or 0, mode.omega or 0) for mode in modes]
     assert same_poles([w for z in undamped for w in (z, -z, z.conjugate(), -z.conjugate())],
                       poles(M, 0 * C if damped else C, K))
@@ -421,7 +421,7 @@ def same_poles(expected, found):
 
 def test_a_wrong_number_is_detected(both):
     """One part in ten thousand of any parameter that the equations depend on."""
-    unseen = [name for name, value in both.problem.floats.items()
+    unseen = [name for name, value in both.problem.numeric.floats.items()
               if both.agrees(both.machine(**{name: value * (1 + 1e-4)}), both.groups[:1])]
     assert sorted(unseen) == sorted(FREE_OF.get(both.build.__name__, "").split())
 
@@ -432,13 +432,13 @@ def test_a_wrong_figure_is_detected():
     relative = rods.machine()
     relative.rows = {"phi2": {"bend": 1}}
     assert not rods.agrees(relative.choose(rods.names), rods.groups)
-    p = SimpleNamespace(**rods.problem.floats)
+    p = SimpleNamespace(**rods.problem.numeric.floats)
     lower = body(0, -p.L1 / 2, hinge("bend"), rod(p.m2, 0, -p.L2))
     middle = Machine([body(0, 0, hinge("phi1"), rod(p.m1, 0, -p.L1), lower)], g=p.g,
                      rows={"phi2": added("phi1", "bend")})
     assert not rods.agrees(middle.choose(rods.names), rods.groups)
     gears = compared(epicyclic_gear_with_sprung_ring)
-    assert not gears.agrees(gears.machine(R=-gears.problem.floats["R"]), gears.groups)
+    assert not gears.agrees(gears.machine(R=-gears.problem.numeric.floats["R"]), gears.groups)
 
 
 def test_wrong_poles_are_detected():

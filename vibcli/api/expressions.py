@@ -80,12 +80,12 @@ def equations_of(problem: "Problem") -> dict[str, MotionEquation]:
     """{coordinate: its equation}."""
     from vibcli.report.sections.data import equations_data
 
-    equations, found = problem.equations, {}
+    equations, found = problem.symbolic.equations, {}
     for i, row in enumerate(equations_data(problem)):
         name = row["coordinate"]
         linear = None
         if equations.in_letters and name in problem.scene.coordinates:
             k = problem.scene.coordinates.index(name)
             linear = equations.linear[k] - equations.drive.get(k, problem.scene.table.zero)
-        found[name] = MotionEquation(problem.loose, row, equations.full[i] if equations.full else None, linear)
+        found[name] = MotionEquation(problem.system.loose, row, equations.full[i] if equations.full else None, linear)
     return found

@@ -35,11 +35,11 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
 def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
     if tree.head in ("T", "V", "Phi"):
-        return problem.energies[tree.head]
+        return problem.symbolic.energies[tree.head]
     i = coordinate_number(problem, tree.indices[0])
     if tree.head == "Q":
-        return generalised_force_at_rest(problem, i)
-    equations, name = problem.equations, problem.scene.coordinates[i]
+        return generalised_force_at_rest(problem.system, i)
+    equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:
         return equations.full[equations.names.index(name)]
     if tree.head == "equation" and equations.refusal is not None:

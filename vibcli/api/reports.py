@@ -41,7 +41,7 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
     if digits is not None:
         _require_numbers(problem)
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
-    if problem.chosen is not None:
+    if problem.choice is not None:
         from vibcli.report.sections.design_parameters import chosen_data
 
         found["chosen"] = chosen_data(problem)
@@ -52,11 +52,11 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
 
         found |= equilibria_data(problem)
     if "equations" in parts:
-        refusal = problem.equations.refusal
+        refusal = problem.symbolic.equations.refusal
         if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
                             or _listed_alone(problem, sections)):
             raise refusal
-        if problem.sticking is not None:
+        if problem.system.sticking is not None:
             found["sticking"] = sticking_data(problem)
         found["energies"] = energies_data(problem)
         found["equations"] = equations_data(problem)
@@ -67,7 +67,8 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
         from vibcli.report.sections import response_data
 
         for word in asked:
-            beside = word not in parts and problem.symbolic     # of letters `find` asks formulas, which texts have
+            # of letters `find` asks formulas, which texts have
+            beside = word not in parts and problem.numeric.has_free_symbols
             found[word] = None if beside else getattr(response_data, word + "_data")(problem, wanted or Wanted())
     if words := [word for word in sections if word in INSIGHT]:
         found["insight"] = _insight(problem, words, sections)
@@ -103,7 +104,7 @@ def _frequencies(problem, parts, normalise, digits, sections):
 
 def _without_slope(problem, refusal, sections):
     """Is there no slope, for friction or a kink, or no inertia, where nothing that needs them is asked by name?"""
-    if not isinstance(refusal, (Kinked, Inertless)) and problem.sticking is None:
+    if not isinstance(refusal, (Kinked, Inertless)) and problem.system.sticking is None:
         return False
     asked = problem.spec.get("find") or ()
     beside = "equations" in sections or "frequencies" not in sections
@@ -159,7 +160,7 @@ def steps_for_digits(problem: "Problem", digits: int) -> float:
 
 
 def _require_numbers(problem):
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")
 
 

@@ -59,7 +59,7 @@ class SampledResponse(Mapping):
 def response(problem: "Problem", until: float | str | None = None, points: int = 1001) -> SampledResponse:
     """The motion up to an instant: seconds, or a text with its unit."""
     if until is not None:
-        problem = problem.ending(instant(until))
+        problem = problem.until(instant(until))
     return SampledResponse(problem, points)
 
 

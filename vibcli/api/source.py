@@ -46,8 +46,8 @@ def stage_costs(problem: "Problem") -> "dict[str, float | None]":
     """{stage: seconds that it took, None where it was skipped}, of reading those alone that were timed."""
     from vibcli.results.problem import STAGES
 
-    read = {stage: problem.costs[stage] for stage in ("read", "spec") if stage in problem.costs}
-    return read | {stage: problem.costs.get(stage) for stage in STAGES}
+    read = {stage: problem.timings[stage] for stage in ("read", "spec") if stage in problem.timings}
+    return read | {stage: problem.timings.get(stage) for stage in STAGES}
 
 
 def text_source(text: str, folder: "str | os.PathLike[str]" = ".") -> SceneSource:

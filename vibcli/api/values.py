@@ -44,7 +44,7 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
     """What a scene answers to a quantity, or to an expression of some."""
     asked = quantity_asked(problem.spec, text)
     tree, unit = asked.tree, unit_of(problem.spec, asked)
-    if problem.symbolic or (isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS):
+    if problem.numeric.has_free_symbols or (isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS):
         from vibcli.api.letters import expression_in_letters, state_function
 
         of_state = isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS
@@ -92,7 +92,7 @@ def bounded(problem: "Problem", asked: "Expression") -> tuple[float | complex | 
         return _measured(problem, tree)
     value, _ = value_of(problem, asked)
     found = {part.text: _measured(problem, part) for part in quantities_in(tree)}
-    values = problem.floats | {text: number for text, (number, _) in found.items()}
+    values = problem.numeric.floats | {text: number for text, (number, _) in found.items()}
     error = ROUNDING * abs(value)
     for text, (number, doubt) in found.items():
         for step in (doubt, 1j * doubt) if isinstance(number, complex) else (doubt,):
@@ -112,7 +112,7 @@ def _measured(problem, tree):
 def _rounding(problem, tree):
     """What a number of a motion that is found in closed form may be off near zero: by the size of its signal; where a
     signal is largest it is flat, and its instant is known to the root of rounding."""
-    if not tree.args or tree.head in IN_FREQUENCY or problem.motion.KIND == "full":
+    if not tree.args or tree.head in IN_FREQUENCY or problem.response.KIND == "full":
         return 0.0
     with suppress(PhysicsError):
         return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * size_of(problem, tree)

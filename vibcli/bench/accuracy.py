@@ -114,7 +114,7 @@ def _ours(text, exact, runs):
     for _ in range(min(runs, 5)):
         problem, middle, whole = solve(text)
         spent.append(whole - middle)
-    return [_error([mode.omega for mode in problem.modes], exact), 1e3 * median(spent)]
+    return [_error([mode.omega for mode in problem.modal.modes], exact), 1e3 * median(spent)]
 
 
 def _measured(solved, exact, runs):

@@ -50,7 +50,8 @@ def main():
         return bool(spec.choices or (found and found.search) or any(a.asked.text == "equilibria" for a in spec.answers))
 
     def plain(problem):
-        return not problem.symbolic and not any(map(searches, (problem.spec, *problem.spec.cases.values())))
+        specs = (problem.spec, *problem.spec.cases.values())
+        return not problem.numeric.has_free_symbols and not any(map(searches, specs))
 
     files = sorted(glob(os.path.join(PROBLEMS, "**", "*.yaml"), recursive=True))
     print(json.dumps([file for file in files if plain(problem_of(file_source(file)))]))

@@ -52,9 +52,9 @@ def solve(text):
 
     start = process_time()
     problem = problem_of(text_source(text))
-    _ = problem.elements
+    _ = problem.configuration.linear_system
     middle = process_time() - start
-    _ = problem.modes
+    _ = problem.modal.modes
     return problem, middle, process_time() - start
 
 

@@ -56,7 +56,7 @@ def main():
     from vibcli.analyses.time_integration.integrate import simulate
 
     runs, start = min(int(sys.argv[1]), 5), [0.3, 0.5, 0.0, 0.0]
-    scene = _problem(DOUBLE)
+    scene = _problem(DOUBLE).configuration
 
     def ours(accuracy):
         q, v, _ = simulate(scene, 100.0, accuracy, {"p": 0.3, "r": 0.5}).at([100.0])
@@ -77,7 +77,7 @@ def _problem(text):
     from vibcli.api.source import problem_of, text_source
 
     problem = problem_of(text_source(text))
-    _ = problem.scene, problem.drawn_floats
+    _ = problem.scene, problem.numeric.drawn_floats
     return problem
 
 
@@ -109,7 +109,7 @@ def _thousand():
         omega, k = mpmath.sqrt(mpmath.mpf("9.81")), mpmath.sin(mpmath.mpf(1) / 2)
         time = float(4 * mpmath.ellipk(k * k) / omega * mpmath.mpf("999.63"))
         exact = float(2 * mpmath.asin(k * mpmath.ellipfun("cd", omega * time, m=k * k)))
-    scene = _problem(PENDULUM)
+    scene = _problem(PENDULUM).configuration
     start = process_time()
     found = simulate(scene, time, initial={"p": 1.0})
     spent = process_time() - start

@@ -16,7 +16,7 @@ class Draws:
     """
 
     def __init__(self, problem):
-        symbolic = bool(problem.letters)
+        symbolic = bool(problem.symbolic.letters)
         self.wanted = DRAWS if symbolic else 1
         self._known = [] if symbolic else [_settled(problem)]
         self._candidates = _candidates(problem) if symbolic else iter(())
@@ -33,7 +33,7 @@ def drawn(problem):
     from vibcli.scene.parameter_samples import sample_values
 
     for attempt in range(CANDIDATES):
-        values = sample_values(problem.letters, attempt)
+        values = sample_values(problem.symbolic.letters, attempt)
         given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
         candidate = problem.with_values(given)
         try:
@@ -67,7 +67,7 @@ def _for_choices(problem):
     from vibcli.inverse import settled
 
     try:
-        return settled(problem).chosen.draws
+        return settled(problem).choice.draws
     except PhysicsError:
         return None
 

@@ -135,15 +135,15 @@ def _small(problem, answer):
 
         return EXACT * size_of(problem, tree)
     if head in ("M", "C", "G", "K"):
-        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
+        matrices = dict(zip("MCGK", problem.configuration.linear_system.matrices(), strict=True))
         return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
     if head == "equilibrium":
         return _small_signal(problem, tree.indices[0])
     if head in ("mode", "zeta"):
         return 1e-11
     if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
-        return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modes), default=0.0)
-    size = problem.figure_size
+        return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes), default=0.0)
+    size = problem.numeric.figure_size
     if head in ("J", "centre"):
         body = problem.scene.bodies[tree.indices[0]]
         mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
@@ -158,8 +158,9 @@ def _small_signal(problem, text):
         return 1e-12 * reach(problem, name)
     dimension = signal_dimension(problem.spec, text)
     if dimension in ({}, LENGTH):
-        return 1e-12 * (problem.figure_size or 1.0) if dimension else 1e-12
-    return 1e-11 * max((abs(reaction.value) for reaction in problem.reactions if reaction.value), default=0.0)
+        return 1e-12 * (problem.numeric.figure_size or 1.0) if dimension else 1e-12
+    reactions = problem.configuration.reactions
+    return 1e-11 * max((abs(reaction.value) for reaction in reactions if reaction.value), default=0.0)
 
 
 def _expected_node(problem, expression):
@@ -174,7 +175,7 @@ def _expected_node(problem, expression):
 def _compare_energy(problem, answer, head):
     scene = problem.scene
     if head == "Q":
-        ours = generalised_force_at_rest(problem, coordinate_number(problem, answer.asked.tree.indices[0]))
+        ours = generalised_force_at_rest(problem.system, coordinate_number(problem, answer.asked.tree.indices[0]))
     else:
         ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
     verdict = _at_states(problem, answer, head, ours)
@@ -208,8 +209,8 @@ def _compare_equation(problem, answer, head):
     expected = _expected_node(problem, answer.expected)
     at, groups = states(problem)
     if head == "equation":
-        at = {name: value - problem.drawn_floats.get(name, 0.0) for name, value in at.items()}
-        drive = problem.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
+        at = {name: value - problem.numeric.drawn_floats.get(name, 0.0) for name, value in at.items()}
+        drive = problem.symbolic.excitation.get(i, scene.table.zero) if scene.timed else scene.table.zero
         wanted, load = at_states(problem, [expected, drive], at)
         found = _small_oscillation(problem, i, at) - load
     else:
@@ -225,7 +226,7 @@ def _compare_equation(problem, answer, head):
 
 def _small_oscillation(problem, i, at):
     """The left side of the linear equation of coordinate i at all states."""
-    M, C, G, K = problem.elements.matrices()
+    M, C, G, K = problem.configuration.linear_system.matrices()
     total = 0.0
     for j, name in enumerate(problem.scene.coordinates):
         total = total + (M.get((i, j), 0.0) * at[name + "''"] + K.get((i, j), 0.0) * at[name]

@@ -23,9 +23,9 @@ def command(file, settings, case, output, force, patience, index, response, unti
     problem = one(load(file, settings, patience), case)
     path = target(file, output, SUFFIXES, force, case, "response" if response else f"mode{index or 1}")
     if until is not None:
-        from vibcli.cli.response import set_end
+        from vibcli.cli.response import ending
 
-        set_end([(None, problem)], until)
+        (_, problem), = ending([(None, problem)], until)
     from vibcli.api.pictures import animated
 
     title = problem.spec.get("title") or path.stem

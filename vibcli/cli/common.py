@@ -164,9 +164,9 @@ def show_timings(problems):
     from vibcli.api.source import stage_costs
 
     for name, problem in problems:
-        click.echo("stage          ms" + (f"   (case {name})" if name else ""), err=True)
+        click.echo("stage            ms" + (f"   (case {name})" if name else ""), err=True)
         for stage, cost in stage_costs(problem).items():
-            click.echo(f"{stage:<12} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
+            click.echo(f"{stage:<14} {'skipped' if cost is None else f'{1e3 * cost:7.2f}'}", err=True)
 
 
 def require_quick(problem, digits):

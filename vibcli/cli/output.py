@@ -91,7 +91,7 @@ def _refused(document, spec, case, error):
 def _settled(problem, thorough, digits):
     """The problem with what it chooses, known in closed form where more digits are asked for."""
     found = settled(problem, thorough)
-    if digits is not None and digits > FLOAT_DIGITS and not found.chosen.exact:
+    if digits is not None and digits > FLOAT_DIGITS and not found.choice.exact:
         raise PhysicsError(f"--digits {digits} needs a closed form of what is chosen, and none was found",
                            f"ask for at most {FLOAT_DIGITS} digits")
     return found

@@ -46,7 +46,7 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
     if digits and not instants:
         raise click.UsageError("--digits belongs to --at")
     if until is not None:
-        set_end(problems, until)
+        problems = ending(problems, until)
     for _, problem in problems:
         refuse_parts(problem, parts)
     return print_scenes(problems, lambda problem: ("chosen", "response"), output, timings, data=("response",),
@@ -62,11 +62,10 @@ def refuse_parts(problem, parts):
                            f"leave --{parts[0]} out")
 
 
-def set_end(problems, text):
-    """Let the motions end as given; a usage error where that is no time."""
+def ending(problems, text):
+    """The same with motions that end as given; a usage error where that is no time."""
     end = size(text, "--until", "s", "a time, as in 2 or '500 ms'")
-    for _, problem in problems:
-        problem.end = end
+    return [(case, problem.until(end)) for case, problem in problems]
 
 
 def _shown(problem, wanted, plot, saves, force):
@@ -75,5 +74,5 @@ def _shown(problem, wanted, plot, saves, force):
     from vibcli.report.sections.sampled_series import columns, response_figure, sampled
 
     series = sampled(problem, wanted)
-    show_curves(plot, saves, force, problem.motion.title, lambda: response_figure(problem, series),
+    show_curves(plot, saves, force, problem.response.title, lambda: response_figure(problem, series),
                 lambda: columns(series))

@@ -26,9 +26,9 @@ def of_response(problem):
 
     from vibcli.symbolic.parser import parse
 
-    times = np.linspace(0.0, *_span(problem, problem.motion.known))
+    times = np.linspace(0.0, *_span(problem, problem.response.known))
     names = problem.scene.coordinates
-    values = [problem.motion.signal(parse(name)).values(times).tolist() for name in names]
+    values = [problem.response.signal(parse(name)).values(times).tolist() for name in names]
     return of_positions(problem, [dict(zip(names, one, strict=True)) for one in zip(*values, strict=True)],
                          times.tolist())
 
@@ -63,7 +63,7 @@ def _span(problem, until):
 
 def _modes(problem):
     try:
-        return problem.modes
+        return problem.modal.modes
     except PhysicsError:
         return ()
 

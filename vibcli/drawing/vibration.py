@@ -17,7 +17,7 @@ SQUEEZED, ROUNDS = 0.4, 24
 
 def mode(problem, index):
     """The Mode of a number; PhysicsError where there is none."""
-    modes = problem.modes
+    modes = problem.modal.modes
     if not 1 <= index <= len(modes):
         if not modes:
             raise PhysicsError(f"this scene has no mode {index}: without its dampers nothing would hold what has no "
@@ -48,8 +48,8 @@ class Vibration:
             raise PhysicsError("this scene has no bodies, so no mode can be drawn on it",
                                "`vibcli frequencies` prints the shapes in numbers")
         self.stage, self.names = stage, problem.scene.coordinates
-        self.base = problem.equilibrium.values
-        shape = [complex(value) for value in problem.shape(mode(problem, index), normalise)]
+        self.base = problem.configuration.equilibrium.values
+        shape = [complex(value) for value in problem.modal.shape(mode(problem, index), normalise)]
         turn = exp(-1j * _lead(max(shape, key=abs)))
         self.shape = [value * turn for value in shape]
         self.rest = self._required(0.0, 0.0)

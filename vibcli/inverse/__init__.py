@@ -26,10 +26,10 @@ def settled(problem, thorough=False):
 
     `thorough`: SymPy may look for closed forms that the project's own algebra does not find.
     """
-    if not problem.spec.choices or problem.chosen is not None:
+    if not problem.spec.choices or problem.choice is not None:
         return problem
     rest = _balanced_first(problem)
-    if problem.letters:
+    if problem.symbolic.letters:
         from vibcli.inverse.symbolic_solutions import solved
 
         with problem.work.task("the search for closed forms"):
@@ -41,7 +41,7 @@ def _balanced_first(problem):
     """The problem with the parameters chosen for equilibrium defined in letters, where that is possible."""
     if not any(record["so"].is_balance for record in problem.spec.choices.values()):
         return problem
-    if all(node.is_zero for terms in problem.drawn_residual for node in terms):
+    if all(node.is_zero for terms in problem.system.drawn_residual for node in terms):
         raise infeasible.undetermined(problem)
     forms = balanced(problem)
     found = defined(problem, forms) if forms is not None else None

@@ -68,7 +68,7 @@ def _bound(problem, expression):
 
 def known(problem, arithmetic):
     """The parameters of a problem that have a value, in an arithmetic."""
-    given = {name: arithmetic.number(value) for name, value in problem.given.items()}
+    given = {name: arithmetic.number(value) for name, value in problem.numeric.given.items()}
     return problem.scene.parameters.values(arithmetic, given)
 
 

@@ -31,7 +31,7 @@ class ConditionSystem:
         self.shares = not in_geometry(problem, self.names)
         self.refusal, self._measured, self.rigid, self.free = None, {}, None, None
         self.scales = [0.0] * len(self.conditions)
-        self.rest, self.ends = {}, []                               # equilibria as found, and where following them ends
+        self.rest, self.ends = {}, []                               # Configurations; where following them ends
         self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
 
     def measured(self, values):
@@ -40,8 +40,8 @@ class ConditionSystem:
         if key not in self._measured:
             numeric = self.numeric(values, self.shares)
             self._measured[key] = self._measure(numeric)
-            if "equilibrium" in vars(numeric):
-                self.rest[key] = numeric
+            if "equilibrium" in vars(numeric.configuration):
+                self.rest[key] = numeric.configuration
         return self._measured[key]
 
     def numeric(self, values, shared=False):
@@ -52,7 +52,7 @@ class ConditionSystem:
             return found
         from vibcli.mechanics.equilibrium.degenerate import at_limit
 
-        return at_limit(found, limit.position, limit.felt)
+        return found.about(at_limit(found.configuration, limit.position, limit.felt))
 
     def limit(self, values):
         """The Limit that was followed to at these values; None elsewhere."""
@@ -65,31 +65,32 @@ class ConditionSystem:
         try:
             with np.errstate(all="ignore"):
                 if not all(condition.is_balance for condition in self.conditions):
-                    _roughly(numeric)
-                found = [self._pairs(numeric, condition, True) for condition in self.conditions]
+                    numeric = _roughly(numeric)
+                signed = numeric.with_signs()
+                found = [self._pairs(signed if _vanishing(condition) else numeric, condition)
+                         for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
 
-    def _pairs(self, numeric, condition, searching=False):
+    def _pairs(self, numeric, condition):
         if condition.is_balance:
             return balance(numeric)
         if condition.word:
             return [self._slowest(numeric)]
-        numeric.signed = searching and any(is_nothing(side.tree) for side in condition.sides)
         return [(value_of(numeric, condition.left)[0], value_of(numeric, condition.right)[0])]
 
     def _slowest(self, numeric):
         """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
         loads or damping that may drive a mode, its margin to flutter and divergence."""
-        free = free_roots(numeric.elements)
+        free = free_roots(numeric.configuration.linear_system)
         self.free = free if self.free is None else min(free, self.free)
-        found = margin(numeric.elements, self.free)
+        found = margin(numeric.configuration.linear_system, self.free)
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
-        modes = numeric.modes
+        modes = numeric.modal.modes
         rigid = sum(mode.rigid for mode in modes)
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
         if rigid > self.rigid:
@@ -98,7 +99,7 @@ class ConditionSystem:
         if mode is None:
             raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
         value = float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
-        size = _stiffness_size(numeric.elements, mode.shape)
+        size = _stiffness_size(numeric.configuration.linear_system, mode.shape)
         return 0.5 * (size + value), 0.5 * (size - value)
 
     def misfits(self, values):
@@ -158,14 +159,22 @@ def is_nothing(tree):
     return isinstance(tree, Number) and not tree.value
 
 
+def _vanishing(condition):
+    """Is a condition without a word that something be 0?"""
+    return not condition.word and any(is_nothing(side.tree) for side in condition.sides)
+
+
 def _roughly(numeric):
-    """Element data about an equilibrium that is not drawn, in floats: for a first look, not to the last digit."""
+    """The same with element data about an equilibrium that is not drawn, in floats: for a first look, not to the last
+    digit."""
     from vibcli.mechanics.numeric_linearisation import in_numbers
 
-    scene = numeric.scene
+    scene, system, configuration = numeric.scene, numeric.system, numeric.configuration
     plain = scene.loops is None and not scene.timed and "atan2" not in scene.table.called
-    if plain and not numeric.is_linear and not numeric.equilibrium.drawn:
-        numeric.elements = in_numbers(numeric.form, Floats, numeric.at_rest).elements
+    if not plain or system.is_linear or configuration.equilibrium.drawn:
+        return numeric
+    elements = in_numbers(system.linearisation, Floats, configuration.at_rest).elements
+    return numeric.about(configuration.about(configuration.equilibrium, elements))
 
 
 def misfit(pair, scale):
@@ -177,8 +186,8 @@ def misfit(pair, scale):
 def balance(numeric):
     """(forces along, forces against) each coordinate in the drawn position."""
     found = []
-    place = {**numeric.floats, numeric.scene.time.name: 0.0, **numeric.drawn_floats}
-    for terms in numeric.drawn_residual:
+    place = {**numeric.numeric.floats, numeric.scene.time.name: 0.0, **numeric.numeric.drawn_floats}
+    for terms in numeric.system.drawn_residual:
         values = evaluate(terms, Floats, place)
         found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
     return found

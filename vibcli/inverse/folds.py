@@ -52,9 +52,9 @@ def _same(a, b):
 def _between(system, one, other):
     """(limits, ends) on the way from one value to another; None where the equilibria of both are on one branch."""
     here, there = (system.rest.get((value,)) for value in (one, other))
-    if here is None or here.is_linear or here.equilibrium.drawn:
+    if here is None or here.system.is_linear or here.equilibrium.drawn:
         return None if here is not None and there is not None and there.equilibrium.drawn else ([], [])
-    branch = Branch(here, system.names[0])
+    branch = Branch(here.numeric, system.names[0])
     start = branch.start(one, here.equilibrium.values)
     if start is None or not stable(start.K):
         return [], []

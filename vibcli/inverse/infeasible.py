@@ -188,7 +188,8 @@ def unbalanced(problem, numeric, pairs):
     i = errors.index(max(errors))
     left = pairs[i][0] - pairs[i][1]
     coordinate = numeric.scene.coordinates[i]
-    others = [_valued(problem, name, numeric.floats[name]) for name in problem.spec.choices if name not in names]
+    others = [_valued(problem, name, numeric.numeric.floats[name])
+              for name in problem.spec.choices if name not in names]
     given = f"with {listed(others)}, as is chosen, " if others else ""
     return PhysicsError(f"{given}no value of {listed(names)} makes the drawn position an equilibrium: the condition "
                         f"for '{coordinate}' is left with {figure(left)}",

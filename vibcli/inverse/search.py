@@ -45,7 +45,7 @@ def solve(problem, thorough=False, limits=None):
 
 def _in_place(problem):
     """Is the equilibrium the same one for all values, so that conditions in letters are those of the scene?"""
-    return problem.is_linear or problem.balanced_as_drawn
+    return problem.system.is_linear or problem.symbolic.balanced_as_drawn
 
 
 def _form_of(problem, letters, values):

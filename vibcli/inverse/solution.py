@@ -68,23 +68,17 @@ def defined(problem, forms, sample=None):
         parameters[name] = old.with_values({**old, "value": value})
     spec = spec.with_parameters(parameters)._replace(
         sample={name: float(value) for name, value in (sample or {}).items()})
-    found = Problem(spec, problem.given, work=problem.work)
-    found.costs = problem.costs
-    return found
+    return Problem(spec, problem.numeric.given, problem.work)
 
 
 def with_chosen(found, problem, solutions, draws=()):
     """A scene with the first of the solutions as what its problem chose."""
-    found.costs, found.end = problem.costs, problem.end
-    found.chosen = Chosen(problem.spec.choices, solutions, draws)
-    return found
+    return found.with_choice(Chosen(problem.spec.choices, solutions, draws), problem)
 
 
 def choosing(problem, choices):
     """The problem with these to choose instead, {name: record}."""
-    found = Problem(problem.spec._replace(choices=choices), problem.given, work=problem.work)
-    found.costs = problem.costs
-    return found
+    return Problem(problem.spec._replace(choices=choices), problem.numeric.given, problem.work)
 
 
 def in_numbers(problem, nodes):

@@ -37,7 +37,7 @@ class Letters:
     def __init__(self, problem, rest, solutions):
         self.problem, self.rest, self.solutions = problem, rest, solutions
         self.turning = {name: turns(problem, name) for name in problem.spec.choices}
-        self.scales = {name: natural_scale(problem.spec, name) for name in problem.letters}
+        self.scales = {name: natural_scale(problem.spec, name) for name in problem.symbolic.letters}
         self.zero = rest.scene.table.zero
         self.told = [{} for _ in solutions]
         self.radicands = [_radicands(rest.scene.table, forms) for forms in solutions]
@@ -50,7 +50,7 @@ class Letters:
 
     def values(self, attempt):
         """Positive values for the letters, others at each attempt: as they are for drawings, or about their scales."""
-        spread, plain = SPREADS[attempt % len(SPREADS)], sample_values(self.problem.letters, attempt)
+        spread, plain = SPREADS[attempt % len(SPREADS)], sample_values(self.problem.symbolic.letters, attempt)
         if not spread:
             return {name: Fraction(value).limit_denominator(1000) for name, value in plain.items()}
         powers = {name: spread * (2 * (value - 0.6) / 1.7 - 1) for name, value in plain.items()}

@@ -92,7 +92,7 @@ def balanced(problem):
     names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     unknowns = [scene.parameters.nodes[name] for name in names]
     meant = definitions(scene, unknowns)
-    sums = substitute([summed(scene.table, terms) for terms in problem.drawn_residual], meant)
+    sums = substitute([summed(scene.table, terms) for terms in problem.system.drawn_residual], meant)
     rows = [_row(node, unknowns) for node in sums if depends(node, unknowns)]
     if not all(rows):
         return None
@@ -121,8 +121,8 @@ def _row(node, unknowns):
 def _vanishing(problem, condition):
     """Expressions that vanish where a condition holds."""
     if condition.is_balance:
-        return [summed(problem.scene.table, terms) for terms in problem.drawn_residual]
-    if "equilibrium" in problem.spec.sections or not problem.linear_in_letters:
+        return [summed(problem.scene.table, terms) for terms in problem.system.drawn_residual]
+    if "equilibrium" in problem.spec.sections or not problem.symbolic.linearisable:
         require_no_modes(condition)
     if condition.word:
         return [_limit(problem)]
@@ -156,7 +156,7 @@ def _of_one_equilibrium(tree):
 def _limit(problem):
     """det K, and of two degrees under follower forces also the discriminant of det(K − λM), which vanishes where
     flutter begins."""
-    M, C, _, K = problem.matrices_in_letters
+    M, C, _, K = problem.symbolic.matrices
     still = _characteristic(problem, problem.scene.table.zero)
     follows = any(K.get(pair[::-1]) is not node for pair, node in K.items())
     if not follows and not any(term.weight.mask for term in problem.scene.forces):
@@ -178,7 +178,7 @@ def require_no_modes(condition):
 
 def _characteristic(problem, square):
     """det(K − λ M) in letters."""
-    M, _, G, K = problem.matrices_in_letters
+    M, _, G, K = problem.symbolic.matrices
     n, zero = len(problem.scene.q), problem.scene.table.zero
     if n > LARGEST or G:
         raise NotInLetters(f"frequencies are chosen in letters for {LARGEST} degrees that no gyroscopic terms couple")

@@ -26,7 +26,7 @@ def one_degree(problem):
     """M, C, K of a scene with one coordinate."""
     if len(problem.scene.q) != 1:
         raise NotInLetters("this is found in letters for one degree of freedom")
-    M, C, _, K = problem.matrices_in_letters
+    M, C, _, K = problem.symbolic.matrices
     zero = problem.scene.table.zero
     return [matrix.get((0, 0), zero) for matrix in (M, C, K)]
 
@@ -45,7 +45,7 @@ def quantity_in_letters(problem, tree):
     if head == "equilibrium" and len(indices) == 1:
         return _at_rest(problem, indices[0])
     if head in ("M", "C", "G", "K") and not tree.args:
-        matrix = dict(zip("MCGK", problem.matrices_in_letters, strict=True))[head]
+        matrix = dict(zip("MCGK", problem.symbolic.matrices, strict=True))[head]
         names = [coordinate_name(problem.spec, index) for index in indices]
         if set(names) <= set(scene.coordinates):
             return matrix.get(tuple(map(scene.coordinates.index, names)), scene.table.zero)
@@ -63,7 +63,7 @@ def _at_rest(problem, text):
         node = scene.force_of(name)
     if node is None:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
-    values, zero = equilibrium_in_letters(problem), scene.table.zero
+    values, zero = equilibrium_in_letters(problem.symbolic), scene.table.zero
     rest = dict.fromkeys((*scene.v, scene.time), zero) | {q: values[q.name] for q in scene.q}
     found, = substitute([node], rest)
     if found.mask:

@@ -19,13 +19,13 @@ def response_of(problem, tree):
         return _steady(problem, tree.args[0])
     elif asked != "transmissibility":
         return None
-    return formula(problem, *tree.indices, frequency=_frequency(problem, tree.args[0]))
+    return formula(problem.symbolic, *tree.indices, frequency=_frequency(problem, tree.args[0]))
 
 
 def _steady(problem, signal):
     if not isinstance(signal, NameRef):
         raise NotInLetters("amplitudes of sums and products are found in numbers")
-    return steady_state(problem, signal.name + "'" * signal.primes).formula
+    return steady_state(problem.symbolic, signal.name + "'" * signal.primes).formula
 
 
 def _frequency(problem, tree):
@@ -70,7 +70,7 @@ def equal_heights(problem, one, other):
     damper, curve = one.indices[1], one.args[0].indices
     if {one.indices[0], other.indices[0]} != {"1", "2"} or (other.indices[1], other.args[0].indices) != (damper, curve):
         return None
-    found = formula(problem, *curve)
+    found = formula(problem.symbolic, *curve)
     (a, b), (c, d) = found.numerator, found.denominator
     if list(problem.spec.get("dampers")) != [damper] or b.is_zero or d.is_zero:
         raise NotInLetters("these fixed points are found in numbers")

@@ -115,7 +115,8 @@ def _with_letters(problem, found):
         solutions.append(Solution(dict.fromkeys(in_order), in_order, residual, counts=counts))
     _, trials, _, first = found[0]
     draws = trials.draws_of(first)
-    scene = defined(problem, solutions[0].forms, {name: draws[0].given[name] for name in problem.letters})
+    sample = {name: draws[0].numeric.given[name] for name in problem.symbolic.letters}
+    scene = defined(problem, solutions[0].forms, sample)
     if scene is None:
         raise infeasible.no_closed_form(problem)
     return with_chosen(scene, problem, solutions, draws)

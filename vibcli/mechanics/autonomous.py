@@ -104,21 +104,21 @@ def _at(terms, start):
             for weight, row in terms]
 
 
-def require_autonomous(problem, values):
+def require_autonomous(configuration, values):
     """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
-    scene = problem.scene
+    scene = configuration.scene
     if scene.vibrating is not scene:
         from vibcli.mechanics.inputs_outputs.constraint_excitation import carried_into
 
-        i = carried_into(problem.opened, values)
+        i = carried_into(configuration.opened, values)
         if i is not None:
             raise _periodic(scene, i, "K")
-    wanted, loops = matrices_at(problem.form, values), scene.vibrating.loops
+    wanted, loops = matrices_at(configuration.system.linearisation, values), scene.vibrating.loops
     for instant in INSTANTS:
         at = {**values, scene.time.name: instant}
         if loops is not None:
             at = loops.followed({**values, scene.time.name: 0.0}, at) or at
-        found = matrices_at(problem.timed_form, at)
+        found = matrices_at(configuration.system.time_dependent_linearisation, at)
         for key, size in (("M", None), ("C", None), ("G", None), ("K", found.pop("size"))):
             _compare(scene, key, wanted[key], found[key], size)
 

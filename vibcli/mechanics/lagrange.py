@@ -67,10 +67,10 @@ def _primitive(node):
         return node
 
 
-def equations(problem):
+def equations(symbolic):
     """The Equations of a problem; without an equilibrium only the full ones, and the refusal of the others."""
     found = EquationsOfMotion()
-    scene, loose = problem.scene, problem.loose
+    scene, loose = symbolic.scene, symbolic.system.loose
     found.names, found.multipliers, found.conditions, found.drive = list(loose.coordinates), {}, [], {}
     found.left_out = {}
     found.full = full_equations(loose) if len(loose.q) <= LETTERS else []
@@ -79,28 +79,28 @@ def equations(problem):
     found.M, found.C, found.G, found.K = [{}] * 4
     found.in_letters, found.linear, found.refusal = False, [], None
     try:
-        _require_slope(problem)
+        _require_slope(symbolic.configuration)
         if scene.timed:
-            found.drive = problem.excitation
-            found.left_out = problem.left_out
-        found.in_letters = len(scene.q) <= LETTERS and problem.linear_in_letters
+            found.drive = symbolic.excitation
+            found.left_out = symbolic.left_out
+        found.in_letters = len(scene.q) <= LETTERS and symbolic.linearisable
         if found.in_letters:
-            found.M, found.C, found.G, found.K = problem.matrices_in_letters
+            found.M, found.C, found.G, found.K = symbolic.matrices
             found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
-        elif not problem.symbolic:
-            found.M, found.C, found.G, found.K = problem.elements.matrices()
+        elif not symbolic.numeric.has_free_symbols:
+            found.M, found.C, found.G, found.K = symbolic.configuration.linear_system.matrices()
     except PhysicsError as error:
         found.in_letters, found.refusal = False, error
     return found
 
 
-def _require_slope(problem):
+def _require_slope(configuration):
     """Kinked where the forces have none at rest."""
     from vibcli.mechanics.nonsmooth import require_smooth, require_unheld
 
-    require_unheld(problem)
-    if not problem.symbolic:
-        require_smooth(problem)
+    require_unheld(configuration.system)
+    if not configuration.numeric.has_free_symbols:
+        require_smooth(configuration)
 
 
 def _left_side(scene, found, i):

@@ -19,10 +19,10 @@ from vibcli.symbolic.smoothed_functions import SmoothFloats
 NOTHING = 1e-9      # of what the load does to the equations
 
 
-def left_out(problem):
+def left_out(symbolic):
     """{i: node}, what the left side of equation i lacks, linear in the coordinates counted from the equilibrium."""
-    scene = problem.scene.vibrating
-    number, place = {q: i for i, q in enumerate(scene.q)}, problem.excitation_place
+    scene = symbolic.scene.vibrating
+    number, place = {q: i for i, q in enumerate(scene.q)}, symbolic.excitation_place
     place = {symbol: node for symbol, node in place.items() if symbol is not scene.time}
     parts, sizes = {}, {}
     for term in scene.loads_at_still():
@@ -34,20 +34,20 @@ def left_out(problem):
                     pair = number[q], number[other]
                     parts.setdefault(pair, []).append([part * second for part in load])
                     sizes.setdefault(pair, []).extend((sum(load[1:], load[0]), row) for row in slopes.values())
-    found = {i: [(node, ONE) for node in products] for i, products in _driven(problem).items()}
+    found = {i: [(node, ONE) for node in products] for i, products in _driven(symbolic).items()}
     for (i, j), terms in parts.items():
         node = _at(scene, place, terms)
-        if not node.is_zero and not _rounding(problem, node, sizes[i, j], place, j):
-            found.setdefault(i, []).append((node * problem.scene.q[j], ONE))
+        if not node.is_zero and not _rounding(symbolic, node, sizes[i, j], place, j):
+            found.setdefault(i, []).append((node * symbolic.scene.q[j], ONE))
     return {i: scene.table.sum(*terms) for i, terms in sorted(found.items())}
 
 
-def _driven(problem):
-    if problem.scene.resting is problem.scene:
+def _driven(symbolic):
+    if symbolic.scene.resting is symbolic.scene:
         return {}
     from vibcli.mechanics.driven_products import driven_products
 
-    return driven_products(problem)
+    return driven_products(symbolic)
 
 
 def _in_time(scene, term):
@@ -63,16 +63,16 @@ def _at(scene, place, terms):
     return textbook(-waving - constant)
 
 
-def _rounding(problem, node, sizes, place, j):
+def _rounding(symbolic, node, sizes, place, j):
     """Is a coefficient but the rounding of a place that is known in floats?"""
-    if problem.symbolic or problem.balanced_as_drawn:
+    if symbolic.numeric.has_free_symbols or symbolic.balanced_as_drawn:
         return False
-    scene, name = problem.scene, problem.scene.coordinates[j]
-    size = problem.figure_size if problem.dimension(name) else 1.0
+    scene, name = symbolic.scene, symbolic.scene.coordinates[j]
+    size = symbolic.numeric.figure_size if symbolic.system.dimension(name) else 1.0
     nodes = substitute([node, *(part for pair in sizes for part in pair)], place)
     largest = [0.0, 0.0]
     for instant in INSTANTS:
-        value, *others = evaluate(nodes, SmoothFloats, {**problem.at_rest, scene.time.name: instant})
+        value, *others = evaluate(nodes, SmoothFloats, {**symbolic.configuration.at_rest, scene.time.name: instant})
         largest[0] = max(largest[0], abs(value) * size)
         largest[1] = max(largest[1], *(abs(load * row) for load, row in zip(others[::2], others[1::2], strict=True)))
     return largest[0] <= NOTHING * largest[1]

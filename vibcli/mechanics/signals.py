@@ -9,10 +9,10 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import ONE
 
 
-def moving(problem, text, primes=0):
+def moving(system, text, primes=0):
     """The node of a coordinate or signal along a motion, `primes` times differentiated."""
-    scene = problem.scene
-    if text in problem.spec.coordinates:
+    scene = system.scene
+    if text in system.spec.coordinates:
         return scene.symbol(text, primes)
     if text in ENERGIES:
         return energy(scene, text, primes)
@@ -21,7 +21,7 @@ def moving(problem, text, primes=0):
     if node is None:
         node = _along(scene, name, part)
     if node is None:
-        known = [f"{name}.force" for kind in ("springs", "dampers") for name in problem.spec.get(kind) or {}]
+        known = [f"{name}.force" for kind in ("springs", "dampers") for name in system.spec.get(kind) or {}]
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations", "forces are found of springs "
                            "and dampers alone" + (", as " + " or ".join(known[:2]) if known else ""))
     for _ in range(primes):
@@ -52,23 +52,23 @@ def _along(scene, name, part):
     return scene.table.sum(*nodes) if nodes else None
 
 
-def force(problem, text):
+def force(configuration, text):
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
     if name == "ground" or part == "energy":
-        return _of_outputs(problem, text)
-    if name in (problem.spec.get("springs") or {}):
-        return _tension(problem, name)
-    if name in (problem.spec.get("dampers") or {}):
+        return _of_outputs(configuration, text)
+    if name in (configuration.spec.get("springs") or {}):
+        return _tension(configuration, name)
+    if name in (configuration.spec.get("dampers") or {}):
         if part == "force":
-            require_fixed_at_rest(problem, name)
-        _require_equilibrium(problem)
+            require_fixed_at_rest(configuration, name)
+        _require_equilibrium(configuration)
         return 0.0
-    known = {reaction.signal: reaction for reaction in problem.reactions}
+    known = {reaction.signal: reaction for reaction in configuration.reactions}
     if part in ("normal", "friction"):
-        return _contact(problem, name, part, known)
-    if name in (problem.spec.get("points") or {}) and not part.startswith("drive"):
-        text = f"{pinned_at(problem, name)}.{part}"
+        return _contact(configuration, name, part, known)
+    if name in (configuration.spec.get("points") or {}) and not part.startswith("drive"):
+        text = f"{pinned_at(configuration.system, name)}.{part}"
     found = known.get(text)
     if found is None:
         pieces = [signal for signal in known if signal.startswith(text + ".")]
@@ -79,28 +79,28 @@ def force(problem, text):
     return found.value
 
 
-def _require_equilibrium(problem):
+def _require_equilibrium(configuration):
     """PhysicsError where the forces balance nowhere: what friction alone holds is no equilibrium without it."""
-    return problem.at_rest
+    return configuration.at_rest
 
 
-def _of_outputs(problem, text):
+def _of_outputs(configuration, text):
     from vibcli.mechanics.inputs_outputs.outputs import is_quadratic, linear_row, squares
 
     if is_quadratic(text):
-        return sum(weight * row.constant**2 for weight, row in squares(problem, text))
-    return linear_row(problem, text).constant
+        return sum(weight * row.constant**2 for weight, row in squares(configuration, text))
+    return linear_row(configuration, text).constant
 
 
-def _tension(problem, name):
-    scene = problem.scene.resting
-    values = evaluate([term.force(scene) for term in scene.terms_of(name)], Floats, problem.at_rest)
+def _tension(configuration, name):
+    scene = configuration.scene.resting
+    values = evaluate([term.force(scene) for term in scene.terms_of(name)], Floats, configuration.at_rest)
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def pinned_at(problem, point):
+def pinned_at(system, point):
     """The one body pinned at a named point."""
-    found = [name for name, record in (problem.spec.get("bodies") or {}).items()
+    found = [name for name, record in (system.spec.get("bodies") or {}).items()
              if getattr((record.get("pin") or {}).get("at"), "text", None) == point]
     if len(found) != 1:
         what = "no body is" if not found else "several bodies are"
@@ -108,11 +108,11 @@ def pinned_at(problem, point):
     return found[0]
 
 
-def _contact(problem, name, part, known):
+def _contact(configuration, name, part, known):
     """The reaction of a body on a surface along its normal, or along its tangent."""
-    body = problem.scene.resting.bodies[name]
+    body = configuration.scene.resting.bodies[name]
     if body.normal is None:
         raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
-    nx, ny = evaluate(list(body.normal), Floats, problem.at_rest)
+    nx, ny = evaluate(list(body.normal), Floats, configuration.at_rest)
     x, y = (known[f"{name}.reaction.{axis}"].value for axis in "xy")
     return x * nx + y * ny if part == "normal" else x * ny - y * nx

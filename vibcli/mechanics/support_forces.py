@@ -15,7 +15,7 @@ def on_the_ground(opened, part):
     kind, _, axis = part.partition(".")
     terms = []
     for section in ("springs", "dampers"):
-        for record in (opened.problem.spec.get(section) or {}).values():
+        for record in (opened.configuration.spec.get(section) or {}).values():
             terms += _of_element(opened, section, record, kind, axis)
     if not terms:
         raise PhysicsError(f"no spring or damper exerts a {kind} on the ground" + (f" along {axis}" if axis else ""),

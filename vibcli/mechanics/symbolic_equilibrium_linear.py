@@ -28,28 +28,29 @@ def vanishes(scene, terms):
     return True
 
 
-def residual_at(problem, place):
+def residual_at(system, place):
     """The terms of each condition of equilibrium at {symbol: expression}, None: as drawn."""
     if place is None:
-        return problem.drawn_residual
-    return residual_terms(at_position(problem.form, {**problem.scene.drawn_position, **place}))
+        return system.drawn_residual
+    return residual_terms(at_position(system.linearisation, {**system.scene.drawn_position, **place}))
 
 
-def equilibrium_in_letters(problem):
+def equilibrium_in_letters(symbolic):
     """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
-    scene, start = problem.scene, problem.start_in_letters
-    if problem.balanced_as_drawn and start is None:
+    scene, start = symbolic.scene, symbolic.start
+    if symbolic.balanced_as_drawn and start is None:
         return scene.drawn_coordinates
-    if problem.equilibrium_letters is not None:
-        settled = problem.equilibrium_letters.values
+    if symbolic.equilibrium is not None:
+        settled = symbolic.equilibrium.values
         return {q.name: settled[q] for q in scene.q}
-    if not problem.is_linear:
+    if not symbolic.system.is_linear:
         raise NotInLetters("the drawn position is not an equilibrium, and the equilibrium of this nonlinear scene is "
                            "not found in letters",
                            "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
-    _, _, _, K = matrices_in_letters(problem.form)
+    _, _, _, K = matrices_in_letters(symbolic.system.linearisation)
     n, zero = len(scene.q), scene.table.zero
-    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in residual_at(problem, start)]
+    load = [textbook(scene.table.sum(*((term, ONE) for term in terms)))
+            for terms in residual_at(symbolic.system, start)]
     held = [i for i in range(n) if any((i, j) in K for j in range(n))]
     for i in range(n):
         if i not in held and not load[i].is_zero:

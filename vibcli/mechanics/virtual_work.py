@@ -15,9 +15,9 @@ def generalised_forces(scene):
     return [textbook(_total(scene, terms)) for terms in residual_terms(steady(scene, linearise(scene)))]
 
 
-def generalised_force_at_rest(problem, i):
+def generalised_force_at_rest(system, i):
     """Q of the independent coordinate i, what constraints tie to it included."""
-    return _total(problem.scene, residual_terms(problem.form)[i])
+    return _total(system.scene, residual_terms(system.linearisation)[i])
 
 
 def _total(scene, terms):

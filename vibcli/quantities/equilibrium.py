@@ -34,15 +34,15 @@ def _equilibrium(problem, indices, attribute):
     signal = coordinate_name(problem.spec, indices[0]) or indices[0]
     node = displacement(problem.scene.resting, signal)
     if node is None:
-        return force(problem, signal), ROUNDING
-    return evaluate([node], Floats, problem.at_rest)[0], ROUNDING
+        return force(problem.configuration, signal), ROUNDING
+    return evaluate([node], Floats, problem.configuration.at_rest)[0], ROUNDING
 
 
 def is_stable(problem):
     """Does nothing grow about the equilibrium? Motion that costs no energy counts as stable."""
     from vibcli.analyses.modal.stability import stability
 
-    return stability(problem).stable
+    return stability(problem.modal).stable
 
 
 def _stable(problem, indices, attribute):

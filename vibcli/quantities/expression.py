@@ -20,8 +20,8 @@ def measure(problem, tree):
     head, indices, attribute = tree.head, tree.indices, tree.component
     if tree.args or head in IN_FREQUENCY:
         return _with_arguments(problem, tree)
-    if is_choice(problem.spec, tree) and problem.chosen is not None:
-        return problem.chosen.value(head, int(indices[0])), ROUNDING
+    if is_choice(problem.spec, tree) and problem.choice is not None:
+        return problem.choice.value(head, int(indices[0])), ROUNDING
     if head in SEVERAL and len(indices) > len(ASKED[head].indices):
         from vibcli.quantities.equilibrium import about
 
@@ -53,7 +53,7 @@ def _with_arguments(problem, tree):
 
 def value_of(problem, expression):
     """(value, relative error bound) of an expression of parameters and quantities."""
-    values, worst = dict(problem.floats), 0.0
+    values, worst = dict(problem.numeric.floats), 0.0
     for quantity in quantities_in(expression.tree):
         values[quantity.text], error = measure(problem, quantity)
         worst = max(worst, error)
@@ -89,7 +89,7 @@ def lowered(expression, table, symbol):
 
 def number_of(problem, tree):
     """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
-    values = dict(problem.floats)
+    values = dict(problem.numeric.floats)
     for quantity in quantities_in(tree):
         values[quantity.text] = measure(problem, quantity)[0]
     table = problem.scene.table

@@ -17,7 +17,7 @@ def coordinate_number(problem, index):
 
 def _matrix(which):
     def value(problem, indices, attribute):
-        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
+        matrices = dict(zip("MCGK", problem.configuration.linear_system.matrices(), strict=True))
         i, j = (coordinate_number(problem, index) for index in indices)
         return float(matrices[which].get((i, j), 0.0)), ROUNDING
     return value
@@ -35,7 +35,7 @@ def inertia_node(scene, indices):
 
 
 def _inertia(problem, indices, attribute):
-    return evaluate([inertia_node(problem.scene, indices)], Floats, problem.floats)[0], ROUNDING
+    return evaluate([inertia_node(problem.scene, indices)], Floats, problem.numeric.floats)[0], ROUNDING
 
 
 def _drawn(scene, name):
@@ -49,7 +49,7 @@ def centre_node(scene, indices, attribute):
 
 
 def _centre(problem, indices, attribute):
-    return evaluate([centre_node(problem.scene, indices, attribute)], Floats, problem.floats)[0], ROUNDING
+    return evaluate([centre_node(problem.scene, indices, attribute)], Floats, problem.numeric.floats)[0], ROUNDING
 
 
 VALUES = {"M": _matrix("M"), "C": _matrix("C"), "G": _matrix("G"), "K": _matrix("K"), "J": _inertia, "centre": _centre}

@@ -11,7 +11,7 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 
 
 def _mode(problem, indices):
-    modes = problem.modes
+    modes = problem.modal.modes
     number = int(indices[0])
     if not modes:
         raise PhysicsError(f"there is no mode {number}: without its dampers nothing would hold what has no "
@@ -62,7 +62,7 @@ def _growth_rate(problem, indices, attribute):
 
 def _shape(problem, indices, attribute):
     mode = _mode(problem, indices[:1])
-    amplitude = _along(problem, problem.shape(mode), coordinate_name(problem.spec, indices[1]) or indices[1])
+    amplitude = _along(problem, problem.modal.shape(mode), coordinate_name(problem.spec, indices[1]) or indices[1])
     return complex(amplitude) if isinstance(amplitude, complex) and amplitude.imag else float(amplitude.real), 1e-11
 
 
@@ -75,13 +75,13 @@ def _along(problem, shape, signal):
     if node is None:
         raise PhysicsError(f"'{signal}' is a force: it has no amplitude in a mode", "ask for a place, turn or stretch")
     slopes = gradient(node)
-    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.at_rest)
+    values = evaluate([slopes.get(q, scene.table.zero) for q in scene.q], Floats, problem.configuration.at_rest)
     return sum(slope * x for slope, x in zip(values, shape, strict=True))
 
 
 def damped_mode(problem, indices):
     """The damped mode of an index; a scene without dampers has none."""
-    modes = problem.damped
+    modes = problem.modal.damped
     if modes is None:
         raise PhysicsError("nothing damps this scene: it has no damped modes", "add a damper")
     number = int(indices[0])
@@ -120,7 +120,7 @@ def _sensitivity(problem, indices, attribute):
     if mode.rigid:
         raise PhysicsError(f"mode {indices[0]} is a rigid-body mode: its frequency has no sensitivity",
                            "ask for that of a mode which oscillates")
-    found = problem.sensitivities
+    found = problem.modal.sensitivities
     if name in found.refused:
         raise PhysicsError(found.refused[name], "see `vibcli solve --insight`")
     rate = found.omega[name][mode.index]
@@ -132,7 +132,7 @@ def _sensitivity(problem, indices, attribute):
 
 def _estimate(which):
     def value(problem, indices, attribute):
-        return getattr(problem.estimates, which), ROUNDING
+        return getattr(problem.modal.estimates, which), ROUNDING
     return value
 
 

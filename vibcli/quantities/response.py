@@ -28,19 +28,19 @@ def measure_response(problem, tree, args):
 def _doubt(problem, tree, args, value):
     """The relative error of a number of a motion that was integrated: of a value in time and of an extreme its own, of
     others that of the motion up to the instant that is found, or up to its end; of a period by quadrature its own."""
-    if problem.motion.KIND != "full":
+    if problem.response.KIND != "full":
         return 0.0
-    if tree.head == "period" and problem.motion.by_quadrature(tree.args[0]) is not None:
-        return problem.motion.by_quadrature(tree.args[0])[1]
-    if not problem.motion.integrated:
+    if tree.head == "period" and problem.response.by_quadrature(tree.args[0]) is not None:
+        return problem.response.by_quadrature(tree.args[0])[1]
+    if not problem.response.integrated:
         return 0.0
     if tree.head == "value":
         instant = args[1]
     elif tree.head in ("max", "min"):
         instant = _extreme(1 if tree.head == "max" else -1, 0)(problem, tree, args)
     else:
-        until = value if tree.head in ("argmax", "argmin", "zero") else problem.motion.known
-        return problem.motion.reaching(until).shared.of_state(until)
+        until = value if tree.head in ("argmax", "argmin", "zero") else problem.response.known
+        return problem.response.reaching(until).shared.of_state(until)
     return min(1.0, _signal(problem, tree).error(instant) / (abs(value) or 1e-300))
 
 
@@ -56,14 +56,14 @@ def _is_found(problem, arg):
     import numpy as np
 
     try:
-        problem.motion.signal(arg).values(np.zeros(1))
+        problem.response.signal(arg).values(np.zeros(1))
     except PhysicsError:
         return False
     return True
 
 
 def _signal(problem, tree):
-    return problem.motion.signal(tree.args[0])
+    return problem.response.signal(tree.args[0])
 
 
 def _value(problem, tree, args):
@@ -85,12 +85,12 @@ def _inertia(problem, tree, args):
     i, j = (scene.v[coordinate_number(problem, index)] for index in tree.indices)
     zero = scene.table.zero
     node = gradient(gradient(kinetic(scene)).get(i, zero)).get(j, zero)
-    return float(problem.motion.state_signal(node).values(np.array([args[0]]))[0])
+    return float(problem.response.state_signal(node).values(np.array([args[0]]))[0])
 
 
 def _extreme(sense, which):
     def value(problem, tree, args):
-        return _signal(problem, tree).extreme(0.0, problem.motion.until, sense)[which]
+        return _signal(problem, tree).extreme(0.0, problem.response.until, sense)[which]
     return value
 
 
@@ -161,15 +161,15 @@ def _overshoot(problem, tree, args):
     if final == start:
         raise PhysicsError("the signal ends where it starts: it has no overshoot", "ask for max(x)")
     sense = 1 if final > start else -1
-    top = signal.extreme(0.0, problem.motion.until, sense)[1]
+    top = signal.extreme(0.0, problem.response.until, sense)[1]
     return max(0.0, float((top - final) / (final - start)))
 
 
 def _zero(problem, tree, args):
     number, signal = int(tree.indices[0]), _signal(problem, tree)
-    found = signal.zeros(0.0, problem.motion.until)
+    found = signal.zeros(0.0, problem.response.until)
     if len(found) < number:
-        until = problem.motion.until
+        until = problem.response.until
         raise PhysicsError(f"the signal passes through zero {len(found)} times until t = {until:.6g} s",
                            f"later ones, if there are any, are seen with a later end: find: [{{response: {{until: "
                            f"{2 * until:.3g} s}}}}]")
@@ -185,8 +185,8 @@ def _free(find, fraction=False):
 
 def _period(problem, tree, args):
     """Of the steady state that loads keep up, else of the free vibration."""
-    if problem.motion.KIND != "small":
-        return problem.motion.period(tree.args[0])
+    if problem.response.KIND != "small":
+        return problem.response.period(tree.args[0])
     signal = _linear(problem, tree)
     if signal_features.kept_up(signal):
         return tau / steady_features.fundamental(signal)

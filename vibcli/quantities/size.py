@@ -14,8 +14,8 @@ def size_of(problem, tree):
         inner = tree if head in ("frf", "transmissibility") else tree.args[0]
         return abs(measure(problem, inner)[0]) if inner.args else 0.0
     if head in ("argmax", "argmin", "zero", "time_to", "beat_period", "period"):
-        return problem.motion.until
-    signal, end = problem.motion.signal(tree.args[0]), _end(problem, tree)
+        return problem.response.until
+    signal, end = problem.response.signal(tree.args[0]), _end(problem, tree)
     return max(abs(signal.extreme(0.0, end, sense)[1]) for sense in (1, -1))
 
 
@@ -23,7 +23,7 @@ def _end(problem, tree):
     """Until when the motion is looked at; of a value whose motion has no known end, until its instant and for a
     second."""
     try:
-        return problem.motion.until
+        return problem.response.until
     except PhysicsError:
         if tree.head != "value":
             raise

@@ -28,7 +28,7 @@ class Report:
 
     def add(self, name):
         """Add a section; where the scene has no such answer the first refusal is kept, and the others are found."""
-        if name == "chosen" and self.problem.chosen is None:
+        if name == "chosen" and self.problem.choice is None:
             return
         write = getattr(import_module(f"vibcli.report.sections.{SECTIONS[name][0]}"), name)
         try:

@@ -15,7 +15,7 @@ class FrequencyResponse:
         from vibcli.analyses.frequency_response.transfer_function import transfer
 
         self.problem, self.signal, self.driver = problem, signal, driver
-        self.transfer, self._fixed = transfer(problem, signal, driver), {}
+        self.transfer, self._fixed = transfer(problem.configuration, signal, driver), {}
 
     def at(self, Omega):
         """(complex H, relative error bound)."""
@@ -72,7 +72,7 @@ class FrequencyResponse:
         if damper not in self._fixed:
             if self.signal.startswith(f"{damper}."):
                 raise PhysicsError(f"'{self.signal}' is not there without the damper", "ask for another signal")
-            free = transfer(self.problem.without(damper), self.signal, self.driver)
+            free = transfer(self.problem.without(damper).configuration, self.signal, self.driver)
             with self.problem.work.task("the search for fixed points", MOST):
                 self._fixed[damper] = fixed_points(free, self.transfer)
         return self._fixed[damper]
@@ -105,6 +105,6 @@ class FrequencyResponse:
     def span(self):
         """The range of Ω in which what matters lies: from a fifth of the lowest frequency to five times the highest."""
         places = [Omega for Omega, _ in self.peaks] + self.antiresonances
-        modes = self.problem.modes or self.problem.damped or ()
+        modes = self.problem.modal.modes or self.problem.modal.damped or ()
         places += [float(mode.omega) for mode in modes if mode.omega] or [1.0]
         return 0.2 * min(places), 5.0 * max(places)

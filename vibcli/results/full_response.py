@@ -36,7 +36,7 @@ class StatesInTime(Response):
                 return found
             if name.endswith(".force") and not primes:
                 frictions.add(name)
-            return moving(self.problem, name, primes)
+            return moving(self.problem.system, name, primes)
 
         found = self.signal_of(lower(tree, scene.table, symbol), forces)
         if frictions:
@@ -51,7 +51,7 @@ class StatesInTime(Response):
     def _forces(self):
         from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
 
-        return ForcesAlong(self.problem)
+        return ForcesAlong(self.problem.numeric)
 
     def forces(self, wanted, places, trajectory):
         """{symbol: array} of the forces {symbol: name} of constraints, supports and drives, from the `places`."""
@@ -79,7 +79,7 @@ class FullMotion(StatesInTime):
         if found is None or (found.until < until and not found.reason):
             from vibcli.analyses.time_integration.integrate import known_motion
 
-            self._trajectory = known_motion(self.problem, until, self.problem.given_start)
+            self._trajectory = known_motion(self.problem.configuration, until, self.problem.initial.given)
         return self._trajectory
 
     @property
@@ -106,10 +106,10 @@ class FullMotion(StatesInTime):
     def lasting(self):
         from vibcli.analyses.transient.duration import duration
 
-        if self.problem.symbolic:
+        if self.problem.numeric.has_free_symbols:
             require_values(self.problem.scene.parameters, "this")
         try:
-            return duration(self.problem.modes, self.problem.damped, 0.0, [])
+            return duration(self.problem.modal.modes, self.problem.modal.damped, 0.0, [])
         except PhysicsError:
             until = self.problem.spec.example("10 s")
             raise PhysicsError("it is not known how long this motion is to be looked at",
@@ -133,7 +133,7 @@ class FullMotion(StatesInTime):
             return None
         self._require_start()
         with mpmath.workdps(DIGITS):
-            values = problem.values(multiprecision())
+            values = problem.numeric.values(multiprecision())
             (q,), (v,) = self._precise_start(values)
         return exact_period(problem.scene, values, q, v)
 
@@ -141,7 +141,7 @@ class FullMotion(StatesInTime):
         """PhysicsError of a period where nothing starts to move."""
         from vibcli.analyses.time_integration.motionless import starts_at_rest
 
-        if self.problem.scene.timed or not starts_at_rest(self.problem.given_start):
+        if self.problem.scene.timed or not starts_at_rest(self.problem.initial.given):
             return
         found = self.reaching(LOOK)
         if found.rests == found.end:
@@ -151,7 +151,7 @@ class FullMotion(StatesInTime):
         """The places and velocities at t = 0, to more digits than floats have where they are given."""
         from vibcli.results.high_precision_response import start
 
-        q, v = self.problem.start
+        q, v = self.problem.initial.start
         with suppress(PhysicsError):
             q, v = start(self.problem, values, q)
         return q.values(), v.values()
@@ -184,7 +184,7 @@ class FullMotion(StatesInTime):
 
     def places(self, times, trajectory):
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""
-        values = {**self.problem.floats, self.problem.scene.time.name: times}
+        values = {**self.problem.numeric.floats, self.problem.scene.time.name: times}
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         return values

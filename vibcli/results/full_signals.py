@@ -119,7 +119,7 @@ class PrescribedSignal(FullSignal):
         problem = self.motion.problem
         if self.forces or problem.scene.loops is not None:
             raise KeyError("loops")
-        return Composition(self.node, {}, problem.floats, problem.scene.time.name, require_finite, end)
+        return Composition(self.node, {}, problem.numeric.floats, problem.scene.time.name, require_finite, end)
 
     @property
     def work(self):

@@ -20,17 +20,18 @@ def precise_value(problem, name, primes, time, digits):
     if name not in names:
         raise PhysicsError(f"'{name}' is no independent coordinate: more digits are found of these alone",
                            "ask for " + " or ".join(names[:3]))
-    if not (problem.is_linear or problem.equilibrium.drawn):
+    if not (problem.system.is_linear or problem.configuration.equilibrium.drawn):
         raise PhysicsError("more digits are found where the drawn position is the equilibrium, or the scene is linear",
                            "draw it in equilibrium")
-    M, C, G, K = elements_to(problem, digits + GUARD).matrices()
+    M, C, G, K = elements_to(problem.configuration, digits + GUARD).matrices()
     n, i = len(names), names.index(name)
     with mpmath.workdps(digits + GUARD):
         arithmetic = multiprecision()
-        values = problem.values(arithmetic)
-        rest = equilibrium_to(problem, values, arithmetic) if not problem.equilibrium.drawn else drawn(problem, values)
+        values = problem.numeric.values(arithmetic)
+        near = problem.configuration.equilibrium
+        rest = drawn(problem, values) if near.drawn else equilibrium_to(problem.numeric, near, values, arithmetic)
         q, v = start(problem, values, rest)
-        nodes = problem.excitation if scene.timed else {}
+        nodes = problem.symbolic.excitation if scene.timed else {}
         forcing = forcing_of(nodes, scene.time, values, n, precise=True, work=problem.work)
         damping = [[C.get((j, k), 0) + G.get((j, k), 0) for k in range(n)] for j in range(n)]
         found = value_of(_full(M, n), damping, _full(K, n), forcing, [q[each] - rest[each] for each in names],
@@ -53,7 +54,7 @@ def start(problem, values, rest):
     from vibcli.language.sections.initial import RELEASED
     from vibcli.symbolic.evaluation import evaluate, multiprecision
 
-    if problem.before is not None:
+    if problem.configuration.preloaded is not None:
         raise PhysicsError("the equilibrium from which a force lets go is not found to more digits",
                            "give the start as values")
     record, scene = problem.spec.get("initial"), problem.scene

@@ -34,7 +34,7 @@ class PrescribedMotion(StatesInTime):
     def _start(self):
         """{name: float} of all symbols at t = 0."""
         problem = self.problem
-        values = {**problem.floats, problem.scene.time.name: 0.0, **problem.drawn_floats}
+        values = {**problem.numeric.floats, problem.scene.time.name: 0.0, **problem.numeric.drawn_floats}
         return values if problem.scene.loops is None else self._followed(values, 0.0)
 
     def _followed(self, start, time):
@@ -57,7 +57,7 @@ class PrescribedMotion(StatesInTime):
 
         times, problem = np.asarray(times, dtype=float), self.problem
         loops, time = problem.scene.loops, problem.scene.time.name
-        found = {**problem.floats, time: times}
+        found = {**problem.numeric.floats, time: times}
         if loops is None:
             return found
         order, here = np.argsort(times, kind="stable"), self._closed[0]

@@ -24,7 +24,7 @@ def states(problem):
     each, found = STATES + 3 * len(names), {}
     for name in names:
         scale = reach(problem, name)
-        for primes, (centre, spread) in enumerate(((problem.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
+        for primes, (centre, spread) in enumerate(((problem.numeric.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
             found[name + "'" * primes] = centre + spread * scale * np.array([
                 group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
     if scene.timed:
@@ -39,7 +39,7 @@ def _closed(problem, found):
     loops, names, time = problem.scene.loops, problem.scene.coordinates, problem.scene.time.name
     if loops is None:
         return found
-    start = {**problem.floats, time: 0.0, **problem.drawn_floats}
+    start = {**problem.numeric.floats, time: 0.0, **problem.numeric.drawn_floats}
     found |= {name: [] for name in loops.names}
     for i in range(len(next(iter(found.values())))):
         for halving in range(MOST_HALVINGS):
@@ -66,7 +66,7 @@ def at_states(problem, nodes, states):
 
     count = max(map(len, states.values()))
     with np.errstate(all="ignore"):
-        values = evaluate(nodes, smooth_arrays(), {**problem.floats, **states})
+        values = evaluate(nodes, smooth_arrays(), {**problem.numeric.floats, **states})
     if not all(np.isfinite(value).all() and np.abs(value).max() < 1e150 for value in values):
         raise PhysicsError("this has no finite value in some positions near the drawn one",
                            "look for roots of what may be negative, and for powers out of range")
@@ -75,4 +75,4 @@ def at_states(problem, nodes, states):
 
 def reach(problem, name):
     """How far a random state strays: a fraction of the figure, or of a radian."""
-    return 0.2 * (problem.figure_size or 1.0) if problem.dimension(name) else 0.3
+    return 0.2 * problem.numeric.size_along(name) if problem.system.dimension(name) else 0.3

@@ -45,7 +45,7 @@ class Response:
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
         end, where, record = self.problem.end, None, self._asked
         if end is None and record is not None and "until" in record:
-            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.floats)
+            end, = evaluate([self.problem.scene.lower(record["until"])], Floats, self.problem.numeric.floats)
             where = record["until"].where
         if end is None:
             return self.lasting()
@@ -57,7 +57,7 @@ class Response:
     @property
     def start(self):
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""
-        return self.problem.start
+        return self.problem.initial.start
 
     @property
     def title(self):
@@ -68,7 +68,7 @@ class Response:
     @cached_property
     def drive(self):
         """{i: Q(t)} of the small oscillations, in letters."""
-        return self.problem.excitation if self.problem.scene.timed else {}
+        return self.problem.symbolic.excitation if self.problem.scene.timed else {}
 
 
 def nonlinear(spec, owner):
@@ -116,8 +116,8 @@ class SmallMotion(Response):
         """(q, v) at t = 0, counted from the equilibrium, as arrays."""
         import numpy as np
 
-        places, speeds = self.problem.start
-        rest = self.problem.equilibrium.values
+        places, speeds = self.problem.initial.start
+        rest = self.problem.configuration.equilibrium.values
         names = self.problem.scene.coordinates
         return (np.array([places[name] - rest[name] for name in names]), np.array([speeds[name] for name in names]))
 
@@ -126,7 +126,7 @@ class SmallMotion(Response):
         """M, C + G, K as arrays."""
         from vibcli.analyses.frequency_response.transfer_function import system
 
-        return system(self.problem)
+        return system(self.problem.configuration)
 
     def forcing(self, direct=()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
@@ -135,34 +135,34 @@ class SmallMotion(Response):
 
         n = len(self.matrices[0])
         nodes = {**self.drive, **{n + number: node for number, node in enumerate(direct)}}
-        return forcing_of(nodes, self.problem.scene.time, self.problem.floats, n + len(direct), write=plain,
+        return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(direct), write=plain,
                           work=self.problem.work)
 
     def moved(self, direct=()):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.transient.linear_response import linear_motion
 
-        found = self.problem.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                   modes=self.modes, work=self.problem.work)
+        found = self.problem.modal.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                         modes=self.modes, work=self.problem.work)
         check_start(self.problem, found)
         return found
 
     @property
     def start(self):
         """The start, and where what has no inertia stands then."""
-        places, speeds = self.problem.start
+        places, speeds = self.problem.initial.start
         if self.alone.system is None:
             return places, speeds
-        rest = self.problem.equilibrium.values
+        rest = self.problem.configuration.equilibrium.values
         return {name: rest[name] + float(x) for name, x in zip(places, self.alone.start, strict=True)}, speeds
 
     @cached_property
     def modes(self):
         """The undamped modes, which the element data tell better than K; None where they are not real."""
-        elements = self.problem.elements
+        elements = self.problem.configuration.linear_system
         if elements.G or elements.circulatory or elements.massless:
             return None
-        return self.problem.modes
+        return self.problem.modal.modes
 
     @cached_property
     def alone(self):
@@ -177,8 +177,8 @@ class SmallMotion(Response):
             speeds = [abs(wave.exponent.imag) for piece in forcing.pieces for wave in piece.waves]
         else:
             last, speeds = 0.0, [tau / forcing.turn]
-        modes = () if problem.damped or not self.alone.blocks else problem.modes
-        return duration(modes, problem.damped, last, [speed for speed in speeds if speed])
+        modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes
+        return duration(modes, problem.modal.damped, last, [speed for speed in speeds if speed])
 
     def signal(self, tree):
         """The signal of a tree."""
@@ -191,7 +191,7 @@ class SmallMotion(Response):
                 or not all(isinstance(part[0], LinearOutput) for part in parts.values())):
             return self._composed(node, parts)
         used = [symbol for symbol in parts if symbol in slopes]
-        values = {**self.problem.floats, **{symbol.name: 0.0 for symbol in parts}}
+        values = {**self.problem.numeric.floats, **{symbol.name: 0.0 for symbol in parts}}
         constant, *factors = evaluate([node, *(slopes[symbol] for symbol in used)], Floats, values)
         return self._linear(constant, list(zip(factors, (parts[symbol] for symbol in used), strict=True)))
 
@@ -210,13 +210,13 @@ class SmallMotion(Response):
             return self._at_states(parts, energy(problem.scene, name, primes))
         elif is_quadratic(name):
             total = table.zero
-            for number, (weight, *found) in enumerate(quadratic_output(problem, name)):
+            for number, (weight, *found) in enumerate(quadratic_output(problem.configuration, name)):
                 square = table.variable(f"signal {name} {number}")
                 parts[square] = self._apart(*found)
                 total = total + square * square * table.number(Fraction(weight))
             return total
         else:
-            parts[symbol] = self._apart(*linear_output(problem, name + "'" * primes))
+            parts[symbol] = self._apart(*linear_output(problem.configuration, name + "'" * primes))
         return symbol
 
     def state_signal(self, node):
@@ -230,9 +230,9 @@ class SmallMotion(Response):
         if scene.loops is not None and any(part.op == "symbol" and part.name in scene.loops.names
                                            for part in reachable([node])):
             free = {q: self.signal(NameRef(0, 0, q, 0)) for q in scene.coordinates}
-            closing = Closing(scene.loops, self.problem.at_rest, free)
+            closing = Closing(scene.loops, self.problem.configuration.at_rest, free)
         return ComposedSignal(node, {symbol.name: self._one(part) for symbol, part in parts.items()},
-                              self.problem.floats, scene.time, closing, self.problem.work)
+                              self.problem.numeric.floats, scene.time, closing, self.problem.work)
 
     def _at_states(self, parts, node):
         """The same with the coordinates and their rates replaced by symbols of their signals."""

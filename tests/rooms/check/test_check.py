@@ -316,7 +316,7 @@ def test_random_states_are_within_reach(name):
     seen = {name + "'" * k: 0.0 for name in given.scene.coordinates for k in range(3)}
     for name in given.scene.coordinates:
         for k, most in enumerate((1, 3, 9)):
-            away = abs(found[name + "'" * k] - (0 if k else given.drawn_floats[name])) / reach(given, name)
+            away = abs(found[name + "'" * k] - (0 if k else given.numeric.drawn_floats[name])) / reach(given, name)
             assert most / 2 < max(away) <= most
             seen[name + "'" * k] = [bool(max(away[group])) for group in groups]
     kinds = {tuple(any(seen[name + "'" * k][i] for name in given.scene.coordinates) for k in range(3))

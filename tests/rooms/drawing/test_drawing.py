@@ -186,7 +186,7 @@ def words_and_size(text):
 
 def test_letters_draw_what_overlaps_least():
     given = problem_of(ROOT / "problems/3_free_undamped/geared_pendulums.yaml")
-    assert given.symbolic
+    assert given.numeric.has_free_symbols
     found = draw(given)
     wheels = [part for part in found if isinstance(part, Polygon) and len(part.points) > 100]
     boxes = [plane.bounds(part.points) for part in wheels]
@@ -230,7 +230,7 @@ def test_the_largest_displacement_is_readable():
 def test_a_mode_moves_as_its_shape():
     given = problem_of(ROOT / "vibcli/examples/two_storeys.yaml")
     moving = vibration.Vibration(given, 2, compose.Scenery(given.scene))
-    shape, sketch = given.modes[1].shape, moving.at(0.0)
+    shape, sketch = given.modal.modes[1].shape, moving.at(0.0)
     assert sketch.lumped["second"] / sketch.lumped["first"] == pytest.approx(shape[1] / shape[0])
     assert max(abs(u) * moving.unit for u in sketch.lumped.values()) == pytest.approx(vibration.LUMPED)
 
@@ -345,7 +345,7 @@ def test_any_motion_can_be_shown():
 @pytest.mark.parametrize("kind", ["small", "full"])
 def test_the_response_of_a_scene(kind):
     given = problem(PENDULUM + f"    initial: {{phi: 0.4 rad}}\n    motion: {kind}\n")
-    given.end = 2 * math.pi / math.sqrt(9.81)
+    given = given.until(2 * math.pi / math.sqrt(9.81))
     frames, words, names = animation.of_response(given)
     assert len(frames) == animation.FRAMES and words == "0 s to 2.006 s" and names[-1] == "2.006 s"
     bobs = [next(part for part in frame if isinstance(part, Polygon) and len(part.points) > 20) for frame in frames]

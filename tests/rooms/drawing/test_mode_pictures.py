@@ -40,11 +40,11 @@ def against(told, shown):
 def checked(found):
     """How many modes of a scene were drawn; AssertionError where a picture contradicts the table."""
     stage, count = compose.Scenery(found.scene), 0
-    for mode, row in zip(found.modes, modes_data(found, found.modes), strict=True):
+    for mode, row in zip(found.modal.modes, modes_data(found, found.modal.modes), strict=True):
         shape = {name: complex(*value) if isinstance(value, list) else value for name, value in row["shape"].items()}
         if mode.rigid or any(isinstance(value, complex) for value in shape.values()):
             continue
-        base = found.equilibrium.values
+        base = found.configuration.equilibrium.values
         told = stage.at({**base, **{name: base[name] + STEP * value for name, value in shape.items()}})
         moving = vibration.Vibration(found, mode.index, stage)
         for theta in (0.0, vibration.phases(36)[1]):        # the still picture; the moving one, just after its start
@@ -57,7 +57,7 @@ def test_pictures_agree_with_the_table():
     counts = []
     for path in FILES:
         found = problem_of(path)
-        if found.symbolic or found.spec.choices or not found.scene.bodies:
+        if found.numeric.has_free_symbols or found.spec.choices or not found.scene.bodies:
             continue
         try:
             counts.append(checked(found))
@@ -78,9 +78,9 @@ springs: {s: {k: 300 N/m, between: [[-1 m, 0], near]}, u: {k: 200 N/m, between: 
 def test_the_table_may_be_normalised_otherwise(normalise):
     found = problem(SEEN)
     stage = compose.Scenery(found.scene)
-    for mode in found.modes:
+    for mode in found.modal.modes:
         moving = vibration.Vibration(found, mode.index, stage, normalise)
-        for name, value in zip(("near", "far"), found.shape(mode, normalise), strict=True):
+        for name, value in zip(("near", "far"), found.modal.shape(mode, normalise), strict=True):
             assert (moving.at(0.0).frames[name].place[0] - moving.rest.frames[name].place[0]) * value > 0
 
 
@@ -96,7 +96,7 @@ def test_arrows_are_as_long_as_the_mode_tells(name):
     """Of lumped bodies: the largest LUMPED long, the others in proportion."""
     found = problem_of(ROOT / f"vibcli/examples/{name}.yaml")
     stage = compose.Scenery(found.scene)
-    for mode in found.modes:
+    for mode in found.modal.modes:
         moving = vibration.Vibration(found, mode.index, stage)
         ways = [moving.at(0.0).lumped[body] - moving.rest.lumped[body] for row in stage.rows for body in row.places]
         parts = mode_shape._arrows(stage, moving.rest, moving.at(0.0), moving.unit)

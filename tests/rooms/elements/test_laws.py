@@ -107,30 +107,30 @@ def test_a_duffing_law_swings_with_its_exact_period():
     scene = problem("parameters: {m: 2 kg, k: 200 N/m, k3: 3000 N/m^3}\n" + BLOCK
                     + "springs: {s: {law: k*d + k3*d^3, between: [ground, b]}}\n")
     period = float(duffing_period(10, 1500, 0.3))
-    assert exact_period(scene.scene, scene.floats, 0.3, 0.0)[0] == pytest.approx(period, rel=1e-14)
-    found = simulate(scene, 20 * period, initial={"x": 0.3})
+    assert exact_period(scene.scene, scene.numeric.floats, 0.3, 0.0)[0] == pytest.approx(period, rel=1e-14)
+    found = simulate(scene.configuration, 20 * period, initial={"x": 0.3})
     assert np.abs(found.at(np.arange(1, 21) * period)[0][0] - 0.3).max() < 1e-13
 
 
 def test_a_law_counts_in_equilibrium_and_small_oscillations():
     scene = problem("parameters: {m: 2 kg, k: 300 N/m, k3: 1e4 N/m^3, F: 40 N}\n" + BLOCK
                     + "springs: {s: {law: k*d + k3*d^3, between: [ground, b]}}\nforces: {f: {at: b, force: F}}\n")
-    assert scene.equilibrium.values["x"] == pytest.approx(0.1, rel=1e-14)
-    assert [mode.omega for mode in scene.modes] == pytest.approx([math.sqrt(300)], rel=1e-14)
+    assert scene.configuration.equilibrium.values["x"] == pytest.approx(0.1, rel=1e-14)
+    assert [mode.omega for mode in scene.modal.modes] == pytest.approx([math.sqrt(300)], rel=1e-14)
 
 
 def test_a_law_across_a_slide_has_geometric_stiffness():
     law = problem("parameters: {m: 2 kg, k: 300 N/m, N: 25 N}\nbodies:\n"
                   "  b: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}\n"
                   "springs: {s: {law: N + k*d, between: [[0.6 m, 0], b]}}\n")
-    assert law.modes[0].omega == pytest.approx(math.sqrt(25 / 0.6 / 2), rel=1e-14)
+    assert law.modal.modes[0].omega == pytest.approx(math.sqrt(25 / 0.6 / 2), rel=1e-14)
 
 
 @pytest.mark.parametrize("start", [0.1005, 0.2, 0.31])
 def test_dry_friction_takes_as_much_each_half_swing_and_sticks(start):
     scene = problem("parameters: {m: 2 kg, k: 200 N/m, R: 3 N}\n" + BLOCK + SPRING
                     + "dampers: {d: {friction: R, between: [ground, b]}}\n")
-    found = simulate(scene, 10.0, initial={"x": start})
+    found = simulate(scene.configuration, 10.0, initial={"x": start})
     turn, x, n = math.pi / 10, start, 0
     while abs(x) > 0.015:
         x, n = -(x - math.copysign(0.03, x)), n + 1
@@ -146,7 +146,7 @@ def test_a_block_on_a_belt_sticks_and_slips():
     scene = problem("parameters: {m: 2 kg, k: 200 N/m, R: 3 N, Rs: 5 N, V: 0.1 m/s}\nbodies:\n"
                     "  b: {mass: m, slide: x}\n  belt: {slide: V*t}\n" + SPRING
                     + "dampers: {d: {friction: R, breakaway: Rs, between: [belt, b]}}\n")
-    found = simulate(scene, 6.0, initial={"x": 0, "x'": 0.1})
+    found = simulate(scene.configuration, 6.0, initial={"x": 0, "x'": 0.1})
     slips = [event.time for event in found.events if event.kind == "slips"]
     sticks = [event.time for event in found.events if event.kind == "sticks"]
     assert slips[0] == pytest.approx(5 / 200 / 0.1, rel=1e-13)      # when the spring pulls with Rs
@@ -160,11 +160,12 @@ def test_two_blocks_with_friction_move_together_until_the_upper_slips():
     text = ("parameters: {m: 1 kg, M: 3 kg, R: 2 N, A: %s N, W: 5 rad/s}\nbodies:\n  lower: {mass: M, slide: x}\n"
             "  upper: {mass: m, slide: y}\ndampers: {d: {friction: R, between: [lower, upper]}}\n"
             "forces: {f: {at: lower, force: A*sin(W*t)}}\n")
-    gentle = simulate(problem(text % 7), 3.0, initial={"x": 0, "y": 0, "x'": -7 / 4 / 5, "y'": -7 / 4 / 5})
+    gentle = simulate(problem(text % 7).configuration, 3.0,
+                      initial={"x": 0, "y": 0, "x'": -7 / 4 / 5, "y'": -7 / 4 / 5})
     q, _, _ = gentle.at(np.linspace(0, 3, 50))
     assert np.abs(q[0] - q[1]).max() < 1e-15 and not gentle.events
     assert np.abs(q[0] + 7 / 4 / 25 * np.sin(5 * np.linspace(0, 3, 50))).max() < 1e-13
-    wild = simulate(problem(text % 20), 3.0, initial={"x": 0, "y": 0})
+    wild = simulate(problem(text % 20).configuration, 3.0, initial={"x": 0, "y": 0})
     first = next(event for event in wild.events if event.kind == "slips")
     assert first.time == pytest.approx(math.asin(8 / 20) / 5, rel=1e-12)
     assert wild.balance.error < 1e-13
@@ -173,7 +174,7 @@ def test_two_blocks_with_friction_move_together_until_the_upper_slips():
 def test_a_stop_with_clearance_gives_half_a_sine():
     scene = problem("parameters: {m: 1 kg, k: 1e4 N/m, gap: 0.5 m}\n" + BLOCK
                     + "springs: {s: {k: k, gap: gap, between: [ground, b]}}\n")
-    found = simulate(scene, 20.0, initial={"x": 0, "x'": 2})
+    found = simulate(scene.configuration, 20.0, initial={"x": 0, "x'": 2})
     assert [event.time for event in found.events[:3]] == pytest.approx(
         [0.25, 0.25 + math.pi / 100, 0.75 + math.pi / 100], rel=1e-14)
     assert found.balance.error < 1e-13
@@ -185,7 +186,7 @@ def test_a_ball_dropped_on_a_stiff_floor_comes_back_as_high():
     scene = problem("parameters: {m: 0.2 kg, k: 1e6 N/m, g: 9.81 m/s^2, h: 0.5 m}\ngravity: g\nbodies:\n"
                     "  ball: {mass: m, at: [0, h], slide: {along: [0, 1], by: y}}\n"
                     "springs: {floor: {k: k, acts: compression, gap: h - 0.1 m, between: [[0, -0.1 m], ball]}}\n")
-    found = simulate(scene, 6.0, initial={"y": 0, "y'": 0})
+    found = simulate(scene.configuration, 6.0, initial={"y": 0, "y'": 0})
     fall = math.sqrt(2 * 0.4 / 9.81)
     assert found.events[0].time == pytest.approx(fall, rel=1e-14)
     omega, v = math.sqrt(1e6 / 0.2), 9.81 * fall
@@ -199,7 +200,7 @@ def test_a_cable_goes_slack_and_pulls_again():
     scene = problem("parameters: {m: 1 kg, k: 100 N/m, N: 5 N}\n" + BLOCK
                     + "springs: {s: {k: k, acts: tension, preload: N, between: [ground, b]}}\n"
                     "forces: {f: {at: b, force: N}}\n")
-    found = simulate(scene, 3.0, initial={"x": 0.08, "x'": 0})
+    found = simulate(scene.configuration, 3.0, initial={"x": 0.08, "x'": 0})
     first = math.acos(-0.05 / 0.08) / 10
     assert found.events[0].time == pytest.approx(first, rel=1e-13)
     speed = 0.8 * math.sin(10 * first)
@@ -209,17 +210,17 @@ def test_a_cable_goes_slack_and_pulls_again():
 def test_small_oscillations_of_stops():
     text = ("parameters: {m: 2 kg, k: 200 N/m}\n" + BLOCK + "springs:\n  s: {k: k, between: [ground, b]}\n"
             "  t: {k: 5*k, %s between: [ground, b]}\n")
-    assert problem(text % "gap: 1 mm,").modes[0].omega == pytest.approx(10)
-    assert problem(text % "acts: tension, preload: 3 N," + "forces: {f: {at: b, force: 3 N}}").modes[0].omega == (
+    assert problem(text % "gap: 1 mm,").modal.modes[0].omega == pytest.approx(10)
+    assert problem(text % "acts: tension, preload: 3 N," + "forces: {f: {at: b, force: 3 N}}").modal.modes[0].omega == (
         pytest.approx(math.sqrt(600)))
     with pytest.raises(PhysicsError, match="kink"):
-        _ = problem(text % "acts: tension,").modes
+        _ = problem(text % "acts: tension,").modal.modes
 
 
 def test_quadratic_damping_against_its_first_integral():
     scene = problem("parameters: {m: 2 kg, k: 200 N/m, c: 8 kg/m}\n" + BLOCK + SPRING
                     + "dampers: {d: {law: c*v*abs(v), between: [ground, b]}}\n")
-    found = simulate(scene, 3.0, initial={"x": 0.2})
+    found = simulate(scene.configuration, 3.0, initial={"x": 0.2})
     turns = [event.time for event in found.events]
     places = np.abs([0.2, *found.at(turns)[0][0]])
     for before, after in pairwise(places):
@@ -231,7 +232,7 @@ def test_quadratic_damping_against_its_first_integral():
 def test_friction_that_locks_is_refused_without_hanging():
     scene = problem("parameters: {m: 1 kg, R: 2 N}\nbodies: {b: {mass: m, slide: x}}\n"
                     "forces: {f: {at: b, force: R*sign(x')}}\n")
-    found = simulate(scene, 1.0, initial={"x": 0, "x'": 0})
+    found = simulate(scene.configuration, 1.0, initial={"x": 0, "x'": 0})
     assert abs(found.at([1.0])[0][0, 0]) == pytest.approx(1.0, rel=1e-13)
 
 

@@ -41,17 +41,17 @@ def limit_load(b, h, k):
 def test_a_truss_snaps_at_its_limit_load(b, h, k):
     found = settled(problem(TRUSS.format(b=b, h=h, k=k, more="", choose="P: stability limit")))
     load, sunk = limit_load(b, h, k)
-    first = found.chosen.solutions[0]
-    assert first.fold and len(found.chosen.solutions) == 1
+    first = found.choice.solutions[0]
+    assert first.fold and len(found.choice.solutions) == 1
     assert float(first.values["P"]) == pytest.approx(load, rel=1e-9)
-    assert found.equilibrium.values["w"] == pytest.approx(sunk, rel=1e-6)
-    assert [mode.rigid for mode in found.modes] == [True]
+    assert found.configuration.equilibrium.values["w"] == pytest.approx(sunk, rel=1e-6)
+    assert [mode.rigid for mode in found.modal.modes] == [True]
 
 
 def test_a_stiffness_below_which_a_load_snaps():
     load, _ = limit_load(1.0, 0.3, 500.0)
     text = TRUSS.format(b=1, h=0.3, k="", more=f", P: {load!r} N", choose="k: stability limit").replace("k:  N/m, ", "")
-    found = settled(problem(text)).chosen.solutions
+    found = settled(problem(text)).choice.solutions
     assert [float(solution.values["k"]) for solution in found] == pytest.approx([500.0], rel=1e-9) and found[0].fold
 
 

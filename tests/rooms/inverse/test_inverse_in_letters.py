@@ -51,7 +51,7 @@ def numbers_of(whole, given):
     """What the scene with numbers for its letters chooses."""
     name, = whole.spec.choices
     try:
-        return [float(solution.values[name]) for solution in settled(whole.with_values(given)).chosen.solutions]
+        return [float(solution.values[name]) for solution in settled(whole.with_values(given)).choice.solutions]
     except PhysicsError:
         return []
 
@@ -71,7 +71,7 @@ def told_of(whole, solutions, given):
 @pytest.mark.parametrize(("frame", "given", "choose"), SCENES, ids=[part[2] + part[1][:5] for part in SCENES])
 def test_solutions_in_letters_are_those_of_numbers(frame, given, choose):
     whole = problem(frame.format(parameters=given, choose=choose))
-    solutions = settled(whole).chosen.solutions
+    solutions = settled(whole).choice.solutions
     draws, compared, none = Letters(whole, whole, [solution.forms for solution in solutions]), 0, 0
     for attempt in range(FIRST, FIRST + MOST):
         given = draws.values(attempt)
@@ -94,10 +94,11 @@ def test_the_scene_goes_on_with_what_counts():
     """The smaller stiffness is negative for most values about one: the scene is drawn where it counts."""
     whole = problem(ONE.format(parameters="m: , c: , F0: , W: , X: ", choose='k: "amplitude(x) = X"'))
     found = settled(whole)
-    assert len(found.chosen.solutions) == 2 and found.scene.sample["k"] > 0
-    assert all(float(settled(draw).floats["k"]) == pytest.approx(
-        evaluate([found.chosen.solutions[0].forms["k"]], Floats, known(whole.sharing(draw.given), Floats))[0], rel=1e-9)
-               for draw in found.chosen.draws)
+    assert len(found.choice.solutions) == 2 and found.scene.sample["k"] > 0
+    assert all(float(settled(draw).numeric.floats["k"]) == pytest.approx(
+        evaluate([found.choice.solutions[0].forms["k"]], Floats,
+                 known(whole.sharing(draw.numeric.given), Floats))[0], rel=1e-9)
+               for draw in found.choice.draws)
 
 
 def test_what_no_draw_fulfils_is_not_called_impossible():
@@ -111,7 +112,7 @@ def test_draws_lie_about_the_natural_scale_of_each_letter():
     """Within three decades of it, on both sides alike, nearer ones among them."""
     whole = problem(TWO.format(parameters="m1: , m2: , k2: , w: ", choose='k1: "omega[1] = w"'))
     draws = Letters(whole, whole, [])
-    for name in whole.letters:
+    for name in whole.symbolic.letters:
         away = [math.log10(draws.values(attempt)[name] / draws.scales[name]) for attempt in range(MOST)
                 if SPREADS[attempt % len(SPREADS)]]
         assert max(map(abs, away)) <= max(SPREADS) and abs(sum(away)) < 0.2 * len(away)

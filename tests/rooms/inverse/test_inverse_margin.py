@@ -42,7 +42,7 @@ def test_the_first_of_divergence_and_flutter_is_chosen(a, route, monkeypatch):
     if route == "search":
         monkeypatch.setattr(search, "candidates", lambda *args: None)
     found = settled(problem(COLUMN.format(m=2, l=0.5, k=30, a=a)))
-    assert float(found.chosen.solutions[0].values["P"]) * 0.5 / 30 == pytest.approx(min(limits(a)), rel=1e-9)
+    assert float(found.choice.solutions[0].values["P"]) * 0.5 / 30 == pytest.approx(min(limits(a)), rel=1e-9)
 
 
 def test_both_kinds_were_swept():
@@ -109,7 +109,7 @@ def of(M, C, G, K):
 def test_damping_moves_no_divergence(c):
     text = COLUMN.format(m=2, l=0.5, k=30, a=0.1).replace("a: 0.1}", f"a: 0.1, c: {c} N*m*s}}")
     found = settled(problem(text + "dampers: {d: {torsion: c, between: [ground, one]}, "
-                            "e: {torsion: c, between: [one, two]}}\n")).chosen.solutions
+                            "e: {torsion: c, between: [one, two]}}\n")).choice.solutions
     assert float(found[0].values["P"]) * 0.5 / 30 == pytest.approx(limits(0.1)[0], rel=1e-12)
     assert found[0].residual < 1e-12
 

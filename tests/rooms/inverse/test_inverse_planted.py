@@ -29,7 +29,7 @@ def planted(problem, name, quantity, number):
         return Expression(Scalar(text, where), parse(text), None, None)
 
     values = {key: entry for key, entry in record.items() if key != "value"}
-    if problem.floats[name] < 0:
+    if problem.numeric.floats[name] < 0:
         values["sign"] = "any"
     condition = choose.Condition(f"{quantity} = {number!r}", where, None, side(quantity), side(repr(number)))
     choices = {name: Record(choose.ELEMENT, name, where, {"so": condition}, {})}
@@ -40,7 +40,7 @@ def planted(problem, name, quantity, number):
 def measured_nearby(problem, name, quantity):
     """The quantity at values somewhat smaller and larger."""
     free = planted(problem, name, quantity, 1.0)
-    return [value(free.with_values({name: Fraction(problem.floats[name] * factor)}), quantity)
+    return [value(free.with_values({name: Fraction(problem.numeric.floats[name] * factor)}), quantity)
             for factor in (0.99, 1.01)]
 
 
@@ -58,7 +58,8 @@ def measurable(problem):
 def collected(path):
     """Every fourth (parameter, quantity, its number) of a problem in numbers that chooses nothing itself."""
     problem = problem_of(path)
-    if problem.symbolic or problem.scene.loops is not None:     # some seconds for each place that is looked at
+    # loops: some seconds for each place that is looked at
+    if problem.numeric.has_free_symbols or problem.scene.loops is not None:
         return []
     names = [name for name, record in problem.spec.parameters.items()
              if "value" in record and whole_literal(record["value"].tree) and "unused" not in record]
@@ -69,14 +70,14 @@ def collected(path):
 def test_the_value_is_found_again(path):
     problem = problem_of(path)
     for name, quantity, number in collected(path):
-        true = problem.floats[name]
+        true = problem.numeric.floats[name]
         try:
             found = settled(planted(problem, name, quantity, number))
         except PhysicsError as error:
             assert "so it does not determine it" in error.message
             assert measured_nearby(problem, name, quantity) == pytest.approx([number] * 2, rel=1e-11)
             continue
-        values = [float(solution.values[name]) for solution in found.chosen.solutions]
+        values = [float(solution.values[name]) for solution in found.choice.solutions]
         assert min(abs(x - true) for x in values) <= 1e-7 * abs(true)
         assert value(found, quantity) == pytest.approx(number, rel=1e-9)
         assert values == sorted(values)

@@ -35,7 +35,7 @@ def test_what_was_planted_is_found(quantity, zeta):
         rest = {key: x for key, x in planted.items() if key != name}
         choose = f'choose: {{{name}: "{quantity} = {wanted!r} {ASKED[quantity]}"}}'
         try:
-            found = settled(block(rest, choose)).chosen.solutions
+            found = settled(block(rest, choose)).choice.solutions
         except PhysicsError as error:       # decay: of the mass alone where it is not over-damped
             assert "does not determine it" in error.message
             continue

@@ -122,8 +122,8 @@ def test_motions_end_within_the_span(seed):
             if pendulum else BLOCK)
     found = problem(f"{text}initial: {{x: {start}{'' if pendulum else ' m'}}}\nmotion: full\n"
                     "find: [{response: {until: 9 s}}]\n")
-    low, high, whole = span(found, found.sticking)
-    end = found.motion.reaching(9.0).at([9.0])
+    low, high, whole = span(found.configuration, found.system.sticking)
+    end = found.response.reaching(9.0).at([9.0])
     assert whole is not bool(pendulum)
     assert low - 1e-9 <= end[0][0, 0] <= high + 1e-9 and abs(end[1][0, 0]) < 1e-12
 

@@ -95,16 +95,16 @@ def full(Q, inertia, start, speed, A, until, steps=2000):
 def test_lagrange_by_hand(name):
     text, _, Q = SCENES[name]
     found = problem(text)
-    q, = found.equilibrium.values.values()
+    q, = found.configuration.equilibrium.values.values()
     wanted = mpmath.findroot(lambda p: Q(p, 0), 0.1)
     K = -mpmath.diff(lambda p: Q(p, 0), wanted)
     assert q == pytest.approx(float(wanted), rel=1e-12)
-    _, _, _, ours = found.elements.matrices()
+    _, _, _, ours = found.configuration.linear_system.matrices()
     assert float(ours[0, 0]) == pytest.approx(float(K), rel=1e-12)
     slope = float(mpmath.diff(lambda a: Q(wanted, a), 0))
     for t in (0.0, 0.31, 1.7):
-        driven = evaluate([found.excitation.get(0, found.scene.table.zero)], Floats, {**found.at_rest,
-                          found.scene.time.name: t})[0]
+        at = {**found.configuration.at_rest, found.scene.time.name: t}
+        driven = evaluate([found.symbolic.excitation.get(0, found.scene.table.zero)], Floats, at)[0]
         assert driven == pytest.approx(0.1 * slope * float(mpmath.sin(W * t)), abs=1e-12)
 
 
@@ -113,9 +113,10 @@ def test_full_equations_at_small_amplitudes(name):
     """(q(A) − q(−A))/2A of the full equations tends to the small motion X sin Ωt as A → 0."""
     text, inertia, Q = SCENES[name]
     found = problem(text)
-    q, = found.equilibrium.values.values()
-    K = float(found.elements.matrices()[3][0, 0])
-    quarter = evaluate([found.excitation[0]], Floats, {**found.at_rest, found.scene.time.name: mpmath.pi / (2 * W)})[0]
+    q, = found.configuration.equilibrium.values.values()
+    K = float(found.configuration.linear_system.matrices()[3][0, 0])
+    at = {**found.configuration.at_rest, found.scene.time.name: mpmath.pi / (2 * W)}
+    quarter = evaluate([found.symbolic.excitation[0]], Floats, at)[0]
     X = float(quarter) / 0.1 / (K - inertia * W * W)
     odd = [(full(Q, inertia, q, A * X * W, A, 1.0) - full(Q, inertia, q, -A * X * W, -A, 1.0)) / (2 * A)
            for A in (0.02, 0.01)]

@@ -20,8 +20,8 @@ COMPARED = []
 def at_rest(one):
     """{name: array} of all coordinates at rest in equilibrium, as a motion has them."""
     scene = one.scene
-    values = {**one.at_rest, **dict.fromkeys((node.name for node in (*scene.v, *scene.a)), 0.0)}
-    found = {**one.floats, scene.time.name: np.zeros(1)}
+    values = {**one.configuration.at_rest, **dict.fromkeys((node.name for node in (*scene.v, *scene.a)), 0.0)}
+    found = {**one.numeric.floats, scene.time.name: np.zeros(1)}
     for name in one.spec.coordinates:
         for primes in range(3):
             found[name + "'" * primes] = np.array(evaluate([scene.symbol(name, primes)], Floats, values))
@@ -33,10 +33,10 @@ def test_of_a_scene_at_rest(path):
     one = next(iter(Draws(problem_of(path))), None)
     try:
         statics = {} if one is None or one.scene.timed else {
-            reaction.signal: reaction.value for reaction in one.reactions if reaction.value is not None}
+            reaction.signal: reaction.value for reaction in one.configuration.reactions if reaction.value is not None}
     except PhysicsError:
         return
-    found = ForcesAlong(one).values(list(statics), at_rest(one)) if statics else {}
+    found = ForcesAlong(one.numeric).values(list(statics), at_rest(one)) if statics else {}
     size = max(map(abs, statics.values()), default=0.0)
     for name, value in statics.items():
         assert found[name][0] == pytest.approx(value, rel=1e-8, abs=1e-9 * size + 1e-10), name

@@ -133,7 +133,7 @@ def lacking(found, parts):
     """(i, j, q or v): [∂(full equation)ᵢ/∂qⱼ or q̇ⱼ at rest in the equilibrium − Kᵢⱼ or (C + G)ᵢⱼ at some instants], to
     first order in what is driven: of `parts`, the scenes with SMALL and −SMALL times the displacements, their mean and
     half their difference over SMALL."""
-    scene, (_, C, G, K) = found.scene, found.elements.matrices()
+    scene, (_, C, G, K) = found.scene, found.configuration.linear_system.matrices()
     weights = (1.0,) if len(parts) == 1 else (0.5 + 0.5 / SMALL, 0.5 - 0.5 / SMALL)
     for i in range(len(scene.q)):
         for j in range(len(scene.q)):
@@ -150,19 +150,21 @@ def slope(scene, i, j, kind, values):
 
 def at(found, scene, t):
     """Everything at rest in the equilibrium at an instant, with the loops closed."""
-    values = {**found.at_rest, **found.dependent_values, **dict.fromkeys((a.name for a in scene.a), 0.0)}
+    at = found.configuration
+    values = {**at.at_rest, **at.dependent_values, **dict.fromkeys((a.name for a in scene.a), 0.0)}
     now = {**values, scene.time.name: t}
     return now if scene.loops is None else scene.loops.followed({**values, scene.time.name: 0.0}, now) or now
 
 
 def told(found, i, j, kind):
     scene = found.scene
-    by = gradient(found.equations.left_out.get(i, scene.table.zero)).get(getattr(scene, kind)[j], scene.table.zero)
-    return [evaluate([by], Floats, {**found.at_rest, scene.time.name: t})[0] for t in INSTANTS]
+    left_out, zero = found.symbolic.equations.left_out, scene.table.zero
+    by = gradient(left_out.get(i, zero)).get(getattr(scene, kind)[j], zero)
+    return [evaluate([by], Floats, {**found.configuration.at_rest, scene.time.name: t})[0] for t in INSTANTS]
 
 
 def compare(found, parts):
-    _, C, G, K = found.elements.matrices()
+    _, C, G, K = found.configuration.linear_system.matrices()
     largest = max((abs(float(x)) for matrix in (C, G, K) for x in matrix.values()), default=1.0)
     tolerance = 1e-9 if len(parts) == 1 else 1e-6
     for (i, j, kind), wanted in lacking(found, parts):
@@ -191,7 +193,7 @@ def test_what_is_told_is_what_the_full_equation_has(name, tmp_path, capsys, monk
     text, any_left = {**SCENES, **SHAKEN}[name]
     found = problem(text)
     compare(found, parts_of(found, monkeypatch))
-    assert bool(found.equations.left_out) == any_left
+    assert bool(found.symbolic.equations.left_out) == any_left
     path = tmp_path / "scene.yaml"
     path.write_text(text)
     for command in ("equations", "response"):
@@ -207,7 +209,7 @@ def test_in_letters():
                     "F0*cos(W*t)]}}\n")
     scene = found.scene
     values = {"L": 2.0, "F0": 3.0, "W": 5.0, "m": 1.0, "t": 0.3, "phi": 1.0}
-    node = found.equations.left_out[0]
+    node = found.symbolic.equations.left_out[0]
     from math import cos
 
     assert evaluate([node], Floats, {**values, scene.time.name: 0.3})[0] == pytest.approx(-3 * 2 * cos(1.5))
@@ -218,9 +220,9 @@ def test_driven_displacements_in_letters():
     text = SHAKEN_BASE.replace("ALONG", "0, 1").replace("1 m", "h").replace("k: 800 N/m", "k: , h: ")
     found = problem(text.replace("Y: 0.02 m", "Y: ") + "dampers: {d: {c: c, between: [base, b]}}\n")
     values = {"k": 7.0, "h": 2.0, "c": 3.0, "Y": 0.3, "W": 5.0, "m": 1.0, found.scene.time.name: 0.0, "x": 1.0, "x'": 0}
-    assert evaluate([found.equations.left_out[0]], Floats, values)[0] == pytest.approx(-7 * 0.3 / (4 * 2))
+    assert evaluate([found.symbolic.equations.left_out[0]], Floats, values)[0] == pytest.approx(-7 * 0.3 / (4 * 2))
     values |= {"x": 0.0, "x'": 1.0}
-    assert evaluate([found.equations.left_out[0]], Floats, values)[0] == pytest.approx(-3 * 0.3 / (2 * 2))
+    assert evaluate([found.symbolic.equations.left_out[0]], Floats, values)[0] == pytest.approx(-3 * 0.3 / (2 * 2))
 
 
 def test_all_problems(monkeypatch):
@@ -231,10 +233,10 @@ def test_all_problems(monkeypatch):
             continue
         node, diagnostics = read(text, str(path))
         found = Problem(read_spec(node, str(path), diagnostics))
-        if found.symbolic or not found.scene.timed:
+        if found.numeric.has_free_symbols or not found.scene.timed:
             continue
-        if found.equations.refusal or not found.equations.full:
-            assert not found.equations.left_out
+        if found.symbolic.equations.refusal or not found.symbolic.equations.full:
+            assert not found.symbolic.equations.left_out
             continue
         some += 1
         parts = parts_of(found, monkeypatch)

@@ -71,7 +71,7 @@ HOIST = """
 
 
 def response(scene, signal, driven_by, order=0):
-    return frf(transfer(scene, signal, driven_by, order), OMEGA)
+    return frf(transfer(scene.configuration, signal, driven_by, order), OMEGA)
 
 
 def acceleration(scene, signal, driven_by):
@@ -107,7 +107,7 @@ def test_friction_and_normal_force_of_a_driven_roller():
     assert response(scene, "disc.friction", "W") == pytest.approx(
         0.5 * 4.0 * 0.2**2 * acceleration(scene, "disc.angle", "W") / 0.2, rel=1e-12)
     assert response(scene, "disc.normal", "W") == pytest.approx(np.zeros(4), abs=1e-12)
-    assert linear_row(scene, "disc.normal").constant == pytest.approx(4 * 9.81)
+    assert linear_row(scene.configuration, "disc.normal").constant == pytest.approx(4 * 9.81)
     held = response(scene, "ground.force.x", "W")
     total = response(scene, "disc.reaction.x", "W") - held
     assert total == pytest.approx(4 * acceleration(scene, "x", "W"), rel=1e-12)
@@ -117,7 +117,7 @@ def test_cable_with_inertia():
     scene = problem(HOIST)
     pulled = response(scene, "cable.force", "pull") + 1 - response(scene, "d.force", "pull")
     assert pulled == pytest.approx(4 * acceleration(scene, "y", "pull"), rel=1e-12)
-    assert linear_row(scene, "cable.force").constant == pytest.approx(4 * 9.81)
+    assert linear_row(scene.configuration, "cable.force").constant == pytest.approx(4 * 9.81)
     bearing = response(scene, "drum.reaction.y", "pull") - response(scene, "cable.force", "pull")
     assert bearing == pytest.approx(response(scene, "s.force", "pull"), rel=1e-12)
 
@@ -161,23 +161,23 @@ def test_base_motion_and_unbalance():
 
 def test_channels_carry_what_is_driven():
     scene = problem(BASE)
-    output, channels = linear_output(scene, "s.force", channel=4)
+    output, channels = linear_output(scene.configuration, "s.force", channel=4)
     assert output.q == {0: pytest.approx(-2000)} and output.channels == {4: 1.0}
     assert output.constant == pytest.approx(5 * 9.81)
-    instant = {**scene.opened.values, "t": 0.3}
+    instant = {**scene.configuration.opened.values, "t": 0.3}
     assert evaluate([channels[4]], Floats, instant)[0] == pytest.approx(2000 * 0.01 * math.sin(4.5))
-    output, channels = linear_output(scene, "s.force", order=1)
+    output, channels = linear_output(scene.configuration, "s.force", order=1)
     assert output.v == {0: pytest.approx(-2000)}
     assert evaluate([channels[1]], Floats, instant)[0] == pytest.approx(2000 * 0.15 * math.cos(4.5))
-    assert linear_output(scene, "y''")[0].a == {0: 1.0}
+    assert linear_output(scene.configuration, "y''")[0].a == {0: 1.0}
 
 
 def test_energy_and_power_are_squares():
     scene = problem(BASE)
-    (weight, output, channels), = quadratic_output(scene, "s.energy")
-    assert weight == pytest.approx(1 / 4000) and output == linear_output(scene, "s.force")[0] and channels
+    (weight, output, channels), = quadratic_output(scene.configuration, "s.energy")
+    assert weight == pytest.approx(1 / 4000) and output == linear_output(scene.configuration, "s.force")[0] and channels
     assert value(scene, "equilibrium[s.energy]") == pytest.approx((5 * 9.81) ** 2 / 4000)
-    (weight, output, _), = quadratic_output(scene, "d.power")
+    (weight, output, _), = quadratic_output(scene.configuration, "d.power")
     assert weight == 30.0 and output.v == {0: pytest.approx(-1.0)}
     assert value(scene, "equilibrium[ground.force.y]") == pytest.approx(-5 * 9.81)
 
@@ -216,7 +216,7 @@ def test_lumped_bodies():
 @pytest.mark.parametrize("name", ["wind", "O", "rod.x"])
 def test_what_is_no_input(name):
     with pytest.raises(PhysicsError, match="drives this scene"):
-        named_input(problem(PENDULUMS), name)
+        named_input(problem(PENDULUMS).configuration, name)
 
 
 def test_a_force_that_turns_has_no_line():
@@ -227,7 +227,7 @@ def test_a_force_that_turns_has_no_line():
         forces: {drive: {at: block, force: [F*cos(2 rad/s*t), F*sin(2 rad/s*t)]}}
     """)
     with pytest.raises(PhysicsError, match="no line"):
-        named_input(scene, "drive")
+        named_input(scene.configuration, "drive")
     assert response(scene, "x", "drive.x") == pytest.approx(1 / (50 - 2 * OMEGA**2))
     assert response(scene, "block.reaction.y", "drive.y") == pytest.approx(np.full(4, -1.0))
 
@@ -262,7 +262,7 @@ def test_of_points_that_springs_hold_before_loops_close():
 
 
 def at_start(scene, node):
-    return evaluate([node], Floats, scene.opened.values)[0]
+    return evaluate([node], Floats, scene.configuration.opened.values)[0]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
@@ -270,7 +270,7 @@ def test_equilibrium_values_of_all_signals(path):
     """The constant of every output is the value in equilibrium, found by other ways."""
     scene = problem_of(path)
     try:
-        scene.elements  # noqa: B018
+        scene.configuration.linear_system  # noqa: B018
     except PhysicsError:
         pytest.skip("no equilibrium in numbers")
     spec = scene.spec
@@ -278,11 +278,11 @@ def test_equilibrium_values_of_all_signals(path):
     signals += [f"{name}.{part}" for name, body in scene.scene.bodies.items() for part in ("x", "y", "angle")
                 if body.frame is not None]
     signals += [f"{name}.{part}" for name in (spec.get("springs") or {}) for part in ("stretch", "force")]
-    known = [reaction for reaction in scene.reactions if reaction.value is not None]
+    known = [reaction for reaction in scene.configuration.reactions if reaction.value is not None]
     refused = 0
     for signal in signals:
         try:
-            row = linear_row(scene, signal)
+            row = linear_row(scene.configuration, signal)
         except PhysicsError:
             refused += 1
             continue
@@ -291,7 +291,7 @@ def test_equilibrium_values_of_all_signals(path):
     size = max((abs(reaction.value) for reaction in known), default=0.0) or 1.0
     for reaction in known:
         try:
-            row = linear_row(scene, reaction.signal)
+            row = linear_row(scene.configuration, reaction.signal)
         except PhysicsError:
             refused += 1
             continue
@@ -312,5 +312,5 @@ def test_a_support_that_moves_by_a_pulse_is_an_input():
         dampers: {d: {c: c, between: [W, car]}}
     """
     pulse = problem(text % "h*sin(pi*t/t1)*(step(t) - step(t - t1))")
-    assert linear_row(pulse, "s.force").constant == pytest.approx(-4 * 9.81)
+    assert linear_row(pulse.configuration, "s.force").constant == pytest.approx(-4 * 9.81)
     assert response(pulse, "y", "W") == pytest.approx(response(problem(text % "h*sin(pi*t/t1)"), "y", "W"))

@@ -31,7 +31,7 @@ def value(found, text):
     """A quantity, or a signal at an instant."""
     signal, at, instant = text.removesuffix(" s)").rpartition("(")
     if at and text.endswith(" s)"):
-        return found.motion.signal(parse(signal)).values(np.array([float(instant)]))[0]
+        return found.response.signal(parse(signal)).values(np.array([float(instant)]))[0]
     return measure(found, parse(text))[0]
 
 

@@ -32,7 +32,7 @@ def blocks(draw):
 def test_the_equation_of_motion_holds_in_stick_and_slip(seed):
     """m ẍ + k … + Σ d.force − loads = 0 at every instant, sign ẋ being what the force of the element says."""
     found, n = blocks(random.Random(seed))
-    motion, times = found.motion, np.linspace(0.001, 2.999, 400)
+    motion, times = found.response, np.linspace(0.001, 2.999, 400)
     stuck = 0
     for i in range(n):
         values = motion.state_signal(equation_of(found.scene, i)).values(times)
@@ -54,7 +54,7 @@ def test_a_corner_of_the_load_lets_nothing_slip():
             "  p: {at: b, force: 'LOAD'}\ninitial: {x: 0}\nmotion: full\nfind: [{response: {until: 3 s}}]\n")
     for load in ("(5 N)*min(t/(1 s), 1)", "(5 N)*(ramp(t/(1 s)) - ramp(t/(1 s) - 1))",
                  "(5 N)*(step(t - 0.3 s) - step(t - 1.2 s))", "(5 N)*square(4*t/(1 s))"):
-        motion = problem(text.replace("LOAD", load)).motion
+        motion = problem(text.replace("LOAD", load)).response
         trajectory = motion.reaching(3.0)
         assert np.abs(trajectory.at(np.linspace(0, 3, 50))[0]).max() < 1e-12, load
         assert not [event for event in trajectory.events if event.kind == "slips"]

@@ -73,7 +73,7 @@ def test_passages_are_all_of_those_of_dense_samples(name):
     t = np.linspace(1e-6, 4, 400_001)
     y = function(*by_hand(1.0, t))
     at = t[:-1][np.sign(y[:-1]) != np.sign(y[1:])]
-    found = scene(1, 4000).motion.signal(_tree(name)).zeros(0.0, 4.0)
+    found = scene(1, 4000).response.signal(_tree(name)).zeros(0.0, 4.0)
     assert len([x for x in found if x > 1e-6]) == len(at)
     assert [x for x in found if x > 1e-6] == pytest.approx(at, abs=2e-5)
 
@@ -87,7 +87,7 @@ def test_bounds_hold_all_values_of_a_stretch():
     """The property that all rests on: between the ends of any cell value, slope and curvature lie within the bounds."""
     rng = np.random.default_rng(3)
     for name in FUNCTIONS:
-        whole = scene(1, 5).motion.signal(_tree(name)).along(5.0)
+        whole = scene(1, 5).response.signal(_tree(name)).along(5.0)
         early = rng.uniform(0, 4, 200)
         late = early + 10.0 ** rng.uniform(-6, 0, 200)
         jet = whole.jet(np.zeros(200, int), early, late)
@@ -102,7 +102,7 @@ def test_bounds_hold_all_values_of_a_stretch():
 
 
 def test_a_load_of_high_frequency():
-    one = scene(1, 100, "    forces: {P: {at: b, force: 5 N*sin(1e4 rad/s*t)}}").motion
+    one = scene(1, 100, "    forces: {P: {at: b, force: 5 N*sin(1e4 rad/s*t)}}").response
     name, t = "x'*x''", np.linspace(0, 0.7, 2_000_001)
     signal = one.signal(_tree(name))
     assert signal.extreme(0.0, 100.0, 1)[1] >= signal.values(t).max() * (1 - 1e-12)

@@ -19,24 +19,24 @@ bodies: {block: {mass: 2 kg, at: [1 m, 0], slide: x}}
 springs: {s: {k: 800 N/m, between: [S, block]}}
 forces: {f: {at: block, force: [3 N*sin(5 rad/s*t), 0]}}
 """
-FREQUENCIES = {"scene", "form", "equilibrium", "elements", "modes"}
+FREQUENCIES = {"scene", "linearisation", "equilibrium", "linear_system", "modes"}
 
 
 @pytest.mark.parametrize("text", [FOUR_BAR, DRIVEN], ids=["loop", "driven"])
 def test_frequencies_need_neither_equations_nor_reactions(text):
     found = problem(text)
-    assert found.modes
+    assert found.modal.modes
     assert set(found.costs) - {"read", "spec"} == FREQUENCIES
-    assert "loose" not in vars(found) and "excitation" not in vars(found)
+    assert "loose" not in vars(found.system) and "excitation" not in vars(found.symbolic)
 
 
 def test_equations_find_no_modes():
     found = problem(FOUR_BAR)
-    assert found.energies
-    assert not {"modes", "elements", "equilibrium", "reactions"} & set(found.costs)
+    assert found.symbolic.energies
+    assert not {"modes", "linear_system", "equilibrium", "reactions"} & set(found.costs)
 
 
 def test_reactions_find_no_modes():
     found = problem(FOUR_BAR)
-    assert found.reactions
-    assert not {"modes", "elements", "energies", "equations"} & set(found.costs)
+    assert found.configuration.reactions
+    assert not {"modes", "linear_system", "energies", "equations"} & set(found.costs)

@@ -179,7 +179,7 @@ def closed_states(scene):
     found, _ = states(scene)
     dependent = scene.scene.dependent
     for i in range(len(found[scene.scene.coordinates[0]])):
-        state = scene.floats | {"t": 0.0} | {name: float(values[i]) for name, values in found.items()}
+        state = scene.numeric.floats | {"t": 0.0} | {name: float(values[i]) for name, values in found.items()}
         yield state | dict(zip(dependent, evaluate(list(dependent.values()), Floats, state), strict=True))
 
 
@@ -277,8 +277,8 @@ def test_the_length_of_a_rope(seed):
     drawn = rope.lengths({})
     assert scene.scene.freedom.conditions == len(drawn)
     for _ in range(6):
-        target = scene.drawn_floats | {name: generator.uniform(-0.15, 0.15) for name in scene.scene.coordinates}
-        state = scene.floats | scene.closed(scene.drawn_floats, target)
+        target = scene.numeric.drawn_floats | {name: generator.uniform(-0.15, 0.15) for name in scene.scene.coordinates}
+        state = scene.numeric.floats | scene.numeric.closed(scene.numeric.drawn_floats, target)
         dependent = scene.scene.dependent
         state |= dict(zip(dependent, evaluate(list(dependent.values()), Floats, state), strict=True))
         assert rope.lengths(state) == pytest.approx(drawn, rel=1e-12, abs=1e-13)
@@ -355,12 +355,13 @@ def test_digits_of_a_closed_loop():
     """ω² = V″/M at V′ = 0, by differences in many more digits; the loop is closed to as many."""
     scene = problem(FOUR_BAR)
     with mpmath.workdps(90):
-        phi = mpmath.findroot(lambda x: mpmath.diff(four_bar_potential, x), scene.equilibrium.values["phi"])
+        phi = scene.configuration.equilibrium.values["phi"]
+        phi = mpmath.findroot(lambda x: mpmath.diff(four_bar_potential, x), phi)
         slopes = [[mpmath.diff(lambda x, i=i, j=j: centres(x)[i][j], phi) for j in range(3)] for i in range(3)]
         inertia = sum(m * (x**2 + y**2) + J * turn**2
                       for m, J, (x, y, turn) in zip(MASSES, INERTIAS, slopes, strict=True))
         exact = mpmath.sqrt(mpmath.diff(four_bar_potential, phi, 2) / inertia)
-        mode, = scene.to_digits(40)[0]
+        mode, = scene.modal.to_digits(40)[0]
         assert abs(mode.omega - exact) <= exact * mpmath.mpf(10) ** -39
     assert value(scene, "omega[1]") == pytest.approx(float(exact), rel=1e-14)
     assert value(scene, "equilibrium[chi]") == pytest.approx(float(four_bar(phi)["chi"]), rel=1e-14)
@@ -440,8 +441,8 @@ def test_the_reduction_against_multipliers(name):
     """M = NᵀTN and K = Nᵀ(V″ + Σ λ G″)N with the null space N of ∂G/∂q and λ from V′ + λ ∂G/∂q = 0."""
     scene = problem({"atwood": ATWOOD, "crank": CRANK, "four-bar": FOUR_BAR, "inversor": PEAUCELLIER,
                      "oblique rope": OBLIQUE_ROPE}[name])
-    loose, own = scene.loose, scene.scene.coordinates
-    state = scene.at_rest | scene.dependent_values
+    loose, own = scene.system.loose, scene.scene.coordinates
+    state = scene.configuration.at_rest | scene.configuration.dependent_values
     zero = loose.table.zero
 
     def numbers(nodes):
@@ -463,7 +464,7 @@ def test_the_reduction_against_multipliers(name):
     multipliers = np.linalg.lstsq(G.T, -forces, rcond=None)[0]
     assert forces + multipliers @ G == pytest.approx(0, abs=1e-11 * (1 + abs(forces).max()))
     bent = hessian(V, loose.q) + sum(x * hessian(g, loose.q) for x, g in zip(multipliers, conditions, strict=True))
-    M, _, _, K = scene.elements.matrices()
+    M, _, _, K = scene.configuration.linear_system.matrices()
     for found, exact in ((M, N.T @ hessian(kinetic(loose), loose.v) @ N), (K, N.T @ bent @ N)):
         assert [found.get((i, j), 0) for i in range(len(own)) for j in range(len(own))] == pytest.approx(
             list(exact.flat), rel=1e-11, abs=1e-11 * abs(exact).max())
@@ -553,7 +554,7 @@ def test_a_redundant_rod_changes_nothing():
 def refusal(text):
     """What is said of a scene whose frequencies are asked."""
     with pytest.raises((SpecError, PhysicsError)) as caught:
-        problem(text).modes     # noqa: B018
+        problem(text).modal.modes     # noqa: B018
     return str(caught.value)
 
 
@@ -753,7 +754,7 @@ def test_forces_that_statics_leaves_open():
     """Three parallel rods; the bob that hangs below pulls its own rod all the same."""
     scene = problem(THREE_RODS.replace("bodies: {", "bodies: {bob: {mass: 1 kg, at: [0, -1 m], move: [u, v, 0]}, ")
                     .replace("constraints: {", "constraints: {d: {link: [deck, bob]}, "))
-    found = {reaction.signal: reaction.value for reaction in scene.reactions if reaction.form == "link"}
+    found = {reaction.signal: reaction.value for reaction in scene.configuration.reactions if reaction.form == "link"}
     assert found == {"d.force": pytest.approx(9.81, rel=1e-12), "a.force": None, "b.force": None, "c.force": None}
     with pytest.raises(PhysicsError, match="statics alone does not fix 'b\\.force'"):
         value(scene, "equilibrium[b.force]")
@@ -776,12 +777,12 @@ def test_reactions_along_the_motion_of_a_pendulum():
         gravity: g
         bodies: {rod: {shape: rod, mass: m, from: [0, 0], to: [0, -L], pin: {at: [0, 0], by: phi}}}
         """)
-    found = along_the_motion(scene)
+    found = along_the_motion(scene.numeric)
     assert set(found) == {"rod.reaction.x", "rod.reaction.y"}
     generator = random.Random(1)
     for _ in range(5):
         phi, rate, change = (generator.uniform(-3, 3) for _ in range(3))
-        state = scene.floats | {"phi": phi, "phi'": rate, "phi''": change}
+        state = scene.numeric.floats | {"phi": phi, "phi'": rate, "phi''": change}
         x = 2 * 0.3 * (change * math.cos(phi) - rate**2 * math.sin(phi))
         y = 2 * 0.3 * (change * math.sin(phi) + rate**2 * math.cos(phi)) + 2 * 9.81
         assert evaluate([found["rod.reaction.x"], found["rod.reaction.y"]], Floats, state) == pytest.approx([x, y])
@@ -795,7 +796,7 @@ def test_reactions_along_the_motion_of_two_rods():
           top: {shape: rod, mass: 2 kg, from: [0, 0], to: [0, -3 m], pin: {at: [0, 0], by: a}}
           low: {shape: rod, mass: 1 kg, from: [0, -3 m], to: [0, -5 m], pin: {at: [0, -3 m], carrier: top, by: b}}
         """)
-    found, generator = along_the_motion(scene), random.Random(2)
+    found, generator = along_the_motion(scene.numeric), random.Random(2)
     nodes = [found[f"{name}.reaction.{axis}"] for name in ("top", "low") for axis in "xy"]
     for _ in range(4):
         state = {name + "'" * primes: generator.uniform(-2, 2) for name in "ab" for primes in range(3)}

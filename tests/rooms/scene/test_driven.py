@@ -45,7 +45,7 @@ find: [{{response: {{until: 2 s}}}}]
 
 
 def values(scene, signal):
-    return scene.motion.signal(NameRef(0, 0, signal, 0)).values(TIMES)
+    return scene.response.signal(NameRef(0, 0, signal, 0)).values(TIMES)
 
 
 @pytest.mark.parametrize("motion", MOTIONS)
@@ -93,8 +93,8 @@ def test_a_constraint_in_time_drives_as_a_prescribed_motion_does(kind, motion):
     if kind == "half of it":
         slide = slide.replace("MOTION", f"({motion})/2")
     one, other = tied(slide, None, motion), tied(None, constraint, motion)
-    assert other.equilibrium.values["x"] == one.equilibrium.values["x"]
-    assert motion == "v*t" or not other.equilibrium.values["x"]
+    assert other.configuration.equilibrium.values["x"] == one.configuration.equilibrium.values["x"]
+    assert motion == "v*t" or not other.configuration.equilibrium.values["x"]
     scale = abs(values(one, "x")).max()
     for signal in ("x", "s.force", "d.force"):
         assert values(other, signal) == pytest.approx(values(one, signal), rel=1e-9, abs=1e-9 * scale), signal
@@ -120,7 +120,7 @@ find: [{{response: {{until: 2 s}}}}]
 def test_what_is_tied_to_a_driven_body_vibrates_with_it(motion):
     """A small motion of the crank of a closed loop: to first order as by the full equations."""
     small, full = (problem(LINKAGE.format(motion=motion, kind=kind)) for kind in ("small", "full"))
-    assert small.equilibrium.values["y"] == pytest.approx(0, abs=1e-14)
+    assert small.configuration.equilibrium.values["y"] == pytest.approx(0, abs=1e-14)
     for signal in ("y", "x", "psi", "s.force", "d.force", "rod.y", "crank.drive", "piston.reaction.y", "rod.reaction.x",
                    "c.force.x", "T", "V"):
         expected = values(full, signal)
@@ -181,7 +181,7 @@ parameters: {Y: 0.1 m, w: 3 rad/s}
 motion: full
 find: [{response: {until: 1.5 s}}]
 """ + dedent(ENERGIES[figure]).replace("MOTION", motion))
-    balance = one.motion.trajectory().balance
+    balance = one.response.trajectory().balance
     assert balance.error < 1e-10
 
 
@@ -194,7 +194,7 @@ parameters: {Y: 0.1 m, w: 3 rad/s}
 motion: full
 find: [{response: {until: 1.5 s}}]
 """ + dedent(ENERGIES[figure]).replace("MOTION", "Y*sin(w*t)"))
-    gained = sum(one.motion.signal(NameRef(0, 0, name, 1)).values(TIMES) for name in "TV")
+    gained = sum(one.response.signal(NameRef(0, 0, name, 1)).values(TIMES) for name in "TV")
     spent = gained + (values(one, lost) if lost else 0.0)
     assert values(one, drive) * 0.3 * np.cos(3 * TIMES) == pytest.approx(spent, rel=1e-9, abs=1e-9 * abs(spent).max())
 
@@ -217,7 +217,7 @@ def test_where_all_is_prescribed(kind):
     assert values(one, "cart.y") == pytest.approx(0.16 * (1 - np.cos(3 * TIMES)), rel=1e-12)
     assert values(one, "T") == pytest.approx((0.6 * np.sin(3 * TIMES)) ** 2 + 0.25 * 36, rel=1e-12)
     assert values(one, "wheel.drive") == pytest.approx(0, abs=1e-12)
-    assert one.motion.signal(NameRef(0, 0, "cart.x", 2)).values(TIMES) == pytest.approx(0.6 * acceleration)
+    assert one.response.signal(NameRef(0, 0, "cart.x", 2)).values(TIMES) == pytest.approx(0.6 * acceleration)
 
 
 def test_a_record_and_an_impulse_in_one_force(tmp_path):
@@ -233,7 +233,7 @@ initial: {x: 0 m}
 motion: full
 find: [{response: {until: 1.5 s}}]
 """, encoding="utf-8")
-    speed = problem_of(scene).motion.signal(NameRef(0, 0, "x", 1)).values(np.array([0.4, 0.6, 1.0]))
+    speed = problem_of(scene).response.signal(NameRef(0, 0, "x", 1)).values(np.array([0.4, 0.6, 1.0]))
     assert speed == pytest.approx([4 * 0.48 / 2, (4 * 0.78 + 3) / 2, (6 + 3) / 2], rel=1e-10)
 
 
@@ -262,16 +262,17 @@ forces: {f: {at: b, unbalance: U1, speed: W2}}
 def test_what_drives_is_the_same_in_numbers_however_long_its_letters_are(most, monkeypatch):
     """With `most` terms allowed the letters are too long to be multiplied out."""
     scene = problem(LONG)
-    drive = scene.equations.drive[0]
-    values = [evaluate([drive], Floats, {**scene.at_rest, "t": t})[0] for t in (0.1, 0.7, 3.0)]
+    drive = scene.symbolic.equations.drive[0]
+    values = [evaluate([drive], Floats, {**scene.configuration.at_rest, "t": t})[0] for t in (0.1, 0.7, 3.0)]
     if most is not None:
         monkeypatch.setattr(normal_form, "MOST", most)
         with pytest.raises(normal_form.TooLong):
             normal_form.expanded(drive)
-    row = numeric_drive(scene, scene.equations, 0)
+    row = numeric_drive(scene, scene.symbolic.equations, 0)
     assert 3 <= len(row) <= 4
     for t, wanted in zip((0.1, 0.7, 3.0), values, strict=True):
-        assert sum(c * evaluate([node], Floats, {**scene.at_rest, "t": t})[0] for c, node in row) == pytest.approx(
+        at = {**scene.configuration.at_rest, "t": t}
+        assert sum(c * evaluate([node], Floats, at)[0] for c, node in row) == pytest.approx(
             wanted, rel=1e-13)
 
 
@@ -300,5 +301,5 @@ initial: {{x: 0}}
 @pytest.mark.parametrize("carrier", ["", ", carrier: cart"])
 @pytest.mark.parametrize("drive", ["abs(sin(w*t))", "1 + abs(sin(w*t) - 0.3)", "abs(cos(w*t)) + sin(w*t)"])
 def test_energies_balance_where_a_drive_turns_at_another_speed(drive, carrier, damper):
-    found = simulate(problem(CORNERS.format(drive, carrier, damper)), 3.0, initial={"x": 0.0})
+    found = simulate(problem(CORNERS.format(drive, carrier, damper)).configuration, 3.0, initial={"x": 0.0})
     assert found.end == 3.0 and found.balance.error < 1e-13 and found.balance.driving[-1]

@@ -26,12 +26,12 @@ def energies(found, q, v):
     """(T, V) at {coordinate: value} and velocities in the same order."""
     names = found.scene.coordinates
     state = dict(zip(names, q, strict=True)) | {n + "'": x for n, x in zip(names, v, strict=True)}
-    return evaluate([kinetic(found.scene), potential(found.scene)], Floats, found.floats | state)
+    return evaluate([kinetic(found.scene), potential(found.scene)], Floats, found.numeric.floats | state)
 
 
 def matches(found, T, V, places=((0.3,), (-0.7,), (1.9,)), speeds=((1.0,), (-2.5,), (0.4,))):
     """T and V of a scene at finite displacements against functions of (q, v) and (q)."""
-    zero = tuple(found.drawn_floats.values())
+    zero = tuple(found.numeric.drawn_floats.values())
     V0, ours0 = V(*zero), energies(found, zero, zero)[1]
     for q, v in zip(places, speeds, strict=True):
         t, u = energies(found, q, v)

@@ -230,9 +230,10 @@ def test_numbers_that_grow_without_end_cost_nothing():
         lines += [f"  p{i + 1}: p{i}*q{i}", f"  q{i + 1}: q{i}*p{i}*1.000000001"]
     scene = problem("parameters:\n" + "\n".join(lines) + "\nbodies: {b: {mass: 2, slide: x}}\n"
                     "springs: {s: {k: h*p30/q30, between: [ground, b]}}\n")
-    assert scene.floats["h"] * 1.0 == 1000.0
-    assert scene.modes[0].omega ** 2 == pytest.approx(500 * scene.floats["p30"] / scene.floats["q30"])
-    assert max(bits(number) for number in scene.rational.values()) < 10**4
+    assert scene.numeric.floats["h"] * 1.0 == 1000.0
+    floats = scene.numeric.floats
+    assert scene.modal.modes[0].omega ** 2 == pytest.approx(500 * floats["p30"] / floats["q30"])
+    assert max(bits(number) for number in scene.numeric.rational.values()) < 10**4
 
 
 @pytest.mark.parametrize(("written", "most", "words"), [

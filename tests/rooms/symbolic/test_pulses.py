@@ -197,7 +197,7 @@ def test_equations_are_compared_pulses_included(force, expected, agrees):
 
 def test_a_stiffness_that_changes_late_is_no_constant():
     with pytest.raises(PhysicsError, match="depends on the time"):
-        problem(scene("F*step(t - 1000 s) - k*x*step(t - 1000 s)")).modes  # noqa: B018
+        problem(scene("F*step(t - 1000 s) - k*x*step(t - 1000 s)")).modal.modes  # noqa: B018
 
 
 def test_a_pivot_shaken_by_a_pulse_changes_the_stiffness():
@@ -207,12 +207,12 @@ points: {O: {at: [0, 0], moves: [0, Y*sin(pi*t/p)*(step(t) - step(t - p))]}}
 bodies: {bob: {mass: 1 kg, at: [0, -L], pin: {at: O, by: phi}}}
 """
     with pytest.raises(PhysicsError, match="stiffness of 'phi' depends on the time"):
-        problem(text).modes  # noqa: B018
+        problem(text).modal.modes  # noqa: B018
 
 
 def test_forces_that_bend_where_things_are():
     """A stop at a distance acts not yet; one that touches leaves no slope."""
     for gap, omega in (("1 mm", 20), ("(-1 mm)", math.sqrt(800))):
-        assert problem(scene(f"-k*ramp(x - {gap})")).modes[0].omega == pytest.approx(omega)
+        assert problem(scene(f"-k*ramp(x - {gap})")).modal.modes[0].omega == pytest.approx(omega)
     with pytest.raises(PhysicsError, match="kink"):
-        problem(scene("-k*ramp(x)")).modes  # noqa: B018
+        problem(scene("-k*ramp(x)")).modal.modes  # noqa: B018

@@ -102,29 +102,29 @@ class Formula:
         return self.Omega * above / below
 
 
-def formula(problem, signal, driven_by, frequency="Omega", order=0):
+def formula(symbolic, signal, driven_by, frequency="Omega", order=0):
     """The Formula of a signal for a unit of a named input; `frequency`: Ω as a node, or its letter."""
-    require_few(problem)
-    return from_parts(problem, *coefficients(problem, signal, driven_by),
-                      problem.scene.table.parameter(frequency) if isinstance(frequency, str) else frequency, order)
+    require_few(symbolic.system)
+    return from_parts(symbolic, *coefficients(symbolic, signal, driven_by),
+                      symbolic.scene.table.parameter(frequency) if isinstance(frequency, str) else frequency, order)
 
 
-def require_few(problem):
+def require_few(system):
     """NotInLetters of more than two degrees of freedom."""
-    if len(problem.scene.q) > MOST:
+    if len(system.scene.q) > MOST:
         raise NotInLetters("amplitudes in letters are found for one and two degrees of freedom",
                            "give numbers with --set")
 
 
-def from_parts(problem, b, c, d, Omega, order=0):
+def from_parts(symbolic, b, c, d, Omega, order=0):
     """The Formula of H = cᵀ D⁻¹ b + d, each [{i: node}] of the powers of s = iΩ; d has the one entry 0."""
     table = Table()
-    *_, Omega = copied([*problem.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene
-    matrices = [_copied([entries], table)[0] for entries in problem.matrices_in_letters]
+    *_, Omega = copied([*symbolic.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene
+    matrices = [_copied([entries], table)[0] for entries in symbolic.matrices]
     M, C, G, K = matrices
-    table.sample, table.squares_at_sample = _slowly(problem.scene.sample, Omega, matrices), True
+    table.sample, table.squares_at_sample = _slowly(symbolic.scene.sample, Omega, matrices), True
     b, c, d = (_copied(part, table) for part in (b, c, d))
-    n, w, zero = len(problem.scene.q), table.variable(SQUARE), table.zero
+    n, w, zero = len(symbolic.scene.q), table.variable(SQUARE), table.zero
     D = [[(textbook(K.get((i, j), zero) - w * M.get((i, j), zero)), C.get((i, j), zero) + G.get((i, j), zero))
           for j in range(n)] for i in range(n)]
     b, c = ([_pair(part, i, w, zero) for i in range(n)] for part in (b, c))

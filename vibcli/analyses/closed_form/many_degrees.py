@@ -19,14 +19,14 @@ from vibcli.symbolic.time_limit import within
 MOST, CALLS = 12, 16_000_000      # coordinates; for all blocks together
 
 
-def several(problem, M, C, G, K):
+def several(symbolic, modal, M, C, G, K):
     """The ClosedForms of a scene with several coordinates; None where they are too long or do not hold."""
-    table, n = problem.scene.table, len(problem.scene.q)
-    candidates = samples(problem) if n <= MOST else []
+    table, n = symbolic.scene.table, len(symbolic.scene.q)
+    candidates = samples(symbolic, modal) if n <= MOST else []
     parts = blocks(table, n, (M, G, K)) if candidates else []
     if not parts or max(map(len, parts)) > LARGEST:
         return None
-    values = [candidate.floats for candidate in candidates]
+    values = [candidate.numeric.floats for candidate in candidates]
     damping = C if C and not G and damps_each(parts, C) else {}
 
     def solved():

@@ -12,13 +12,13 @@ from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, ZERO
 
 
-def one_degree(problem, M, C, K):
+def one_degree(symbolic, modal, M, C, K):
     """The ClosedForms of a scene with one coordinate; None where they do not hold."""
-    table, (M, C, K) = problem.scene.table, map(single, (M, C, K))
-    candidates = [] if M.is_zero else samples(problem)
+    table, (M, C, K) = symbolic.scene.table, map(single, (M, C, K))
+    candidates = [] if M.is_zero else samples(symbolic, modal)
     if not candidates:
         return None
-    values = [candidate.floats for candidate in candidates]
+    values = [candidate.numeric.floats for candidate in candidates]
     square = single(K / M)
     unstable = squares(candidates[0])[0] < 0
     mode = ClosedMode(square, root(-square if unstable else square, values), [table.one], unstable=unstable)
@@ -31,7 +31,7 @@ def one_degree(problem, M, C, K):
     if not damping_confirmed([mode], candidates):
         mode.zeta = None
         return ClosedForms([mode])
-    return ClosedForms([mode], critical=critical(problem.scene, M, C, K, values))
+    return ClosedForms([mode], critical=critical(symbolic.scene, M, C, K, values))
 
 
 def damping_ratio(M, C, K, values):

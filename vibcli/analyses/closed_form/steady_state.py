@@ -29,12 +29,12 @@ class Steady(NamedTuple):
     mean: object = None
 
 
-def steady_state(problem, signal):
+def steady_state(symbolic, signal):
     """The Steady of a coordinate or signal; NotInLetters where it is none of one harmonic."""
-    require_few(problem)
-    scene, n = problem.scene, len(problem.scene.q)
-    rows, direct = outputs(problem, signal)
-    drive = {**problem.excitation, n: direct}
+    require_few(symbolic.system)
+    scene, n = symbolic.scene, len(symbolic.scene.q)
+    rows, direct = outputs(symbolic, signal)
+    drive = {**symbolic.excitation, n: direct}
     waves = {i: _waves(scene, node) for i, node in drive.items()}
     arguments = {argument for found in waves.values() for argument, _ in found}
     if len(arguments) != 1:
@@ -47,23 +47,23 @@ def steady_state(problem, signal):
     for i, parts in loads.items():
         for power, part in enumerate(parts):
             (b if i < n else d)[power][i if i < n else 0] = part
-    found = from_parts(problem, b, rows, d, Omega)
+    found = from_parts(symbolic, b, rows, d, Omega)
     if all(is_zero(part) for part in found.denominator):
         raise NotInLetters("this scene is driven at a natural frequency without damping: its amplitude grows with the "
                            "time, and there is no steady state",
                            "give numbers with --set, and see the motion from its start")
-    return Steady(found, wave, argument, _mean(problem, rows, drive))
+    return Steady(found, wave, argument, _mean(symbolic, rows, drive))
 
 
-def _mean(problem, rows, drive):
+def _mean(symbolic, rows, drive):
     """What the constants in {i: function of the time} do to the signal of these rows."""
-    scene, n = problem.scene, len(problem.scene.q)
+    scene, n = symbolic.scene, len(symbolic.scene.q)
     fixed = {i: textbook(node - scene.terms_with(node, scene.time.mask)) for i, node in drive.items()}
     fixed = {i: node for i, node in fixed.items() if not node.is_zero}
     if not fixed:
         return None
     b = [{i: node for i, node in fixed.items() if i < n}, {}, {}]
-    found = from_parts(problem, b, rows, [{0: fixed[n]} if n in fixed else {}, {}, {}], scene.table.zero, order=1)
+    found = from_parts(symbolic, b, rows, [{0: fixed[n]} if n in fixed else {}, {}, {}], scene.table.zero, order=1)
     if is_zero(found.denominator[0]):
         raise NotInLetters("nothing holds this scene where what drives it stays displaced", "give numbers with --set")
     return shorter(textbook(found.scale * found.numerator[0] / found.denominator[0]))

@@ -49,19 +49,20 @@ def slope(coefficients, s):
     return coefficients[1] + 2 * s * coefficients[2]
 
 
-def transfer(problem, signal, driven_by, order=0):
+def transfer(configuration, signal, driven_by, order=0):
     """The Transfer of a signal of a problem to a named input."""
-    row, chosen, n = linear_row(problem, signal), named_input(problem, driven_by), len(problem.scene.q)
-    M, C, K = system(problem)
-    b = _dense(input_columns(problem, chosen), n)
+    row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
+    n = len(configuration.scene.q)
+    M, C, K = system(configuration)
+    b = _dense(input_columns(configuration, chosen), n)
     c = _dense((row.q, row.v, row.a), n)
     return Transfer(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
 
 
-def system(problem):
+def system(configuration):
     """(M, C + G, K) of the small oscillations as arrays."""
-    n = len(problem.scene.q)
-    M, C, G, K = (_matrix(entries, n) for entries in problem.elements.matrices())
+    n = len(configuration.scene.q)
+    M, C, G, K = (_matrix(entries, n) for entries in configuration.linear_system.matrices())
     return M, C + G, K
 
 

@@ -25,18 +25,18 @@ class Shares:
         self.coinciding = coinciding
 
 
-def shares(problem):
+def shares(modal):
     """The Shares of a numeric problem."""
     import mpmath
 
     with mpmath.workdps(WORKING):
-        owned, modes, dissipation = owned_forms(problem), problem.sharp_modes, None
+        owned, modes, dissipation = owned_forms(modal.configuration), modal.sharp_modes, None
         kinetic = {mode.index: _shares(owned.kinetic, mode.shape) for mode in modes}
         potential = {mode.index: {} if mode.rigid else _shares(
             owned.potential, mode.shape, _energy(owned, mode.shape, mode.omega or mode.growth_rate)) for mode in modes}
-        if problem.damped is not None:
+        if modal.damped is not None:
             dissipation = []
-            for mode in (mode for mode in problem.damped if mode.omega):
+            for mode in (mode for mode in modal.damped if mode.omega):
                 shape = [mpmath.mpmathify(complex(x)) for x in mode.shape]
                 lost = _shares(owned.dissipation, shape, _energy(owned, shape, mode.omega) / mode.omega)
                 dissipation.append((mode, lost))

@@ -23,33 +23,33 @@ class Estimates:
         self.deflection, self.alone = deflection, alone
 
 
-def estimates(problem):
+def estimates(modal):
     """The Estimates of a numeric problem; PhysicsError where the bounds do not hold."""
     import mpmath
 
     with mpmath.workdps(WORKING):
-        _require_bounds(problem)
-        elements = problem.precise_elements(WORKING)
+        _require_bounds(modal)
+        elements = modal.configuration.precise_system(WORKING)
         M, _, _, K = (_matrix(entries, elements.n) for entries in elements.matrices())
         flexibility = _flexibility(K)
-        pulled = M * mpmath.matrix(_unit_displacement(problem, elements))
+        pulled = M * mpmath.matrix(_unit_displacement(modal.system, elements))
         deflection = flexibility * pulled
         rayleigh = mpmath.sqrt(_dot(deflection, pulled) / _dot(deflection, M * deflection))
         alone = {name: _trace(rows, matrix, flexibility)
-                 for name, (rows, matrix) in owned_forms(problem).kinetic.items()}
+                 for name, (rows, matrix) in owned_forms(modal.configuration).kinetic.items()}
         largest = max(deflection, key=abs)
         return Estimates(
-            float(problem.sharp_modes[0].omega), float(rayleigh), float(1 / mpmath.sqrt(sum(alone.values()))),
-            {name: float(x / largest) for name, x in zip(problem.scene.coordinates, deflection, strict=True)},
+            float(modal.sharp_modes[0].omega), float(rayleigh), float(1 / mpmath.sqrt(sum(alone.values()))),
+            {name: float(x / largest) for name, x in zip(modal.scene.coordinates, deflection, strict=True)},
             {name: float(1 / mpmath.sqrt(square)) for name, square in alone.items() if square > 0})
 
 
-def _require_bounds(problem):
+def _require_bounds(modal):
     """Refuse a scene of which K is not positive definite, or which has gyroscopic terms."""
     what = "the estimates of Rayleigh and Dunkerley need "
-    if any(problem.elements.G.values()):
+    if any(modal.configuration.linear_system.G.values()):
         raise PhysicsError(what + "a system without gyroscopic terms", "their bounds hold for M and K alone")
-    first = problem.sharp_modes[0]
+    first = modal.sharp_modes[0]
     if first.rigid:
         raise PhysicsError(what + "a stiffness along every motion, and mode 1 is a rigid-body mode",
                            "hold the scene by a spring, or ask for omega[i]")
@@ -69,9 +69,9 @@ def _flexibility(K):
     return mpmath.inverse(K)
 
 
-def _unit_displacement(problem, elements):
+def _unit_displacement(system, elements):
     heavy = [i for i in range(elements.n) if i not in elements.massless]
-    kinds = [problem.dimension(name) for name in problem.scene.coordinates]
+    kinds = [system.dimension(name) for name in system.scene.coordinates]
     return [int(kind == kinds[heavy[0]]) for kind in kinds]
 
 

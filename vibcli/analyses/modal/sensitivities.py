@@ -42,24 +42,24 @@ class DampedSensitivity:
         self.mode, self.eigenvalue, self.zeta = mode, eigenvalue, zeta
 
 
-def sensitivities(problem):
+def sensitivities(modal):
     """The Sensitivities of a numeric problem."""
     import mpmath
 
     with mpmath.workdps(WORKING):
-        modes, (damped, remark) = problem.sharp_modes, _damped_modes(problem)
-        elements = problem.precise_elements(WORKING)
+        modes, (damped, remark) = modal.sharp_modes, _damped_modes(modal)
+        elements = modal.configuration.precise_system(WORKING)
         groups = [_Group(group, elements) for group in by_frequency(modes)]
         free = [mode.shape for mode in modes if mode.rigid]
         changes, refused = {}, {}
-        for name in independent(problem.spec.parameters):
+        for name in independent(modal.spec.parameters):
             try:
-                changes[name] = only(perturbed_elements(problem, name, free), _changes)
+                changes[name] = only(perturbed_elements(modal.configuration, name, free), _changes)
             except PhysicsError as error:
                 refused[name] = error.message
             except ZeroDivisionError:
                 refused[name] = f"the forces have no derivative by '{name}' at this value"
-        values = {name: problem.floats[name] for name in (*changes, *refused)}
+        values = {name: modal.numeric.floats[name] for name in (*changes, *refused)}
         omega = {name: _natural(groups, change, values[name]) for name, change in changes.items()}
         found = None if damped is None else _of_damped(damped, changes, elements, values)
     return Sensitivities(values, omega, found, remark, coinciding(modes), refused)
@@ -112,12 +112,12 @@ def _natural(groups, change, value):
 # damped
 
 
-def _damped_modes(problem):
+def _damped_modes(modal):
     """(the damped modes or None, why there are none although something damps)."""
-    if problem.damped is None:
+    if modal.damped is None:
         return None, None
     try:
-        return problem.sharp_damped, None
+        return modal.sharp_damped, None
     except PhysicsError as error:
         return None, error.message
 

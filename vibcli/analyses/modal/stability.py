@@ -28,16 +28,16 @@ class Stability:
         return None if self.kind == OPEN else self.kind not in (UNSTABLE, FALLING)
 
 
-def stability(problem):
+def stability(modal):
     """The Stability of the equilibrium of a numeric problem."""
-    if inertless(problem.elements):
-        return _of_springs(problem)
-    modes = (problem.damped if _dampers_decide(problem.elements) else None) or problem.modes
+    if inertless(modal.configuration.linear_system):
+        return _of_springs(modal.configuration)
+    modes = (modal.damped if _dampers_decide(modal.configuration.linear_system) else None) or modal.modes
     if not modes:
-        return _of_first_order(problem.damped)
+        return _of_first_order(modal.damped)
     if growing(modes):
-        return Stability(UNSTABLE, float(max(growing(problem.damped or ()) or growing(modes))))
-    kinds = problem.zero_modes.values()
+        return Stability(UNSTABLE, float(max(growing(modal.damped or ()) or growing(modes))))
+    kinds = modal.zero_modes.values()
     if "falling" in kinds:
         return Stability(FALLING)
     if "free" in kinds:
@@ -51,14 +51,14 @@ def inertless(elements):
         any(part.values()) for part in (elements.C, elements.drag, elements.G))
 
 
-def _of_springs(problem):
+def _of_springs(configuration):
     """By the signs of K, which is that of a potential: what dampers and masses are added does not matter."""
     import numpy as np
 
-    elements = problem.elements
+    elements = configuration.linear_system
     if elements.circulatory:
         raise Inertless
-    sizes = [1.0 if not problem.dimension(name) else problem.figure_size or 1.0 for name in problem.scene.coordinates]
+    sizes = list(map(configuration.numeric.size_along, configuration.scene.coordinates))
     K = np.zeros((elements.n, elements.n))
     for (i, j), value in elements.stiffness().items():
         K[i, j] = value * sizes[i] * sizes[j]
@@ -67,7 +67,7 @@ def _of_springs(problem):
         return Stability(UNSTABLE)
     if values[0] > ROUNDING:
         return Stability(STABLE)
-    if not problem.is_linear:
+    if not configuration.system.is_linear:
         raise PhysicsError("K is singular in the equilibrium, and nothing has inertia: terms beyond the linear ones "
                            "decide whether it is stable", "give a mass")
     return Stability(NEUTRAL)
@@ -80,10 +80,10 @@ def _of_first_order(damped):
     return Stability(NEUTRAL if any(not mode.omega for mode in damped) else STABLE)
 
 
-def judged(problem):
+def judged(modal):
     """The Stability, OPEN where there are no small oscillations that would tell."""
     try:
-        return stability(problem)
+        return stability(modal)
     except PhysicsError:
         return Stability(OPEN)
 

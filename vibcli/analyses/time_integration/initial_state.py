@@ -7,35 +7,35 @@ from vibcli.mechanics.initial_state import at_rest
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 
-def start(problem, initial):
+def start(configuration, initial):
     """({coordinate: float} positions, {coordinate: float} velocities) of all coordinates, those that follow from the
     constraints included."""
     given = {name: float(value) for name, value in (initial or {}).items()}
-    known = problem.scene.coordinates
+    known = configuration.scene.coordinates
     for name in given:
         if name.removesuffix("'") not in known:
             raise PhysicsError(f"'{name}' is no coordinate that this scene can start from",
                                "it can start from " + ", ".join(known))
-    drawn = problem.drawn_floats
+    drawn = configuration.numeric.drawn_floats
     places = {name: value for name, value in given.items() if not name.endswith("'")}
-    rest = drawn if set(places) >= set(known) else _rest(problem)
-    q = problem.closed_at_start(rest, {**rest, **places})
+    rest = drawn if set(places) >= set(known) else _rest(configuration)
+    q = configuration.numeric.closed_at_start(rest, {**rest, **places})
     v = {name: given.get(name + "'", 0.0) for name in known}
-    return _with_dependent(problem, q, v)
+    return _with_dependent(configuration.numeric, q, v)
 
 
-def _rest(problem):
+def _rest(configuration):
     try:
-        return at_rest(problem)
+        return at_rest(configuration)
     except PhysicsError as error:
-        given = "give the start of every coordinate under `initial`: " + ", ".join(problem.scene.coordinates)
+        given = "give the start of every coordinate under `initial`: " + ", ".join(configuration.scene.coordinates)
         raise error.told(hint=given) from None
 
 
-def _with_dependent(problem, q, v):
+def _with_dependent(numeric, q, v):
     """The same with what follows from the constraints."""
-    scene = problem.scene
-    values = {**problem.floats, scene.time.name: 0.0, **q, **{name + "'": speed for name, speed in v.items()}}
+    scene = numeric.scene
+    values = {**numeric.floats, scene.time.name: 0.0, **q, **{name + "'": speed for name, speed in v.items()}}
     nodes = list(scene.dependent.values())
     places = evaluate(nodes, Floats, values)
     values |= dict(zip(scene.dependent, places, strict=True))

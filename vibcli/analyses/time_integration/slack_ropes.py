@@ -15,7 +15,7 @@ from vibcli.symbolic.numeric_code import Compiled
 NOTHING = 1e-10         # of the largest tension: no push
 
 
-def slack(problem, loose, trajectory):
+def slack(numeric, loose, trajectory):
     """(instant, name of the rope) at which a rope first goes slack; None where none does. `loose`: the System with all
     coordinates of the scene."""
     ropes = [k for k, tie in enumerate(loose.scene.constraints) if tie.form == "rope" and tie.name in loose.parts.names]
@@ -25,7 +25,7 @@ def slack(problem, loose, trajectory):
         number = loose.parts.names.index(loose.scene.constraints[k].name)
 
         def tension(times, number=number):
-            return tensions(problem, loose, trajectory, times)[number]
+            return tensions(numeric, loose, trajectory, times)[number]
 
         largest = float(np.abs(tension(trajectory.starts)).max())
         for instant in [0.0, *passages(trajectory, tension, 0.0, trajectory.until)]:
@@ -36,12 +36,12 @@ def slack(problem, loose, trajectory):
     return min(found, default=None)
 
 
-def tensions(problem, loose, trajectory, times):
+def tensions(numeric, loose, trajectory, times):
     """The multipliers of all constraints at the times, of shape (constraints, times)."""
     q, v, _ = trajectory.at(times)
-    scene = problem.scene
+    scene = numeric.scene
     if trajectory.system is not loose:
-        values = {**problem.floats, scene.time.name: times}
+        values = {**numeric.floats, scene.time.name: times}
         for primes, rows in (("", q), ("'", v)):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         nodes = [scene.symbol(name, primes) for primes in (0, 1) for name in loose.scene.coordinates]

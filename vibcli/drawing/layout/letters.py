@@ -11,7 +11,7 @@ TRIES, ENOUGH, SAME = 8, 0.05, 1e-9
 def pleasing(problem, stage_of):
     """The stage (`stage_of(scene)`) whose letters draw the scene best; only that of the problem where it has none."""
     stage = stage_of(problem.scene)
-    if not problem.symbolic or crowding(stage) <= ENOUGH:
+    if not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
         return stage
     scene, best = problem.scene, (crowding(stage), stage)
     for _ in range(TRIES):

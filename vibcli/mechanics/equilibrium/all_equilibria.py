@@ -49,30 +49,30 @@ class Equilibria:
         return self.indices is not None and not self.indices.agree
 
 
-def find_equilibria(problem):
+def find_equilibria(configuration):
     """The Equilibria of a numeric problem; PhysicsError where the bounds are missing or wrong."""
-    if problem.symbolic:
-        asked = problem.spec.get("find")
+    if configuration.numeric.has_free_symbols:
+        asked = configuration.spec.get("find")
         raise PhysicsError("all equilibria are searched in numbers only, and this scene has symbols without value",
                            "give them with --set", asked.search.where if asked and asked.search else None)
-    loose = idle(problem)
-    names = [name for name in problem.scene.coordinates if name not in loose]
-    forces = Forces(problem, names)
-    rests = _reached(problem)
-    linear = problem.is_linear and not problem.scene.table.called.intersection(KINKED)
+    loose = idle(configuration.numeric)
+    names = [name for name in configuration.scene.coordinates if name not in loose]
+    forces = Forces(configuration.numeric, names)
+    rests = _reached(configuration)
+    linear = configuration.system.is_linear and not configuration.scene.table.called.intersection(KINKED)
     if not names:
         return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
     if linear:
-        limits = {name: given_bounds(problem).get(name, (-np.inf, np.inf)) for name in names}
+        limits = {name: given_bounds(configuration.numeric).get(name, (-np.inf, np.inf)) for name in names}
         found = Found(forces, _box(forces, limits))
     else:
-        limits, found = _prepared(problem, forces, rests)
+        limits, found = _prepared(configuration.numeric, forces, rests)
     places = [place for rest in rests if (place := forces.at(forces.vector(rest.values))) is not None]
     for place in places:
         found.add(place)
     cut = not linear and _cut_short(forces, found)
-    complete = problem.sticking is None and (linear or (not cut and proved(forces, found)))
-    indices = None if complete or problem.sticking is not None else compared(forces, found)
+    complete = configuration.system.sticking is None and (linear or (not cut and proved(forces, found)))
+    indices = None if complete or configuration.system.sticking is not None else compared(forces, found)
     known = {id(place): rest for place, rest in zip(places, rests, strict=False)}
     items = [_item(forces, place, (), loose, known) for place in found.isolated]
     items += [_item(forces, family.place, family.rows, loose, known) for family in found.families]
@@ -81,18 +81,18 @@ def find_equilibria(problem):
     return Equilibria(items, limits, complete, linear, forces, cut, indices)
 
 
-def _reached(problem):
+def _reached(configuration):
     """[the equilibrium next to the drawn position], empty where there is none."""
     try:
-        return [problem.equilibrium]
+        return [configuration.equilibrium]
     except PhysicsError:
         return []
 
 
-def _prepared(problem, forces, rests):
+def _prepared(numeric, forces, rests):
     """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
     forces.learn_periods()
-    limits = bounds(problem, forces, [rest.values for rest in rests])
+    limits = bounds(numeric, forces, [rest.values for rest in rests])
     low, high = _box(forces, limits)
     forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.halton(len(low), SAMPLES))
     return limits, Found(forces, (low, high))
@@ -106,7 +106,7 @@ def _cut_short(forces, found):
     """Searches the box; True if that took too much."""
     limit = min(MOST, max(LEAST, MOST_WORK // len(forces.names) ** 2))
     with forces.work.task("the search for equilibria", limit) as task, task.kept(), suppress(TooMuch):
-        _search(forces, found, [forces.vector(forces.problem.drawn_floats)])
+        _search(forces, found, [forces.vector(forces.numeric.drawn_floats)])
         return False
     return True
 
@@ -129,7 +129,7 @@ def _line(forces, stretch):
     from vibcli.mechanics.high_precision import rests
 
     low, high = stretch
-    return forces.looped or rests(forces.problem, forces.position(np.array([low + (high - low) / 3])))
+    return forces.looped or rests(forces.numeric, forces.position(np.array([low + (high - low) / 3])))
 
 
 def _add_multiple(forces, found, stretch):
@@ -138,7 +138,7 @@ def _add_multiple(forces, found, stretch):
     if any(low <= place.z[0] <= high for place in found.isolated):
         return
     middle = Equilibrium(forces.position(np.array([0.5 * (low + high)])), False, 0.0)
-    found.add(forces.at(forces.vector(sharpened(forces.problem, middle).values)))
+    found.add(forces.at(forces.vector(sharpened(forces.numeric, middle).values)))
 
 
 def _item(forces, place, rows, loose, known):
@@ -147,7 +147,7 @@ def _item(forces, place, rows, loose, known):
     rest = known.get(id(place))
     if rest is None:
         rest = Equilibrium(forces.position(place.z), False, forces.residual(place))
-        rest = rest if len(rows) else sharpened(forces.problem, rest)
+        rest = rest if len(rows) else sharpened(forces.numeric, rest)
     return Item(rest, free, float(np.linalg.svd(place.J, compute_uv=False)[-1]) < SINGULAR)
 
 

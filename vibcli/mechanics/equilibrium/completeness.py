@@ -87,8 +87,8 @@ class ForceBounds:
     """Bounds of F and J over boxes of z. `jumps`: do the forces jump somewhere, so that J does not tell of it?"""
 
     def __init__(self, forces):
-        problem, self.forces = forces.problem, forces
-        scene, form = problem.scene, problem.form
+        numeric, self.forces = forces.numeric, forces
+        scene, form = numeric.scene, numeric.system.linearisation
         q = [scene.q[row] for row in forces.rows]
         terms = residual_terms(form)
         F = [scene.table.sum(*((term, ONE) for term in terms[row])) for row in forces.rows]
@@ -97,10 +97,10 @@ class ForceBounds:
         self.of_coordinates, self.symbols = q, [symbol.name for symbol in q]
         self.jumps = any(part.name in JUMPING and any(part.mask & symbol.mask for symbol in q)
                          for part in reachable(F))
-        drawn = {name: exact(x) for name, x in problem.drawn_floats.items()}
+        drawn = {name: exact(x) for name, x in numeric.drawn_floats.items()}
         still = {v.name: exact(0.0) for v in scene.v}
-        self.values = {**problem.values(Intervals), scene.time.name: exact(0.0), **still, **drawn}
-        self.over(forces.vector(problem.drawn_floats)[None], forces.vector(problem.drawn_floats)[None])
+        self.values = {**numeric.values(Intervals), scene.time.name: exact(0.0), **still, **drawn}
+        self.over(forces.vector(numeric.drawn_floats)[None], forces.vector(numeric.drawn_floats)[None])
 
     def over(self, low, high):
         """(F, J) over boxes given by arrays of their corners: a list and a list of rows of Intervals."""

@@ -10,7 +10,6 @@ from math import isfinite
 from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.equilibrium.equilibrium import figure_size
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats
 
@@ -40,20 +39,19 @@ class Followed(NamedTuple):
 class Branch:
     """The equilibria of a numeric problem as one parameter goes."""
 
-    def __init__(self, problem, name):
+    def __init__(self, numeric, name):
         import numpy as np
 
-        self.np, self.problem, self.name = np, problem, name
-        self.names = problem.scene.coordinates
-        size = figure_size(problem) or 1.0
-        self.scale = np.array([size if problem.dimension(name) else 1.0 for name in self.names])
+        self.np, self.numeric, self.name = np, numeric, name
+        self.names = numeric.scene.coordinates
+        self.scale = np.array(list(map(numeric.size_along, self.names)))
         self.size, self._floats = None, {}
 
     def floats(self, value):
         """The parameters where the one that goes has this value, at t = 0."""
         if value not in self._floats:
-            problem = self.problem.sharing({self.name: Fraction(value)})
-            self._floats[value] = {**problem.floats, problem.scene.time.name: 0.0}
+            numeric = self.numeric.sharing({self.name: Fraction(value)})
+            self._floats[value] = {**numeric.floats, numeric.scene.time.name: 0.0}
         return self._floats[value]
 
     def start(self, value, position):
@@ -62,7 +60,7 @@ class Branch:
         found = self.forces(value, q, position, value)
         if found is None:
             return None
-        drawn = self.problem.drawn_floats
+        drawn = self.numeric.drawn_floats
         known = self.forces(value, self.np.array([drawn[name] for name in self.names]) / self.scale, drawn, value)
         self.size = max(float(abs(part[1]).max()) for part in (found, known) if part is not None) or 1.0
         return self.corrected(value, BranchPoint(value, q, position, found[1]), q, 1e-3)
@@ -70,16 +68,16 @@ class Branch:
     def forces(self, value, q, near, of):
         """(r, K, position) in scaled coordinates; None where they are not defined. `near`: a position closed for the
         value `of`."""
-        self.problem.work.step()
+        self.numeric.work.step()
         target = dict(zip(self.names, map(float, q * self.scale), strict=True))
-        floats, loops = self.floats(value), self.problem.scene.loops
+        floats, loops = self.floats(value), self.numeric.scene.loops
         if loops is not None:
             closed = loops.followed({**self.floats(of), **near}, {**floats, **near, **target})
             if closed is None:
                 return None
             target = {name: closed[name] for name in near}
         try:
-            numbers = in_numbers(self.problem.form, Floats, {**floats, **target})
+            numbers = in_numbers(self.numeric.system.linearisation, Floats, {**floats, **target})
         except (ArithmeticError, ValueError, PhysicsError):
             return None
         K = self.np.zeros((len(q), len(q)))

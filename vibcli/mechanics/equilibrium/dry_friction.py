@@ -44,9 +44,9 @@ class Sticking(NamedTuple):
     bounds: dict
 
 
-def sticking(problem):
+def sticking(system):
     """The Sticking of a scene; None where no friction holds it, and where its loops are closed numerically."""
-    scene = problem.scene
+    scene = system.scene
     if scene.loops is not None or not scene.table.called.intersection(("sign", "abs", "min", "max")):
         return None
     equations = [equation_of(scene, i) for i in range(len(scene.q))]
@@ -54,7 +54,7 @@ def sticking(problem):
     if not symbols:
         return None
     rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)
-    opened, terms, parts = substitute(equations, symbols), residual_terms(problem.form), []
+    opened, terms, parts = substitute(equations, symbols), residual_terms(system.linearisation), []
     for node, row in zip(opened, terms, strict=True):
         slopes = gradient(node)
         held = {sigma: textbook(substitute([slopes[sigma]], rest)[0]) for sigma in bounds if sigma in slopes}
@@ -97,16 +97,16 @@ def _row(scene, name, b, held, parts, bounds):
     return HeldCondition(name, b, held, within)
 
 
-def holds(problem, found, place):
+def holds(numeric, found, place):
     """Does friction hold the scene at rest at a place {coordinate: value}: is b + A σ = 0 with |σ| ≤ σ₀? The sum of
     squares is descended along one σ after the other."""
     import numpy as np
 
     names, bounds = list(found.bounds), list(found.bounds.values())
-    zero = problem.scene.table.zero
+    zero = numeric.scene.table.zero
     nodes = [*bounds, *(row.b for row in found.rows),
              *(row.held.get(sigma, zero) for row in found.rows for sigma in names)]
-    values = np.array(evaluate(nodes, Floats, {**problem.floats, problem.scene.time.name: 0.0, **place}), dtype=float)
+    values = np.array(evaluate(nodes, Floats, {**numeric.floats, numeric.scene.time.name: 0.0, **place}), dtype=float)
     count = len(names)
     b = values[count:count + len(found.rows)]
     A = values[count + len(found.rows):].reshape(len(b), count) * values[:count]
@@ -124,38 +124,40 @@ def holds(problem, found, place):
     return False
 
 
-def span(problem, found):
+def span(configuration, found):
     """The Span of a scene of one coordinate in numbers: all places of rest of a linear condition, of others those about
     the drawn position or the equilibrium without friction; None where that is none, and of several coordinates."""
     row, *others = found.rows
     if others or row.within is None:
         return None
-    scene = problem.scene
+    scene = configuration.scene
     (q,), slope = scene.q, gradient(row.b).get(scene.q[0], scene.table.zero)
     if not slope.mask and not row.within.mask:
         b, k, most = evaluate([substitute([row.b], {q: scene.table.zero})[0], slope, row.within], Floats,
-                              problem.floats)
+                              configuration.numeric.floats)
         if not k:
             return Span(-inf, inf, True) if abs(b) <= most else Span(inf, -inf, True)
         return Span(*sorted((-b - sign * most) / k for sign in (1, -1)), True)
-    return _about(problem, row, q)
+    return _about(configuration, row, q)
 
 
-def _about(problem, row, q):
+def _about(configuration, row, q):
     """The same of a nonlinear condition, followed from a place of rest to both sides."""
     from vibcli.base.errors import PhysicsError
 
+    numeric = configuration.numeric
+
     def room(x):
-        b, most = evaluate([row.b, row.within], Floats, {**problem.floats, q.name: x})
+        b, most = evaluate([row.b, row.within], Floats, {**numeric.floats, q.name: x})
         return most - abs(b)
 
-    start = problem.drawn_floats[q.name]
+    start = numeric.drawn_floats[q.name]
     if not room(start) >= 0:
         try:
-            start = problem.equilibrium.values[q.name]
+            start = configuration.equilibrium.values[q.name]
         except PhysicsError:
             return None
-    reach = REACH * (1.0 if not problem.dimension(q.name) else problem.figure_size or 1.0)
+    reach = REACH * numeric.size_along(q.name)
     return Span(*(_end(room, start, sign * reach / STEPS) for sign in (-1, 1)), False)
 
 

@@ -27,9 +27,14 @@ class Equilibrium:
 
     __slots__ = ("degenerate", "drawn", "residual", "start", "steps", "values")
 
-    def __init__(self, values, drawn, residual, steps=0, start=None):
+    def __init__(self, values, drawn, residual, steps=0, start=None, degenerate=False):
         self.values, self.drawn, self.residual, self.steps, self.start = values, drawn, residual, steps, start
-        self.degenerate = False
+        self.degenerate = degenerate
+
+    def at(self, values, degenerate=None):
+        """The same in a place that is better known."""
+        degenerate = self.degenerate if degenerate is None else degenerate
+        return Equilibrium(values, self.drawn, self.residual, self.steps, self.start, degenerate)
 
     @property
     def from_start(self):
@@ -47,12 +52,13 @@ def is_balanced(numbers, terms=8):
     return relative_residual(numbers) <= 4 * terms * EPSILON
 
 
-def find_equilibrium(problem, start):
+def find_equilibrium(numeric, start):
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
-    search = EnergyDescent(problem, start)
+    search = EnergyDescent(numeric, start)
     q = search.vector(start)
     numbers = search.at(q)
-    step, size = (search.step, search.first_radius) if problem.conservative else (search.drift, search.first_drift)
+    conservative = numeric.system.conservative
+    step, size = (search.step, search.first_radius) if conservative else (search.drift, search.first_drift)
     steps = 0
     while not search.flat(numbers):
         search.blocked = search.undefined = False
@@ -62,7 +68,7 @@ def find_equilibrium(problem, start):
         if steps > STEPS and search.balanced(numbers):
             break       # there but for rounding
         if steps > STEPS:
-            raise unbounded(search, q) if problem.conservative else unfinished(search, q, STEPS)
+            raise unbounded(search, q) if conservative else unfinished(search, q, STEPS)
         q, numbers, size, moved = step(q, numbers, size)
         if not moved:
             break
@@ -77,14 +83,13 @@ class EnergyDescent:
 
     first_drift = 0.1
 
-    def __init__(self, problem, start):
+    def __init__(self, numeric, start):
         import numpy as np
 
-        self.np, self.problem, self.scene = np, problem, problem.scene
+        self.np, self.numeric, self.scene = np, numeric, numeric.scene
         self.names = self.scene.coordinates
-        size = figure_size(problem)
-        self.scale = np.array([1.0 if not problem.dimension(name) else size or 1.0 for name in self.names])
-        self.first_radius = 0.5 if size else math.inf
+        self.scale = np.array(list(map(numeric.size_along, self.names)))
+        self.first_radius = 0.5 if numeric.figure_size else math.inf
         self.met = [0.0] * len(self.names)
         self.here, self.blocked, self.undefined = dict(start), False, False
 
@@ -98,7 +103,7 @@ class EnergyDescent:
         """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
         cannot be."""
         target = self.named_plainly(q)
-        loops, floats = self.scene.resting.loops, {**self.problem.floats, self.scene.time.name: 0.0}
+        loops, floats = self.scene.resting.loops, {**self.numeric.floats, self.scene.time.name: 0.0}
         if loops is None:
             return target
         found = loops.followed({**floats, **self.here}, {**floats, **self.here, **target})
@@ -111,7 +116,7 @@ class EnergyDescent:
         if position is None:
             raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
                                "cannot close", "draw the scene nearer to its equilibrium")
-        numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **position})
+        numbers = in_numbers(self.numeric.system.linearisation, Floats, {**self.numeric.floats, **position})
         stiffness = self.np.abs(self.stiffness(numbers))
         if not (all(map(math.isfinite, numbers.residual)) and self.np.isfinite(stiffness).all()):
             raise Undefined("the forces of this scene are not finite numbers at the place where the search for its "
@@ -136,7 +141,7 @@ class EnergyDescent:
 
     def balanced(self, numbers):
         """Is nothing left of the forces but what rounding leaves?"""
-        return self.relative(numbers) <= 1e-9 or may_vanish(self.problem, self.here)
+        return self.relative(numbers) <= 1e-9 or may_vanish(self.numeric, self.here)
 
     def faded(self, numbers):
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
@@ -151,8 +156,8 @@ class EnergyDescent:
 
     def energy(self, q):
         position = self.named(q)
-        return math.inf if position is None else evaluate([self.problem.potential], Floats,
-                                                          {**self.problem.floats, **position})[0]
+        return math.inf if position is None else evaluate([self.numeric.system.potential], Floats,
+                                                          {**self.numeric.floats, **position})[0]
 
     def flat(self, numbers):
         return self.relative(numbers) <= 1e-13
@@ -270,8 +275,3 @@ def _trust_step(values, slope, radius):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if np.linalg.norm(at(middle)) > radius else (low, middle)
     return at(high)
-
-
-def figure_size(problem):
-    """The extent of the drawn figure in metres; 0 where nothing has a place."""
-    return problem.scene.extent({**problem.floats, **problem.drawn_floats})

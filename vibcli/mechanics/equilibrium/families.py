@@ -79,16 +79,15 @@ def _returned(forces, z):
     return place
 
 
-def freedom(problem, forces=None):
-    """In how many directions the equilibrium can be moved and stays one."""
-    forces = forces or learnt(problem)
-    place = forces.at(forces.vector(problem.equilibrium.values))
+def freedom(equilibrium, forces):
+    """In how many directions an Equilibrium can be moved and stays one."""
+    place = forces.at(forces.vector(equilibrium.values))
     return 0 if place is None else len(free_directions(forces, place))
 
 
-def learnt(problem):
+def learnt(numeric):
     """The Forces of a Problem, their size learnt near the drawn position."""
-    forces = Forces(problem, problem.scene.coordinates)
+    forces = Forces(numeric, numeric.scene.coordinates)
     forces.learn_periods()
     forces.learn_sizes(near_drawn(forces, SAMPLES))
     return forces

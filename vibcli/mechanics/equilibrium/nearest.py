@@ -20,19 +20,18 @@ FIRST, WIDEST, FAR, FINEST = 1.0, 16.0, 1e6, 1 / 16
 SAME = 1e-9
 
 
-def nearest_equilibrium(problem, start):
+def nearest_equilibrium(numeric, start):
     """The Equilibrium nearest to `start` ({coordinate: float}); PhysicsError where none is found."""
-    if problem.is_linear and not problem.scene.table.called.intersection(KINKED):
-        found = find_equilibrium(problem, start)
-        found.start = start
-        return found
-    search = _Nearest(problem, start)
+    if numeric.system.is_linear and not numeric.scene.table.called.intersection(KINKED):
+        found = find_equilibrium(numeric, start)
+        return Equilibrium(found.values, found.drawn, found.residual, found.steps, start)
+    search = _Nearest(numeric, start)
     refusal, fallen = None, None
     try:
-        fallen = find_equilibrium(problem, start)
+        fallen = find_equilibrium(numeric, start)
     except PhysicsError as error:
         refusal = error
-    with problem.work.task("the search for the nearest equilibrium", WORK) as task, task.kept():
+    with numeric.work.task("the search for the nearest equilibrium", WORK) as task, task.kept():
         search.run(fallen)
     if search.best is None and fallen is None:
         raise refusal
@@ -42,9 +41,9 @@ def nearest_equilibrium(problem, start):
 class _Nearest:
     """The nearest place in equilibrium met so far, `best`."""
 
-    def __init__(self, problem, start):
-        self.problem, self.start = problem, start
-        self.forces = forces = Forces(problem, problem.scene.coordinates)
+    def __init__(self, numeric, start):
+        self.numeric, self.start = numeric, start
+        self.forces = forces = Forces(numeric, numeric.scene.coordinates)
         self.origin = forces.vector(start)
         forces.know(start)
         forces.learn_periods()
@@ -58,10 +57,10 @@ class _Nearest:
         forces, place = self.forces, self.best
         if place is None:
             return Equilibrium(fallen.values, False, fallen.residual, fallen.steps, self.start)
-        if self.problem.drawn_numbers is not None:
-            drawn = forces.at(forces.vector(self.problem.drawn_floats))
+        if self.numeric.drawn_numbers is not None:
+            drawn = forces.at(forces.vector(self.numeric.drawn_floats))
             if drawn is not None and Found(forces, ()).same(place, drawn):
-                return Equilibrium(self.problem.drawn_floats, True, forces.residual(drawn), start=self.start)
+                return Equilibrium(self.numeric.drawn_floats, True, forces.residual(drawn), start=self.start)
         return Equilibrium(forces.position(place.z), False, forces.residual(place), start=self.start)
 
     def run(self, fallen):

@@ -13,7 +13,7 @@ class Undefined(PhysicsError):
 def unbounded(search, q):
     """Nothing holds the coordinate that went farthest, or the way ends there."""
     np = search.np
-    start = search.vector(search.problem.drawn_floats)
+    start = search.vector(search.numeric.drawn_floats)
     name = search.names[int(np.argmax(np.abs(q - start) / search.scale))]
     if search.blocked:
         place = ", ".join(f"{other} = {value:.6g}" for other, value in search.named_plainly(q).items())
@@ -28,15 +28,15 @@ def unbounded(search, q):
         return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: its forces drive '{name}' to "
                             f"{search.named_plainly(q)[name]:.6g}, and just beyond they are not finite numbers",
                             "add the spring or support that carries the load, or start elsewhere with "
-                            "`equilibrium:`", search.problem.spec.coordinates[name].where)
-    why = "the potential energy keeps falling" if search.problem.conservative else "forces keep driving"
+                            "`equilibrium:`", search.numeric.spec.coordinates[name].where)
+    why = "the potential energy keeps falling" if search.numeric.system.conservative else "forces keep driving"
     return PhysicsError(f"no equilibrium is reached from the {_origin(search)}: nothing holds '{name}', {why} along it",
                         "add the spring or support that carries the load, or start elsewhere with `equilibrium:`",
-                        search.problem.spec.coordinates[name].where)
+                        search.numeric.spec.coordinates[name].where)
 
 
 def _origin(search):
-    return "place that `equilibrium:` names" if search.problem.spec.get("equilibrium") else "drawn position"
+    return "place that `equilibrium:` names" if search.numeric.spec.get("equilibrium") else "drawn position"
 
 
 def unfinished(search, q, steps):

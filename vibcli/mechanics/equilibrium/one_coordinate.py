@@ -31,7 +31,7 @@ def zeros(forces, low, high, finest=1):
 
 def _edges(forces, points):
     """[(z, place)] outwards from the drawn position; where a loop cannot close, it is not followed beyond."""
-    middle = int(np.searchsorted(points, forces.vector(forces.problem.drawn_floats)[0]))
+    middle = int(np.searchsorted(points, forces.vector(forces.numeric.drawn_floats)[0]))
     places = dict.fromkeys(range(len(points)))
     for way in (range(middle, len(points)), range(middle - 1, -1, -1)):
         for i in way:
@@ -123,7 +123,7 @@ def _joined(flat):
 def _stretch(forces, a, b):
     """A stretch of neutral places, by the one nearest to the drawn position; of a short one the multiple zero in it."""
     if b.z[0] - a.z[0] > WIDE:
-        return forces.at(np.clip(forces.vector(forces.problem.drawn_floats), a.z, b.z)), (a.z[0], b.z[0])
+        return forces.at(np.clip(forces.vector(forces.numeric.drawn_floats), a.z, b.z)), (a.z[0], b.z[0])
     if a.J[0, 0] * b.J[0, 0] < 0:
         return zero_between(forces, a, b, slope=True), None
     return forces.at(0.5 * (a.z + b.z)), None

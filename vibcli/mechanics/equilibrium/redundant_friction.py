@@ -76,9 +76,9 @@ def shared(owner):
                     "take one of the elements that share the load out")
 
 
-def require_fixed_at_rest(problem, owner):
+def require_fixed_at_rest(configuration, owner):
     """PhysicsError where the force of an element with dry friction is not fixed in equilibrium."""
-    scene = problem.scene
+    scene = configuration.scene
     if not any(signs_of_speeds(scene, law.force(scene)) for law in scene.terms_of(owner, "laws")):
         return
     import numpy as np
@@ -88,7 +88,7 @@ def require_fixed_at_rest(problem, owner):
     parts = dynamics(scene)
     found = Redundancy(scene, parts.h, parts.slopes)
     everything = np.ones((len(found.parts), 1), dtype=bool)
-    if found.possible and found.moves({**problem.at_rest, scene.time.name: 0.0}, 1, everything).get(owner, 0.0):
+    if found.possible and found.moves({**configuration.at_rest, scene.time.name: 0.0}, 1, everything).get(owner, 0.0):
         raise shared(owner)
 
 

@@ -6,13 +6,13 @@ from vibcli.mechanics.linearisation import residual_terms
 from vibcli.symbolic.evaluation import evaluate
 
 
-def may_vanish(problem, position):
+def may_vanish(numeric, position):
     """May every force be zero in a position ({coordinate: float}), within the rounding of what it is computed from? The
     force of a stiff spring, k (ℓ − ℓ₀), is not known to the last digit of a small load."""
     from vibcli.symbolic.interval_arithmetic import Intervals, exact
 
-    values = {name: exact(x) for name, x in (*problem.floats.items(), *position.items())}
-    rows = residual_terms(problem.form)
+    values = {name: exact(x) for name, x in (*numeric.floats.items(), *position.items())}
+    rows = residual_terms(numeric.system.linearisation)
     try:
         found = iter(evaluate([term for row in rows for term in row], Intervals, values))
     except KeyError:            # of a function without bounds

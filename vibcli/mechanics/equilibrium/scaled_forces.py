@@ -49,19 +49,19 @@ class Forces:
     """r(q) and K(q) of a scene along some of its coordinates, the others left as drawn. `periodic`: flags of the angles
     after a turn of which nothing has changed; `work`: what counts the places that are looked at."""
 
-    def __init__(self, problem, names):
-        self.problem, self.names, self.work = problem, list(names), problem.work
-        self.rows = [problem.scene.coordinates.index(name) for name in self.names]
-        self.angle = np.array([not problem.dimension(name) for name in self.names], bool)
-        self.open = np.array([_is_open(problem.spec.dimensions.of(name)) for name in self.names], bool)
-        self.D = np.where(self.angle | self.open, 1.0, typical_length(problem) or 1.0)
+    def __init__(self, numeric, names):
+        self.numeric, self.names, self.work = numeric, list(names), numeric.work
+        self.rows = [numeric.scene.coordinates.index(name) for name in self.names]
+        self.angle = np.array([not numeric.system.dimension(name) for name in self.names], bool)
+        self.open = np.array([_is_open(numeric.spec.dimensions.of(name)) for name in self.names], bool)
+        self.D = np.where(self.angle | self.open, 1.0, typical_length(numeric) or 1.0)
         self.E, self.typical = 1.0, np.zeros(len(self.names))
         self.periodic = np.zeros(len(self.names), bool)
-        self.looped = problem.scene.resting.loops is not None
-        self.jumps = {name: JUMP * (1.0 if not problem.dimension(name) else typical_length(problem) or 1.0)
-                      for name in problem.drawn_floats} if self.looped else {}
+        self.looped = numeric.scene.resting.loops is not None
+        self.jumps = {name: JUMP * (1.0 if not numeric.system.dimension(name) else typical_length(numeric) or 1.0)
+                      for name in numeric.drawn_floats} if self.looped else {}
         self.closed, self.closed_at = [], np.zeros((MOST_CLOSED, len(self.names)))
-        self.know(problem.drawn_floats)
+        self.know(numeric.drawn_floats)
 
     def know(self, position):
         """Keep a position ({coordinate: float}) whose loops are closed."""
@@ -76,11 +76,11 @@ class Forces:
     def position(self, z):
         """{coordinate: float} of z, loops closed on the way there from the nearest position known to be closed."""
         moved = {name: float(value) + 0.0 for name, value in zip(self.names, z * self.D, strict=True)}
-        drawn = self.problem.drawn_floats
+        drawn = self.numeric.drawn_floats
         if not self.looped:
             return {**drawn, **moved}
         start = self.closed[int(np.argmin(np.abs(self.closed_at[:len(self.closed)] - z).max(axis=1)))]
-        found = self.problem.closed(start, {**drawn, **moved})
+        found = self.numeric.closed(start, {**drawn, **moved})
         if any(abs(found[name] - start[name]) > size for name, size in self.jumps.items()):
             raise PhysicsError("the loops of this scene jump to another way of closing")
         self.know(found)
@@ -90,10 +90,11 @@ class Forces:
         """The Place at z, None where the forces are not defined."""
         self.work.step()
         try:
-            numbers = in_numbers(self.problem.form, Floats, {**self.problem.floats, **self.position(z)})
+            values = {**self.numeric.floats, **self.position(z)}
+            numbers = in_numbers(self.numeric.system.linearisation, Floats, values)
         except (PhysicsError, ArithmeticError, ValueError):
             return None
-        n = len(self.problem.scene.coordinates)
+        n = len(self.numeric.scene.coordinates)
         K = np.zeros((n, n))
         for pair, value in numbers.elements.stiffness().items():
             K[pair] = value
@@ -156,29 +157,29 @@ class Forces:
 def near_drawn(forces, count):
     """Some points z near the drawn position, the same at every run."""
     generator = np.random.default_rng(3)
-    z = forces.vector(forces.problem.drawn_floats)
+    z = forces.vector(forces.numeric.drawn_floats)
     return [z + generator.uniform(-0.9, 0.9, len(z)) for _ in range(count)]
 
 
-def idle(problem):
+def idle(numeric):
     """The coordinates on which no force depends and along which none acts: near the drawn position, and anywhere (a
     force with a clearance may begin farther off)."""
-    forces = Forces(problem, problem.scene.coordinates)
-    found = np.array([not _is_felt(problem, row) for row in range(len(forces.names))], bool)
+    forces = Forces(numeric, numeric.scene.coordinates)
+    found = np.array([not _is_felt(numeric.system, row) for row in range(len(forces.names))], bool)
     for place in map(forces.at, near_drawn(forces, 4)):
         if place is not None:
             found &= ~place.J.any(axis=0) & (place.size == 0)
     return [name for name, free in zip(forces.names, found, strict=True) if free]
 
 
-def _is_felt(problem, row):
+def _is_felt(system, row):
     """Does a coordinate stand in a condition of equilibrium, or has it one of its own? Of linear equations, and where
     loops are closed, places near the drawn one tell."""
-    if problem.scene.loops is not None or (problem.is_linear and not problem.scene.table.called):
+    if system.scene.loops is not None or (system.is_linear and not system.scene.table.called):
         return False
-    terms = residual_terms(problem.form)
+    terms = residual_terms(system.linearisation)
     return any(not term.is_zero for term in terms[row]) or any(
-        term.mask & problem.scene.q[row].mask for row_terms in terms for term in row_terms)
+        term.mask & system.scene.q[row].mask for row_terms in terms for term in row_terms)
 
 
 def _is_open(dimension):
@@ -186,10 +187,10 @@ def _is_open(dimension):
     return any(base.startswith("?") for base in dimension)
 
 
-def typical_length(problem):
+def typical_length(numeric):
     """The size of the figure in metres, or where nothing has a place the largest length given; 0 if there is none."""
     from vibcli.base.units import LENGTH
 
-    given = [abs(problem.floats[name]) for name in problem.spec.parameters
-             if problem.spec.dimensions.of(name) == LENGTH and name in problem.floats]
-    return problem.figure_size or max(given, default=0.0)
+    given = [abs(numeric.floats[name]) for name in numeric.spec.parameters
+             if numeric.spec.dimensions.of(name) == LENGTH and name in numeric.floats]
+    return numeric.figure_size or max(given, default=0.0)

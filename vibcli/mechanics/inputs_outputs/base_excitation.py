@@ -24,10 +24,10 @@ class Opened:
     """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
     with and without excitation."""
 
-    def __init__(self, problem, releasing=False):
-        self.problem = problem
-        scene = problem.scene.with_released_supports() if releasing else problem.scene
-        self.scene = scene = take_over(scene.with_inputs(), problem.preloads)
+    def __init__(self, configuration, releasing=False):
+        self.configuration = configuration
+        scene = configuration.scene.with_released_supports() if releasing else configuration.scene
+        self.scene = scene = take_over(scene.with_inputs(), configuration.system.preloads)
         self.n = len(scene.q) - len(scene.inputs)
         self.timed = linearise(scene)
         self.form = steady(scene, self.timed)
@@ -35,7 +35,7 @@ class Opened:
     @cached_property
     def values(self):
         """{name: float} of every symbol in equilibrium."""
-        known = self.problem
+        known = self.configuration
         return {**self.at_zero, **known.dependent_values, **known.at_rest}
 
     @property
@@ -46,7 +46,8 @@ class Opened:
     @cached_property
     def sample(self):
         """The same as drawn where the scene has letters, with sample values for them."""
-        return {**self.at_zero, **drawn_values(self.scene)} if self.problem.symbolic else self.values
+        symbolic = self.configuration.numeric.has_free_symbols
+        return {**self.at_zero, **drawn_values(self.scene)} if symbolic else self.values
 
     @property
     def place(self):
@@ -86,7 +87,8 @@ class Opened:
 
     def _turns(self):
         return PhysicsError("what acts here turns with what is driven: it has no constant coefficients",
-                            f"ask for a response to a coordinate, as in frf[…, {self.problem.scene.coordinates[0]}]")
+                            "ask for a response to a coordinate, as in frf[…, "
+                            f"{self.configuration.scene.coordinates[0]}]")
 
     def carried(self, weights):
         """{i: number} of b₀ of loads that turn with what is driven, `weights` {number of an input: node of the time}:

@@ -21,12 +21,12 @@ from vibcli.symbolic.transfer_between_tables import copied
 SAME = 1e-9
 
 
-def excitation_through(problem):
+def excitation_through(symbolic):
     """{i: Q(t)} of the displacements that are driven to and fro."""
-    opened = problem.opened
+    opened = symbolic.configuration.opened
     table, found = opened.scene.table, {}
-    if problem.linear_in_letters:
-        M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(problem)))
+    if symbolic.linearisable:
+        M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(symbolic)))
     else:
         opened.require_steady({j: 1.0 for j, _ in _driven(opened)})
         M, C, G, K = ({pair: table.number(exact(x)) for pair, x in part.items()}
@@ -39,7 +39,7 @@ def excitation_through(problem):
                     if (i, j) in matrix:
                         found[i] = found.get(i, table.zero) - matrix[i, j] * moved
             moved = opened.scene.rate(moved)
-    return dict(zip(found, copied(list(found.values()), problem.scene.table), strict=True))
+    return dict(zip(found, copied(list(found.values()), symbolic.scene.table), strict=True))
 
 
 def exact(value):

@@ -24,9 +24,9 @@ from vibcli.symbolic.transfer_between_tables import copied
 class MovingReactions:
     """The Rows of all multipliers and supports of a problem."""
 
-    def __init__(self, problem):
-        self.problem, self.opened = problem, problem.opened
-        self.released = Opened(problem, releasing=True)
+    def __init__(self, configuration):
+        self.configuration, self.opened = configuration, configuration.opened
+        self.released = Opened(configuration, releasing=True)
 
     @cached_property
     def rows(self):
@@ -37,7 +37,7 @@ class MovingReactions:
         if any(node.mask & scene.time.mask for node in (part.node for part in scene.constraints)):
             raise PhysicsError("the forces of constraints that depend on the time are not found",
                                "drive a point or a body instead of the constraint")
-        real = [i for i, q in enumerate(scene.q) if q.name in self.problem.spec.coordinates]
+        real = [i for i, q in enumerate(scene.q) if q.name in self.configuration.spec.coordinates]
         held = [scene.q.index(q) for q in scene.released]
         residual = self._residual()
         G = self._slopes()
@@ -79,7 +79,7 @@ class MovingReactions:
     def _motions(self):
         """δp_j of every coordinate of the released scene, {number: coefficient} over those of the opened one."""
         opened, released = self.opened, self.released.scene
-        names = [q.name for q in released.q if q.name in self.problem.spec.coordinates]
+        names = [q.name for q in released.q if q.name in self.configuration.spec.coordinates]
         rows = dict(zip(names, opened.rows([opened.scene.symbol(name) for name in names]), strict=True))
         inputs = {q.name: {opened.n + k: 1.0} for k, q in enumerate(released.inputs)}
         return [rows[q.name].q if q.name in rows else inputs.get(q.name, {}) for q in released.q]
@@ -110,8 +110,8 @@ class MovingReactions:
         name, _, part = text.partition(".")
         if part in ("normal", "friction"):
             return self._contact(name, part)
-        if name in (self.problem.spec.get("points") or {}) and not part.startswith("drive"):
-            text = f"{pinned_at(self.problem, name)}.{part}"
+        if name in (self.configuration.spec.get("points") or {}) and not part.startswith("drive"):
+            text = f"{pinned_at(self.configuration.system, name)}.{part}"
         if text not in self.rows:
             pieces = [signal for signal in self.rows if signal.startswith(text + ".")]
             raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else

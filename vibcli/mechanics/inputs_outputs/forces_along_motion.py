@@ -20,12 +20,12 @@ from vibcli.symbolic.evaluation import evaluate
 class ForcesAlong:
     """The forces of a problem at states {name: array} of all its coordinates, their rates and the time."""
 
-    def __init__(self, problem):
-        self.problem = problem
+    def __init__(self, numeric):
+        self.numeric = numeric
 
     @cached_property
     def released(self):
-        return Released(self.problem)
+        return Released(self.numeric)
 
     @cached_property
     def nodes(self):
@@ -71,8 +71,8 @@ class ForcesAlong:
         name, _, part = text.partition(".")
         if part in ("normal", "friction"):
             return self._contact(known, name, part, state)
-        if name in (self.problem.spec.get("points") or {}) and not part.startswith("drive"):
-            text = f"{pinned_at(self.problem, name)}.{part}"
+        if name in (self.numeric.spec.get("points") or {}) and not part.startswith("drive"):
+            text = f"{pinned_at(self.numeric.system, name)}.{part}"
         if text not in known:
             pieces = [signal for signal in known if signal.startswith(text + ".")]
             raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else

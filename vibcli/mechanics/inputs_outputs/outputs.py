@@ -19,17 +19,17 @@ def is_quadratic(text):
     return text.partition(".")[2] in QUADRATIC
 
 
-def linear_row(problem, text):
+def linear_row(configuration, text):
     """The LinearFunction of a signal over the coordinates and inputs of the opened scene."""
     bare = text.rstrip("'")
-    row = _row(problem, bare)
+    row = _row(configuration, bare)
     for _ in range(len(text) - len(bare)):
-        row = rate(row, problem.opened.scene)
+        row = rate(row, configuration.opened.scene)
     return row
 
 
-def _row(problem, text):
-    opened, scene = problem.opened, problem.opened.scene
+def _row(configuration, text):
+    opened, scene = configuration.opened, configuration.opened.scene
     name, _, part = text.partition(".")
     if text in ENERGIES:
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
@@ -44,12 +44,12 @@ def _row(problem, text):
     if scene.terms_of(name, "dampers"):
         return combined(damper_rates(opened, name))
     force = scene.force_of(name)
-    return problem.moving_reactions.row(text) if force is None else opened.rows([force])[0]
+    return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
 
-def squares(problem, text):
+def squares(configuration, text):
     """[(weight, LinearFunction)] of a signal that is a sum of squares."""
-    opened = problem.opened
+    opened = configuration.opened
     name, _, part = text.partition(".")
     if opened.scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")

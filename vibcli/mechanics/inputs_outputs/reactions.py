@@ -34,12 +34,12 @@ class Reaction(NamedTuple):
 class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
-    def __init__(self, problem):
-        self.problem, self.scene = problem, problem.scene.with_released_supports()
-        if self.scene.static_preloads and not problem.symbolic:
-            self.scene = self.scene.with_preloads({node: self.scene.table.number(_float_of(problem, record))
+    def __init__(self, numeric):
+        self.numeric, self.scene = numeric, numeric.scene.with_released_supports()
+        if self.scene.static_preloads and not numeric.has_free_symbols:
+            self.scene = self.scene.with_preloads({node: self.scene.table.number(_float_of(numeric, record))
                                                    for node, record in self.scene.static_preloads})
-        count = len(problem.spec.coordinates)
+        count = len(numeric.spec.coordinates)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
     def slopes(self):
@@ -54,19 +54,19 @@ class Released:
         return [[gradient(constraint.node).get(q, zero) for q in self.scene.q] for constraint in constraints]
 
 
-def _float_of(problem, record):
+def _float_of(numeric, record):
     from fractions import Fraction
 
-    return Fraction(evaluate([problem.preloads[record.name]], Floats, problem.floats)[0])
+    return Fraction(evaluate([numeric.system.preloads[record.name]], Floats, numeric.floats)[0])
 
 
-def reactions(problem):
+def reactions(configuration):
     """The Reactions in equilibrium: constraints first, then the supports of the bodies."""
     import numpy as np
 
-    released = Released(problem)
+    released = Released(configuration.numeric)
     scene, n = released.scene.resting, len(released.real)
-    values = _at_rest(problem, released)
+    values = _at_rest(configuration, released)
     terms = residual_terms(linearise(scene, still=True))
     nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
     sizes = evaluate([term for row in terms for term in row], Floats, values)
@@ -95,12 +95,12 @@ def signal_of(constraint):
     return f"{name}.force{dot}{part}"
 
 
-def _at_rest(problem, released):
+def _at_rest(configuration, released):
     """{symbol: float} of the released scene in equilibrium."""
-    scene = problem.scene.resting
-    nodes = [scene.symbol(name) for name in problem.spec.coordinates]
-    values = dict(zip(problem.spec.coordinates, evaluate(nodes, Floats, problem.at_rest), strict=True))
-    return {**problem.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),
+    scene = configuration.scene.resting
+    nodes = [scene.symbol(name) for name in configuration.spec.coordinates]
+    values = dict(zip(configuration.spec.coordinates, evaluate(nodes, Floats, configuration.at_rest), strict=True))
+    return {**configuration.numeric.floats, **values, **dict.fromkeys((q.name for q in released.held), 0.0),
             released.scene.time.name: 0.0}
 
 
@@ -117,10 +117,10 @@ def solved(G, E):
     return multipliers / scale, vt[rank:] / scale
 
 
-def along_the_motion(problem):
+def along_the_motion(numeric):
     """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints
     stay in it as symbols lambda_NAME."""
-    released = Released(problem)
+    released = Released(numeric)
     scene, table = released.scene, released.scene.table
     still = {node: table.zero for symbol in released.held
              for node in (symbol, table.variable(symbol.name + "'"), table.variable(symbol.name + "''"))}
@@ -154,8 +154,8 @@ def _steady_slope(released, node):
     return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
 
 
-def slack(problem):
+def slack(reactions):
     """[(rope's signal, tension)] of ropes that equilibrium would have to push."""
-    forces = [reaction for reaction in problem.reactions if reaction.form == "rope" and reaction.value is not None]
-    largest = max((abs(reaction.value) for reaction in problem.reactions if reaction.value is not None), default=0.0)
+    forces = [reaction for reaction in reactions if reaction.form == "rope" and reaction.value is not None]
+    largest = max((abs(reaction.value) for reaction in reactions if reaction.value is not None), default=0.0)
     return [(reaction.signal, reaction.value) for reaction in forces if reaction.value < -1e-9 * largest]

@@ -16,12 +16,12 @@ ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is ze
 
 def energies_data(problem):
     """{T, V, Phi} as expressions of the scene language."""
-    return {key: language(node) for key, node in problem.energies.items()}
+    return {key: language(node) for key, node in problem.symbolic.energies.items()}
 
 
 def equations_data(problem):
     """[{coordinate, text, latex, linear_text, linear_latex, left_out}]."""
-    equations, loose = problem.equations, problem.loose
+    equations, loose = problem.symbolic.equations, problem.system.loose
     found = []
     for i, name in enumerate(equations.names):
         entry = {"coordinate": name, "text": None, "latex": None}
@@ -42,7 +42,7 @@ def linear_row(problem, equations, i):
     if equations.in_letters:
         right = equations.drive.get(i, problem.scene.table.zero)
         return tuple(f"{write(equations.linear[i])} = {write(right)}" for write in (language, latex))
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         return None, None
     matrices = equations.M, equations.C, equations.G, equations.K
     row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, equations, i)
@@ -73,7 +73,7 @@ def numeric_drive(problem, equations, i):
     for monomial, value in _multiplied_out(problem, node).items():
         moving = table.product(*(pair for pair in monomial if pair[0].mask & time))
         fixed = table.product((table.number(value), ONE), *(pair for pair in monomial if not pair[0].mask & time))
-        part = evaluate([fixed], Floats, problem.at_rest)[0]
+        part = evaluate([fixed], Floats, problem.configuration.at_rest)[0]
         row[moving], sizes[moving] = row.get(moving, 0.0) + part, sizes.get(moving, 0.0) + abs(part)
     return [(value, moving) for moving, value in row.items() if abs(value) > ROUNDING * sizes[moving]]
 
@@ -85,7 +85,7 @@ def _multiplied_out(problem, node):
     except TooLong:
         time, table = problem.scene.time.mask, problem.scene.table
         fixed = [part for part in _beside(node, time) if part.op != "number"]
-        numbers = evaluate(fixed, Floats, problem.at_rest)
+        numbers = evaluate(fixed, Floats, problem.configuration.at_rest)
         known = {part: table.number(Fraction(x)) for part, x in zip(fixed, numbers, strict=True)}
         return expanded(substitute([node], known)[0])
 
@@ -113,13 +113,13 @@ def joined(row, times, write, minus="-"):
 
 def matrices_data(problem):
     """{M, C, G, K}: lists of rows, of numbers or of expressions; null where absent."""
-    symbolic = problem.symbolic
+    symbolic = problem.numeric.has_free_symbols
     n = len(problem.scene.coordinates)
     if symbolic:
-        known = problem.matrices_in_letters if problem.linear_in_letters else [{}] * 4
+        known = problem.symbolic.matrices if problem.symbolic.linearisable else [{}] * 4
         matrices = dict(zip("MCGK", known, strict=True))
     else:
-        matrices = dict(zip("MCGK", problem.elements.matrices(), strict=True))
+        matrices = dict(zip("MCGK", problem.configuration.linear_system.matrices(), strict=True))
     zero = "0" if symbolic else 0.0
     return {key: [[_entry(matrix.get((i, j), zero), symbolic) for j in range(n)] for i in range(n)] if matrix else None
             for key, matrix in matrices.items()}
@@ -138,7 +138,7 @@ def sticking_data(problem):
 
     from vibcli.mechanics.equilibrium.dry_friction import span
 
-    found, table = problem.sticking, problem.scene.table
+    found, table = problem.system.sticking, problem.scene.table
     told = []
     for row in found.rows:
         if row.within is not None:
@@ -146,7 +146,7 @@ def sticking_data(problem):
             continue
         told.append(language(table.sum((row.b, ONE), *((a * sigma, ONE) for sigma, a in row.held.items()))) + " = 0")
         told += [f"abs({language(sigma)}) <= {language(found.bounds[sigma])}" for sigma in row.held]
-    ends = None if problem.symbolic else span(problem, found)
+    ends = None if problem.numeric.has_free_symbols else span(problem.configuration, found)
     low, high = (ends.low, ends.high) if ends is not None else (inf, inf)
     return {"conditions": list(dict.fromkeys(told)), "from": low if isfinite(low) else None,
             "to": high if isfinite(high) else None}
@@ -154,15 +154,15 @@ def sticking_data(problem):
 
 def reactions_data(problem):
     """{signal: value} of the forces in equilibrium; null where statics leaves one open."""
-    return {reaction.signal: reaction.value for reaction in problem.reactions}
+    return {reaction.signal: reaction.value for reaction in problem.configuration.reactions}
 
 
 def equilibrium_data(problem):
     """{coordinates: {name: value}, dependent: {name: value}, from_start, stable, residual, condition, warning}."""
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 
-        values = equilibrium_in_letters(problem)
+        values = equilibrium_in_letters(problem.symbolic)
         coordinates = {name: language(node) for name, node in values.items()}
         dependent = {name: language(node) for name, node in problem.scene.dependent.items()}
         return {"coordinates": coordinates, "dependent": dependent,
@@ -170,10 +170,10 @@ def equilibrium_data(problem):
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
     from vibcli.quantities.equilibrium import is_stable
 
-    found, condition = problem.equilibrium, stiffness_condition(problem)
+    found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)
     values = {name: found.values[name] for name in problem.scene.coordinates}
     from_start = found.from_start and {name: found.from_start[name] for name in values}
-    return {"coordinates": values, "dependent": problem.dependent_values, "from_start": from_start,
+    return {"coordinates": values, "dependent": problem.configuration.dependent_values, "from_start": from_start,
             "stable": is_stable(problem), "residual": found.residual, "condition": condition,
             "warning": bifurcation_warning(condition)}
 
@@ -185,7 +185,7 @@ def modes_data(problem, modes, normalise="first", write=float):
     for mode in modes:
         omega = None if mode.omega is None else write(mode.omega)
         moving = mode.omega is not None and mode.omega != 0
-        shape = problem.shape(mode, normalise)
+        shape = problem.modal.shape(mode, normalise)
         found.append({
             "index": mode.index, "omega": omega,
             "frequency": None if mode.omega is None else write(mode.omega / turn(mode.omega)),
@@ -216,7 +216,7 @@ def damped_data(problem, modes, normalise="first", write=float):
 
     found = []
     for mode in modes:
-        shape = problem.shape(mode, normalise)
+        shape = problem.modal.shape(mode, normalise)
         found.append({
             "index": mode.index, "eigenvalue": [write(mode.eigenvalue.real), write(mode.eigenvalue.imag)],
             "omega": maybe(mode.omega), "zeta": maybe(mode.zeta), "omega_d": maybe(mode.omega_d),
@@ -235,19 +235,19 @@ def amplitude(value, write):
 def frequencies_data(problem, normalise="first", digits=None):
     """What `vibcli frequencies --json` prints."""
     found = {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
-    if "reactions" in problem.spec.get("find", ()) and not problem.symbolic:
+    if "reactions" in problem.spec.get("find", ()) and not problem.numeric.has_free_symbols:
         found["reactions"] = reactions_data(problem)
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         from vibcli.report.sections.closed_forms import closed_data
 
         return found | closed_data(problem)
     if digits is None:
-        return found | {"modes": modes_data(problem, problem.modes, normalise),
-                        "damped": damped_data(problem, problem.damped, normalise)}
+        return found | {"modes": modes_data(problem, problem.modal.modes, normalise),
+                        "damped": damped_data(problem, problem.modal.damped, normalise)}
     import mpmath
 
     with mpmath.workdps(digits + 15):
-        modes, damped = problem.to_digits(digits)
+        modes, damped = problem.modal.to_digits(digits)
 
         def write(value):
             return mpmath.nstr(mpmath.mpf(value), digits, strip_zeros=False) if value else "0"

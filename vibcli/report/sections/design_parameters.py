@@ -12,12 +12,12 @@ WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibriu
 
 def chosen(problem, _):
     """Conditions, solutions with closed form and number, and how well they hold."""
-    found = problem.chosen
+    found = problem.choice
     texts = dict.fromkeys(WORDS.get(text, text) for text in found.conditions.values())
     told = paragraph(*separated(maths(Name(name)) for name in found.conditions), f" so that {', '.join(texts)}")
     several = len(found.solutions) > 1
     residual = figure(max(solution.residual for solution in found.solutions), digits=2)
-    where = " at several values of the letters" if problem.letters else ""
+    where = " at several values of the letters" if problem.symbolic.letters else ""
     checked = f"checked by substitution{where}: relative residual {residual}" + " at most" * several
     if any(_with_units(record["so"]) for record in problem.spec.choices.values()) and _any_form(found):
         checked += "; closed forms in SI units"
@@ -26,8 +26,8 @@ def chosen(problem, _):
 
 
 def _lines(problem, several):
-    for number, solution in enumerate(problem.chosen.solutions, 1):
-        for i, name in enumerate(problem.chosen.conditions):
+    for number, solution in enumerate(problem.choice.solutions, 1):
+        for i, name in enumerate(problem.choice.conditions):
             mark, inset = ((Words(f"{number}.  "),), 0) if several and not i else ((), 4 * several)
             fold = (Words(FOLD),) * solution.fold
             yield line(*mark, *_equation(problem, name, solution), *fold, hang=6 if several else 2, inset=inset)
@@ -86,7 +86,7 @@ def _with_units(condition):
 def chosen_data(problem):
     """[{parameter, condition, values, closed_forms, residuals, limit_points, counts_for}], of lists an entry to each
     solution."""
-    chosen = problem.chosen
+    chosen = problem.choice
     found = []
     for name, condition in chosen.conditions.items():
         forms = [solution.forms[name] for solution in chosen.solutions]

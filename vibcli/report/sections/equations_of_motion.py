@@ -15,7 +15,7 @@ WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in 
 
 def energies(problem, report):
     for key, symbol, title in ENERGIES:
-        (shown,), lengths = abbreviated([problem.energies[key]], report.roots)
+        (shown,), lengths = abbreviated([problem.symbolic.energies[key]], report.roots)
         if not shown.is_zero:
             yield from section(title, blocks.equations([line(f"{symbol} = ", brief(shown), hang=2)]),
                                *with_lengths(lengths))
@@ -28,11 +28,11 @@ def with_lengths(lengths):
 
 def equations(problem, report):
     """The equations of motion; then those of small oscillations, in letters and in numbers."""
-    if not problem.loose.q:
+    if not problem.system.loose.q:
         return
     yield from _full(problem, report)
-    found, coordinates = problem.equations, problem.scene.coordinates
-    if found.refusal and not (problem.sticking or isinstance(found.refusal, Kinked)):
+    found, coordinates = problem.symbolic.equations, problem.scene.coordinates
+    if found.refusal and not (problem.system.sticking or isinstance(found.refusal, Kinked)):
         raise found.refusal
     if found.refusal:
         yield from _unbent(problem, report)
@@ -42,8 +42,8 @@ def equations(problem, report):
         linear = blocks.equations(
             line(node, " = ", found.drive.get(i, problem.scene.table.zero), label=Name(name))
             for i, (name, node) in enumerate(zip(coordinates, found.linear, strict=True)))
-    numbers = not problem.symbolic and len(coordinates) <= WRITTEN_OUT
-    drawn = problem.balanced_as_drawn if problem.symbolic else problem.equilibrium.drawn
+    numbers = not problem.numeric.has_free_symbols and len(coordinates) <= WRITTEN_OUT
+    drawn = problem.symbolic.balanced_as_drawn
     yield from section(
         "Small oscillations about the equilibrium" + ("" if drawn else ", the coordinates counted from it"), linear,
         Heading("in numbers (SI units):") if linear and numbers else None,
@@ -52,25 +52,26 @@ def equations(problem, report):
 
 def left_out(problem):
     """What of loads in time and of driven displacements the equations of small oscillations do not hold."""
-    if not problem.left_out:
+    left_out, names = problem.symbolic.left_out, problem.scene.coordinates
+    if not left_out:
         return None
-    told = separated(maths(Name(problem.scene.coordinates[i]), ":  ", node) for i, node in problem.left_out.items())
+    told = separated(maths(Name(names[i]), ":  ", node) for i, node in left_out.items())
     return paragraph("left out of the left side, as products of the coordinates and what drives them: ", *told,
                      "   (parametric excitation: `motion: full` keeps it)", hang=4, aside=True)
 
 
 def _unbent(problem, report):
     """What is said instead of small oscillations where there is a kink."""
-    if problem.sticking is not None and not report.tells("Equilibrium"):
+    if problem.system.sticking is not None and not report.tells("Equilibrium"):
         yield from section("Equilibrium", *held(problem))
-    why = problem.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
-    if problem.sticking is not None:
+    why = problem.symbolic.equations.refusal.message.partition(":")[0].replace(" in the equilibrium", " there")
+    if problem.system.sticking is not None:
         why = "dry friction has a kink there"
     yield from section("Small oscillations", paragraph(f"none: {why}; `motion: full` follows the motion", hang=0))
 
 
 def _full(problem, report):
-    found, loose, title = problem.equations, problem.loose, "Equations of motion"
+    found, loose, title = problem.symbolic.equations, problem.system.loose, "Equations of motion"
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
@@ -88,7 +89,7 @@ def _full(problem, report):
 
 
 def _in_numbers(problem, found):
-    matrices = problem.elements.matrices()
+    matrices = problem.configuration.linear_system.matrices()
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
         yield line(*_sum(row), " = ", *_sum(drive), label=Name(name))

@@ -24,8 +24,8 @@ def equilibria(problem, _):
     """A table of the equilibria, and where they were searched."""
     found = problem.equilibria
     warned = [(number, _warning(about)) for number, about in enumerate(problem.about_each, 1)]
-    limits = [maths(Name(name), Words(f" from {with_unit(low, problem.dimension(name))} to "
-                                      f"{with_unit(high, problem.dimension(name))}"))
+    limits = [maths(Name(name), Words(f" from {with_unit(low, problem.system.dimension(name))} to "
+                                      f"{with_unit(high, problem.system.dimension(name))}"))
               for name, (low, high) in found.bounds.items()]
     yield from section(
         "Equilibria", _table(problem) if found.items else paragraph("none"),
@@ -36,7 +36,7 @@ def equilibria(problem, _):
 
 def _others(problem, found):
     """A paragraph: are there others?"""
-    if problem.sticking is not None:
+    if problem.system.sticking is not None:
         return paragraph(HELD_ELSEWHERE, hang=None)
     if found.linear:
         return paragraph("the equations are linear: there are no others") if found.items else None
@@ -52,18 +52,18 @@ def _signed(number):
 
 def equilibrium_warning(problem):
     """A warning where the equilibrium of a problem is near a bifurcation, else None."""
-    return bifurcation_warning(stiffness_condition(problem))
+    return bifurcation_warning(stiffness_condition(problem.modal))
 
 
 def _warning(problem):
     """The same of one of a list, where its stability may be open."""
-    return None if judged(problem).kind == OPEN else equilibrium_warning(problem)
+    return None if judged(problem.modal).kind == OPEN else equilibrium_warning(problem)
 
 
 def _table(problem):
     rows = []
     for number, (item, about) in enumerate(zip(problem.equilibria.items, problem.about_each, strict=True), 1):
-        found = judged(about)
+        found = judged(about.modal)
         rows.append((str(number), *_places(problem, item), figure(item.equilibrium.residual, digits=2),
                      _kind(found, item), _rates(about, found)))
     return TableBlock(("", *_heads(problem), "residual", "", "ω [rad/s]"), tuple(rows))
@@ -73,7 +73,7 @@ def _heads(problem):
     names = problem.scene.coordinates
     if len(names) > WIDEST:
         return ["position in SI units"]
-    return [maths(Name(name), Words(f" [{unit(problem.dimension(name))}]")) for name in names]
+    return [maths(Name(name), Words(f" [{unit(problem.system.dimension(name))}]")) for name in names]
 
 
 def _places(problem, item):
@@ -89,14 +89,15 @@ def _rates(problem, found):
         return f"grows as exp({figure(found.growth_rate)}·t)"
     if found.kind == OPEN:
         return ""
-    return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error) for mode in problem.modes)
+    return ", ".join(figure(None if mode.omega is None else float(mode.omega), mode.error)
+                     for mode in problem.modal.modes)
 
 
 def _omega(problem, found):
     """The natural angular frequencies, None of what does not oscillate."""
-    if found.kind == OPEN or inertless(problem.elements):
+    if found.kind == OPEN or inertless(problem.configuration.linear_system):
         return []
-    return [None if mode.omega is None else float(mode.omega) for mode in problem.modes]
+    return [None if mode.omega is None else float(mode.omega) for mode in problem.modal.modes]
 
 
 def _kind(found, item):
@@ -117,10 +118,10 @@ def equilibria_data(problem):
     search: {bounds, complete, cut, indices, degree}}."""
     found, entries = problem.equilibria, []
     for item, about in zip(found.items, problem.about_each, strict=True):
-        result = judged(about)
+        result = judged(about.modal)
         entries.append({
             "coordinates": {name: item.equilibrium.values[name] for name in problem.scene.coordinates},
-            "dependent": about.dependent_values, "stable": result.stable, "kind": result.kind,
+            "dependent": about.configuration.dependent_values, "stable": result.stable, "kind": result.kind,
             "growth_rate": result.growth_rate, "residual": item.equilibrium.residual,
             "omega": _omega(about, result),
             "free": item.free, "warning": _warning(about)})

@@ -10,16 +10,16 @@ from vibcli.symbolic.rationals import ONE
 
 def equilibrium(problem, _):
     try:
-        blocks = _in_letters(problem) if problem.symbolic else _in_numbers(problem)
+        blocks = _in_letters(problem) if problem.numeric.has_free_symbols else _in_numbers(problem)
     except PhysicsError:
-        if problem.sticking is None:
+        if problem.system.sticking is None:
             raise
         blocks = []
-    if problem.sticking is not None:
+    if problem.system.sticking is not None:
         blocks += held(problem)
     preloads = equations(line(Words(f"static preload of {name}: "), *_preload(problem, node, name), hang=None)
-                         for name, node in problem.preloads.items())
-    slack = [] if problem.symbolic else _slack(problem)
+                         for name, node in problem.system.preloads.items())
+    slack = [] if problem.numeric.has_free_symbols else _slack(problem)
     yield from section("Equilibrium", *blocks, preloads, *slack)
 
 
@@ -27,17 +27,18 @@ def _in_numbers(problem):
     from vibcli.analyses.modal.stability import WORDS, stability
     from vibcli.report.sections.equilibria import equilibrium_warning
 
-    found = problem.equilibrium
+    found = problem.configuration.equilibrium
     try:
-        stable = WORDS[stability(problem).kind]
+        stable = WORDS[stability(problem.modal).kind]
     except Kinked:
         stable = "a kink: no small oscillations about it"
-    values = [*found.values.items(),
-              *((name, value) for name, value in problem.dependent_values.items() if name not in found.values)]
-    told = separated(maths(Name(name), " = ", *measured(value, problem.dimension(name))) for name, value in values)
+    dependent = problem.configuration.dependent_values
+    values = [*found.values.items(), *((name, dependent[name]) for name in dependent if name not in found.values)]
+    told = separated(maths(Name(name), " = ", *measured(value, problem.system.dimension(name)))
+                     for name, value in values)
     where = "the drawn position" if found.drawn else "shifted from the drawn position"
     warning = None if stable.startswith("a kink") else equilibrium_warning(problem)
-    where += "; without friction" if problem.sticking is not None else ""
+    where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
             paragraph(warning) if warning else None]
@@ -47,7 +48,7 @@ def held(problem):
     """Where dry friction holds the scene."""
     from vibcli.mechanics.equilibrium.dry_friction import span
 
-    found, table = problem.sticking, problem.scene.table
+    found, table = problem.system.sticking, problem.scene.table
     lines = []
     for row in found.rows:
         if row.within is not None:
@@ -61,7 +62,7 @@ def held(problem):
     yield equations(lines)
     if told:
         yield paragraph("with ", *separated(told), hang=4)
-    ends = None if problem.symbolic else span(problem, found)
+    ends = None if problem.numeric.has_free_symbols else span(problem.configuration, found)
     if ends is not None and (told := _span(problem, ends)):
         yield paragraph(*told)
 
@@ -72,17 +73,17 @@ def _span(problem, ends):
     if not isfinite(low) and not isfinite(high):
         return ["there is no such place" if low > high else "which is anywhere"] if whole else []
     told = [part for word, end in ((" from ", low), (" to ", high)) if isfinite(end)
-            for part in (word, *measured(end, problem.dimension(name)))]
+            for part in (word, *measured(end, problem.system.dimension(name)))]
     return ["which is " if whole else "one such stretch is ", maths(Name(name), *told)]
 
 
 def _from_start(problem):
     """How far an equilibrium lies from the start that `equilibrium:` names, None where it names none."""
-    found = problem.equilibrium
+    found = problem.configuration.equilibrium
     if found.start is None:
         return None
     def told(values, sign=""):
-        return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.dimension(name)))
+        return separated(maths(sign, Name(name), " = ", *measured(values[name], problem.system.dimension(name)))
                          for name in problem.scene.coordinates)
 
     return paragraph("the nearest found to the start ", *told(found.start), ", from there ",
@@ -93,10 +94,10 @@ def _in_letters(problem):
     from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
     from vibcli.report.sections.symbolic_modes import equilibrium_parts
 
-    parts = equilibrium_parts(equilibrium_in_letters(problem))
-    settled = problem.equilibrium_letters
-    drawn = problem.balanced_as_drawn and problem.start_in_letters is None
-    searched = settled is not None and problem.start_in_letters is not None and not settled.named
+    parts = equilibrium_parts(equilibrium_in_letters(problem.symbolic))
+    settled = problem.symbolic.equilibrium
+    drawn = problem.symbolic.balanced_as_drawn and problem.symbolic.start is None
+    searched = settled is not None and problem.symbolic.start is not None and not settled.named
     return [paragraph(*parts, "   (the drawn position)" if drawn else ""),
             paragraph("the nearest to the start at sample values of the letters", hang=None) if searched else None]
 
@@ -108,12 +109,12 @@ def measured(value, dimension):
 
 
 def _preload(problem, node, name):
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         return (node,)
     from vibcli.symbolic.evaluation import Floats, evaluate
 
     unit = "N·m" if "torsion" in problem.spec.get("springs")[name] else "N"
-    return node, " = ", figure(evaluate([node], Floats, problem.floats)[0]), Words(f" {unit}")
+    return node, " = ", figure(evaluate([node], Floats, problem.numeric.floats)[0]), Words(f" {unit}")
 
 
 def _slack(problem):
@@ -123,4 +124,4 @@ def _slack(problem):
     from vibcli.mechanics.inputs_outputs.reactions import slack
 
     return [paragraph(f"{signal} = {figure(value)} N would be a push: the rope goes slack", hang=None)
-            for signal, value in slack(problem)]
+            for signal, value in slack(problem.configuration.reactions)]

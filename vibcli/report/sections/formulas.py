@@ -69,7 +69,7 @@ def _signed(value):
 
 def free_vibration(problem, asked):
     """The regime of one degree of freedom; decrement and decay, beats, the share of each mode in the energy."""
-    motion, rows = problem.motion, []
+    motion, rows = problem.response, []
     if motion.drive or not any(x for part in motion.deviations for x in part):
         return
     if len(problem.scene.q) == 1:
@@ -86,8 +86,8 @@ def _regime(problem):
     from vibcli.analyses.transient.textbook_form import regime
     from vibcli.report.sections.mode_tables import bounds
 
-    mode = problem.damped[0] if problem.damped else None
-    words = regime(*problem.motion.matrices)
+    mode = problem.modal.damped[0] if problem.modal.damped else None
+    words = regime(*problem.response.matrices)
     if words == "under-damped" and mode is not None and mode.omega_d:
         decay, omega_d = float(mode.decay), float(mode.omega_d)
         delta = decrement(-decay, omega_d)
@@ -103,11 +103,11 @@ def _regime(problem):
 def _participation(problem):
     from vibcli.analyses.transient.modal_participation import energy_shares
 
-    if problem.damped is not None or any(mode.omega is None for mode in problem.modes):
+    if problem.modal.damped is not None or any(mode.omega is None for mode in problem.modal.modes):
         return []
-    shares = energy_shares(problem.motion.matrices[0], problem.modes, *problem.motion.deviations)
+    shares = energy_shares(problem.response.matrices[0], problem.modal.modes, *problem.response.deviations)
     told = ", ".join(f"mode {mode.index}: {figure(100 * share, digits=4)} %"
-                     for mode, share in zip(problem.modes, shares, strict=True))
+                     for mode, share in zip(problem.modal.modes, shares, strict=True))
     return [f"share in the energy: {told}"] if told else []
 
 

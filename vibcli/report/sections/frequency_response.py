@@ -16,10 +16,10 @@ def frequency_response(problem, report):
     for name, driver, unit in curves_asked(problem, report.wanted):
         title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
         blocks_of = list(_in_letters(problem, name, driver))
-        if not problem.symbolic:
+        if not problem.numeric.has_free_symbols:
             blocks_of += _in_numbers(problem, name, driver, unit)
         yield from section(title, *blocks_of)
-    if report.pictures and not problem.symbolic:
+    if report.pictures and not problem.numeric.has_free_symbols:
         from vibcli.report.sections.illustrations import plot
         from vibcli.report.sections.sampled_series import frequency_figure, sampled_curves
 
@@ -31,7 +31,7 @@ def frequency_response(problem, report):
 def _in_letters(problem, name, driver):
     """The amplitude and tan θ, resonances and antiresonances; nothing where they are too long or not known."""
     if len(problem.scene.q) > LETTERS:
-        if problem.symbolic:
+        if problem.numeric.has_free_symbols:
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
         return
@@ -40,9 +40,9 @@ def _in_letters(problem, name, driver):
     from vibcli.report.sections.symbolic_response import conditions
 
     try:
-        found = formula(problem, name, driver)
+        found = formula(problem.symbolic, name, driver)
     except (NotInLetters, PhysicsError):
-        if problem.symbolic:
+        if problem.numeric.has_free_symbols:
             raise
         return
     if found.vanishes:

@@ -15,12 +15,12 @@ def schematic(problem, _):
 
 def mode_pictures(problem, report):
     """The shapes of the lowest modes on the scene at rest."""
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         return
     from vibcli.drawing.symbols.mode_shape import draw
     from vibcli.drawing.vibration import caption
 
-    moving = [mode for mode in problem.modes if not mode.rigid][:SHOWN]
+    moving = [mode for mode in problem.modal.modes if not mode.rigid][:SHOWN]
     yield from section("Mode shapes on the scene at rest", *(
         _picture(f"mode-{mode.index}", caption(mode), draw(problem, mode.index, normalise=report.normalise))._replace(
             animated=partial(_moving, problem, mode.index, report.normalise)) for mode in moving))

@@ -26,7 +26,7 @@ def _grid(title, columns, write, *told):
 
 def shares(problem, _):
     require_numbers(problem, "shares")
-    found = problem.shares
+    found = problem.modal.shares
     potential = [(f"mode {i}", column) for i, column in found.potential.items() if column]
     lowering = any(share < -NOTHING / 100 for _, column in potential for share in column.values())
     told = [paragraph("(negative: it lowers the stiffness of the mode)", hang=None)] * lowering
@@ -59,8 +59,8 @@ def _damped_head(mode):
 
 def sensitivities(problem, _):
     require_numbers(problem, "sensitivities")
-    found = problem.sensitivities
-    heads = [(f"mode {mode.index}", mode) for mode in problem.modes if mode.omega]
+    found = problem.modal.sensitivities
+    heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes if mode.omega]
     tables = [
         *_grid("Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
             (head, {maths(Name(name)): logarithmic(found.values[name], rates[mode.index], float(mode.omega))
@@ -116,7 +116,7 @@ def estimates(problem, _):
     require_numbers(problem, "estimates")
     title = "Estimates of the lowest natural frequency"
     try:
-        found = problem.estimates
+        found = problem.modal.estimates
     except PhysicsError as error:
         yield from section(title, paragraph(f"None: {error.message}."))
         return

@@ -13,7 +13,7 @@ def insight_data(problem, words):
 
 def require_numbers(problem, word):
     """Refuse a scene with symbols."""
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         require_values(problem.scene.parameters, f"`{word}`")
 
 
@@ -23,7 +23,7 @@ def logarithmic(value, rate, omega):
 
 
 def _shares_data(problem):
-    found = problem.shares
+    found = problem.modal.shares
     return {"modes": [{"index": i, "potential": found.potential[i], "kinetic": found.kinetic[i]}
                       for i in found.kinetic],
             "damped": None if found.dissipation is None else [
@@ -31,8 +31,8 @@ def _shares_data(problem):
 
 
 def _sensitivities_data(problem):
-    found = problem.sensitivities
-    omega = {mode.index: float(mode.omega) for mode in problem.modes if mode.omega}
+    found = problem.modal.sensitivities
+    omega = {mode.index: float(mode.omega) for mode in problem.modal.modes if mode.omega}
     entries = []
     for name, value in found.values.items():
         rates = found.omega.get(name, {})
@@ -48,7 +48,7 @@ def _sensitivities_data(problem):
 
 def _estimates_data(problem):
     try:
-        found = problem.estimates
+        found = problem.modal.estimates
     except PhysicsError as error:
         return dict.fromkeys(("omega", "rayleigh", "dunkerley", "deflection", "alone")) | {"refusal": error.message}
     return {"omega": found.omega, "rayleigh": found.rayleigh, "dunkerley": found.dunkerley,

@@ -37,7 +37,7 @@ def coordinates(problem, _):
     items, moves = [], _moves(problem)
     for name in problem.scene.coordinates:
         about = problem.spec.coordinates[name].get("about") or moves.get(name, "")
-        items.append(Definition((maths(Name(name)), f" [{unit(problem.dimension(name))}]"), about))
+        items.append(Definition((maths(Name(name)), f" [{unit(problem.system.dimension(name))}]"), about))
     n = len(items)
     yield from section(f"Generalised coordinates ({n} degree{'s' if n != 1 else ''} of freedom)",
                        Definitions(tuple(items)) if items else None, *tied(problem.scene))

@@ -58,7 +58,7 @@ def trees_asked(problem, word, given=()):
 
 def signals_asked(problem, given=()):
     """The Asked signals of a motion in time."""
-    return [RequestedSignal(text, tree, _dimension(problem, tree), problem.motion.signal(tree))
+    return [RequestedSignal(text, tree, _dimension(problem, tree), problem.response.signal(tree))
             for text, tree in trees_asked(problem, RESPONSE, given)]
 
 

@@ -19,15 +19,15 @@ NOT_FIXED = "not fixed by statics"
 
 def response(problem, report):
     """The sections of a motion in time."""
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_response import response_in_letters
 
         if report.wanted.at:
-            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.given)
+            names = ", ".join(name for name in problem.scene.parameters.free if name not in problem.numeric.given)
             raise NotInLetters("values at instants are found in numbers", f"give values with --set to {names}")
         yield from response_in_letters(problem, names_asked(problem, RESPONSE, report.wanted.signals))
         return
-    motion, asked = problem.motion, signals_asked(problem, report.wanted.signals)
+    motion, asked = problem.response, signals_asked(problem, report.wanted.signals)
     if motion.KIND == "prescribed":
         yield from section(f"Motion in time ({motion.WORDS})", paragraph("nothing moves freely"))
     else:
@@ -91,9 +91,9 @@ def value_at(problem, one, t, digits=None):
     from vibcli.base.errors import PhysicsError
     from vibcli.results.high_precision_response import precise_value
 
-    if problem.motion.KIND != "small":
-        raise PhysicsError(f"--digits is for small motions: more digits of one that is {problem.motion.WORDS} are not "
-                           "found", "leave --digits out")
+    if problem.response.KIND != "small":
+        raise PhysicsError("--digits is for small motions: more digits of one that is "
+                           f"{problem.response.WORDS} are not found", "leave --digits out")
     if not isinstance(one.tree, NameRef) or one.tree.name not in problem.scene.coordinates:
         raise PhysicsError(f"--digits is for coordinates: more digits of '{one.text}' are not found",
                            "ask for --of " + problem.scene.coordinates[0])
@@ -104,7 +104,7 @@ def _start(problem, motion, drive):
     places, speeds = motion.start
     parts = []
     for name, value in places.items():
-        dimension = problem.dimension(name)
+        dimension = problem.system.dimension(name)
         parts += [", "] * bool(parts) + [maths(Name(name), "(0) = "), with_unit(value, dimension)]
         if speeds[name]:
             parts += [", ", maths(Name(name + "'"), "(0) = "), with_unit(speeds[name], times(dimension, TIME, -1))]

@@ -10,7 +10,7 @@ from vibcli.report.sections.steady_state import harmonics_of, phase_in
 
 def response_data(problem, wanted):
     """{"until", "initial", "signals", "balance", "unknown"} of a motion in time, as far as it is known."""
-    motion, asked = problem.motion, signals_asked(problem, wanted.signals)
+    motion, asked = problem.response, signals_asked(problem, wanted.signals)
     places, speeds = motion.start
     known = known_until(motion, wanted) if motion.KIND == "full" else inf
     instants = {one.text: _values(problem, one, wanted, known) for one in asked}
@@ -32,7 +32,7 @@ def response_data(problem, wanted):
 
 def unknown(problem, wanted):
     """The refusal of the part of a motion that is asked for and not known, else None."""
-    motion = problem.motion
+    motion = problem.response
     latest = latest_asked(motion, wanted) if motion.KIND == "full" else 0.0
     return motion.trajectory().unknown(latest) if motion.KIND == "full" and known_until(motion, wanted) < latest \
         else None

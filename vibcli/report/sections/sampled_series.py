@@ -34,7 +34,7 @@ def sampled(problem, wanted):
     """The Series of the signals asked for."""
     import numpy as np
 
-    times = np.linspace(0.0, problem.motion.known, wanted.points)
+    times = np.linspace(0.0, problem.response.known, wanted.points)
     found = []
     for one in signals_asked(problem, wanted.signals):
         parts = {}
@@ -47,7 +47,7 @@ def sampled(problem, wanted):
 
 def _bounds(problem, signal, times):
     """(upper, lower) envelope of a free vibration that dies out; None of others."""
-    if problem.motion.drive or not hasattr(signal, "output"):
+    if problem.response.drive or not hasattr(signal, "output"):
         return None
     from vibcli.results.signal_features import vibration
 
@@ -73,7 +73,7 @@ def response_figure(problem, series):
             lines.append((f"{symbol(one.name)}, transient", one.unit, one.parts["transient"]))
             steady.append(None)
             bounds.append(None)
-    return of_response(series[0].times, lines, steady, bounds, title=problem.motion.title)
+    return of_response(series[0].times, lines, steady, bounds, title=problem.response.title)
 
 
 def columns(series):
@@ -119,7 +119,7 @@ def frequency_figure(problem, curves, nyquist=False):
     if len(curves) == 1:
         peaks, dips = curves[0].peaks, curves[0].antiresonances
     else:
-        natural = [float(mode.omega) for mode in problem.modes if mode.omega]
+        natural = [float(mode.omega) for mode in problem.modal.modes if mode.omega]
         peaks, dips = [place for place in natural if Omega[0] < place < Omega[-1]], []
     title = problem.spec.get("title") or ""
     if nyquist:
@@ -142,10 +142,10 @@ def eigenvalue_figure(problem):
     """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
     from vibcli.plots.eigenvalues import argand
 
-    if problem.symbolic:
+    if problem.numeric.has_free_symbols:
         raise PhysicsError("eigenvalues are plotted in numbers", "give the parameters values with --set")
     found = []
-    for mode in problem.damped or problem.modes:
+    for mode in problem.modal.damped or problem.modal.modes:
         if hasattr(mode, "eigenvalue"):
             value = complex(mode.eigenvalue)
         else:

@@ -14,7 +14,7 @@ WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
 def virtual_work(problem, report):
     """δA = Σ Q δq, where there are loads or it is asked for."""
-    scene = problem.loose
+    scene = problem.system.loose
     if not (scene.forces or "virtual_work" in problem.spec.get("find", ())) or not 0 < len(scene.q) <= WRITTEN_OUT:
         return
     from vibcli.mechanics.virtual_work import generalised_forces
@@ -24,7 +24,7 @@ def virtual_work(problem, report):
     lines = [line("δA = " + " + ".join(f"Q_{name}·δ{name}" for name in names), hang=2)]
     balanced = _balanced(problem)
     for name, node in zip(names, shown, strict=True):
-        vanishes = balanced and not (scene.constraints or node.is_zero or problem.sticking is not None)
+        vanishes = balanced and not (scene.constraints or node.is_zero or problem.system.sticking is not None)
         lines.append(line(f"Q_{name} = ", brief(node), " = 0" if vanishes else ""))
     driven = ", and of the inertia of driven motion" if scene.timed and scene.inertias else ""
     where = "at rest in equilibrium" if balanced else "at rest"
@@ -37,10 +37,10 @@ def _balanced(problem):
     from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 
     try:
-        if problem.symbolic:
-            equilibrium_in_letters(problem)
+        if problem.numeric.has_free_symbols:
+            equilibrium_in_letters(problem.symbolic)
         else:
-            problem.equilibrium  # noqa: B018
+            problem.configuration.equilibrium  # noqa: B018
     except NotInLetters:
         return True
     except PhysicsError:
@@ -60,13 +60,13 @@ def reactions(problem, _):
     """The reactions in equilibrium, of a scene in numbers, and those along a motion."""
     from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
 
-    if not problem.symbolic:
+    if not problem.numeric.has_free_symbols:
         rows = [(reaction.signal, "not fixed by statics" if reaction.value is None else
                  f"{figure(reaction.value)} {_unit(problem, reaction.signal)}")
-                for reaction in problem.reactions if reaction.value != 0.0]
+                for reaction in problem.configuration.reactions if reaction.value != 0.0]
         yield from section("Reactions in equilibrium (tension positive; what supports and drives exert on the body, "
                            "fixed axes)" if any(".drive" in signal for signal, _ in rows) else
                            "Reactions in equilibrium (tension positive; what supports exert on the body, fixed axes)",
                            TableBlock(("force", "value"), tuple(rows)))
     yield from section("Reactions along a motion", blocks.equations(
-        line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem).items()))
+        line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))

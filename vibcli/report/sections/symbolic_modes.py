@@ -48,7 +48,7 @@ def frequency_blocks(problem, forms):
         elif forms.modes and not forms.modes[0].unstable:
             yield paragraph(maths("f = ω/(2π)"), ", ", maths("T = 2π/ω"))
     damped = forms is not None and any(mode.zeta is not None for mode in forms.modes)
-    if problem.matrices_in_letters[1] and not damped:
+    if problem.symbolic.matrices[1] and not damped:
         told.append("the damped modes are found in numbers only; give the parameters values with --set")
     yield from (paragraph(text, hang=4) for text in told)
 

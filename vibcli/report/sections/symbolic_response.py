@@ -20,7 +20,7 @@ def response_in_letters(problem, names):
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
-    driven, names = bool(problem.scene.timed and problem.excitation), list(names)
+    driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
     steady = _steady(problem, names) if driven else {}
     yield from _equilibrium(problem)
     for number, (name, found) in enumerate(steady.items(), 1):
@@ -38,13 +38,13 @@ def response_in_letters(problem, names):
 def _steady(problem, names):
     from vibcli.analyses.closed_form.steady_state import steady_state
 
-    return {name: steady_state(problem, name) for name in names}
+    return {name: steady_state(problem.symbolic, name) for name in names}
 
 
 def _equilibrium(problem):
     from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 
-    values = {name: node for name, node in equilibrium_in_letters(problem).items() if not node.is_zero}
+    values = {name: node for name, node in equilibrium_in_letters(problem.symbolic).items() if not node.is_zero}
     if values:
         yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
 
@@ -65,7 +65,7 @@ def _steady_section(problem, name, steady, number):
              line(Name(X), " = ", formula.amplitude)]
     if lag:
         lines.append(line(Words("tan "), Name(theta), " = ", formula.tangent))
-    told = () if problem.chosen is not None else conditions(formula)     # what is chosen holds at this Ω alone
+    told = () if problem.choice is not None else conditions(formula)     # what is chosen holds at this Ω alone
     yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
 
 
@@ -91,16 +91,16 @@ def _from_the_start(problem, steady):
     table = Table()
     table.resample(problem.scene.sample)
     copied(list(problem.scene.parameters.nodes.values()), table)
-    start = start_in_letters(problem)
+    start = start_in_letters(problem.symbolic)
     general = start is None and not steady
     start = start or ([table.parameter(name + "0"), table.parameter(name + "0'")] if general else [table.zero] * 2)
-    massless = problem.matrices_in_letters[0].get((0, 0), problem.scene.table.zero).is_zero
+    massless = problem.symbolic.matrices[0].get((0, 0), problem.scene.table.zero).is_zero
     if massless and not general and not start[1].is_zero:
         raise PhysicsError(f"'{name}' has no inertia: its velocity follows from the forces and cannot be given",
                            f"leave {name}' out")
     start, prefix, meaning = _about_steady(problem, table, copied(start, table), steady.get(name), massless)
     m, c, k = (copied([entries.get((0, 0), problem.scene.table.zero)], table)[0]
-               for entries in (problem.matrices_in_letters[i] for i in (0, 1, 3)))
+               for entries in (problem.symbolic.matrices[i] for i in (0, 1, 3)))
     if not general and not steady and all(node.is_zero for node in start):
         raise NotInLetters("nothing moves: the motion starts at rest in the equilibrium",
                            "give initial: {x: x0} or a force that depends on time")
@@ -145,7 +145,7 @@ def _known_regime(problem, m, c, k):
     """The regime where no letter decides about it."""
     from vibcli.analyses.closed_form.free_response import regime_at
 
-    if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.letters):
+    if {part.name for part in reachable([m, c, k]) if part.op == "symbol"} & set(problem.symbolic.letters):
         return None
     return regime_at(*evaluate([m, c, k], Floats, problem.scene.sample))
 

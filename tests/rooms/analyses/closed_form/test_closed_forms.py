@@ -60,11 +60,12 @@ def evaluated(text, values):
 
 def agrees(data, draw):
     """Do the forms in letters give the modes of a numeric problem?"""
-    M, _, _, K = draw.elements.matrices()
+    M, _, _, K = draw.configuration.linear_system.matrices()
     n = len(draw.scene.q)
     M, K = (np.array([[A.get((i, j), 0.0) for j in range(n)] for i in range(n)]) for A in (M, K))
-    forms = forms_in_numbers(data, draw.floats)
-    wanted = sorted((mode.omega or mode.growth_rate or 0.0) * (-1 if mode.omega is None else 1) for mode in draw.modes)
+    forms = forms_in_numbers(data, draw.numeric.floats)
+    wanted = sorted((mode.omega or mode.growth_rate or 0.0) * (-1 if mode.omega is None else 1)
+                    for mode in draw.modal.modes)
     ours = sorted(omega if stable else -omega for omega, _, _, stable in forms)
     if not data.get("characteristic_polynomial") and ours != pytest.approx(wanted, rel=1e-9, abs=1e-7):
         return False
@@ -74,7 +75,7 @@ def agrees(data, draw):
         x, square = np.array(shape, dtype=float), omega * omega if stable else -omega * omega
         if None not in shape and not np.allclose(K @ x, square * (M @ x), rtol=1e-7, atol=1e-9 * abs(K).max()):
             return False
-        if zeta and zeta < 1 and not any(abs((mode.zeta or 0.0) - zeta) <= 1e-7 * zeta for mode in draw.damped):
+        if zeta and zeta < 1 and not any(abs((mode.zeta or 0.0) - zeta) <= 1e-7 * zeta for mode in draw.modal.damped):
             return False
     return True
 
@@ -102,10 +103,11 @@ class Forms:
 
     def same_regime(self, draw):
         growing = sum(mode["growth_rate"] is not None for mode in self.data["modes"])
-        if sum(mode.growth_rate is not None for mode in draw.modes) != growing:
+        if sum(mode.growth_rate is not None for mode in draw.modal.modes) != growing:
             return False
         places = self.data["equilibrium"]["coordinates"]
-        return all(evaluated(text, draw.floats) == pytest.approx(draw.equilibrium.values[name], abs=1e-9)
+        places = draw.configuration.equilibrium.values
+        return all(evaluated(text, draw.numeric.floats) == pytest.approx(places[name], abs=1e-9)
                    for name, text in places.items())
 
 
@@ -171,11 +173,12 @@ def test_random_systems(seed):
 
 def polynomials_vanish(data, draw):
     """Are all ω² roots of what is printed: solved modes and polynomials in omega^2?"""
-    solved = [omega for omega, *_ in forms_in_numbers(data, draw.floats)]
-    for mode in draw.modes:
+    solved = [omega for omega, *_ in forms_in_numbers(data, draw.numeric.floats)]
+    for mode in draw.modal.modes:
         near = any(abs(mode.omega - omega) <= 1e-7 * (1 + omega) for omega in solved)
         texts = data.get("characteristic_polynomial", ())
-        if not near and not any(small(text.replace("omega", "w"), draw.floats | {"w": mode.omega}) for text in texts):
+        values = draw.numeric.floats | {"w": mode.omega}
+        if not near and not any(small(text.replace("omega", "w"), values) for text in texts):
             return False
     return True
 

@@ -68,8 +68,8 @@ def printed(found, section="response"):
 def numbers(lettered, seed):
     """{name: float} for the letters of a scene."""
     rng = np.random.default_rng(seed)
-    return {name: float(Fraction(f"{x:.3g}")) for name, x in zip(lettered.letters, np.exp(rng.uniform(
-        -1, 1.5, len(lettered.letters))), strict=True)}
+    return {name: float(Fraction(f"{x:.3g}")) for name, x in zip(lettered.symbolic.letters, np.exp(rng.uniform(
+        -1, 1.5, len(lettered.symbolic.letters))), strict=True)}
 
 
 def with_numbers(lettered, given):
@@ -87,7 +87,7 @@ def test_steady_states_have_the_values_of_the_motion(scene, signal):
     lettered = problem(scene)
     for seed in range(3):
         given = numbers(lettered, seed)
-        numeric, found = with_numbers(lettered, given), steady_state(lettered, signal)
+        numeric, found = with_numbers(lettered, given), steady_state(lettered.symbolic, signal)
         forms = [found.formula.amplitude, found.formula.tangent or found.formula.amplitude]
         amplitude, tangent = evaluate(forms, Floats, given)
         assert abs(amplitude) == pytest.approx(value(numeric, f"amplitude({signal})"), rel=1e-11)
@@ -134,7 +134,7 @@ def test_frequency_responses_say_where_they_resonate():
 def test_peak_of_one_degree(scene):
     lettered = problem(scene)
     given = {**numbers(lettered, 1), "m": 2.0, "k": 300.0, "c": 7.0}
-    peak = steady_state(lettered, "x").formula.peak
+    peak = steady_state(lettered.symbolic, "x").formula.peak
     place, = evaluate([peak.Omega], Floats, given)
     around = [value(with_numbers(lettered, {**given, "Omega": float(f"{place * share:.9g}")}), "amplitude(x)")
               for share in (0.999, 1.0, 1.001)]
@@ -147,7 +147,7 @@ def motion(lettered, given, t):
               if isinstance(block, Equations)]
     known = dict(given, t=t)
     if lettered.scene.timed:
-        formula = steady_state(lettered, "x").formula
+        formula = steady_state(lettered.symbolic, "x").formula
         known["X"], = evaluate([formula.amplitude], Floats, given)
         if not formula.undamped:
             known["theta"] = math.atan(evaluate([formula.tangent], Floats, given)[0]) % math.pi
@@ -176,7 +176,7 @@ def test_motions_from_the_start_are_those_in_numbers(c, driven):
         scene = scene.replace(" c: ,", "").replace("dampers", "# dampers")
     lettered = problem(scene)
     given = {name: x for name, x in {"m": 2.0, "k": 300.0, "c": c, "x0": 0.3, "v0": -1.2, "F0": 40.0,
-                                     "Omega": 9.0}.items() if name in lettered.letters}
+                                     "Omega": 9.0}.items() if name in lettered.symbolic.letters}
     numeric = with_numbers(lettered, given)
     for t in (0.0, 0.13, 0.9):
         assert motion(lettered, given, t) == pytest.approx(value(numeric, f"x({t} s)"), rel=1e-9)
@@ -215,7 +215,7 @@ def test_chosen_in_letters_by_a_response(scene, condition, known):
     name = condition.partition(":")[0]
     scene = re.sub(rf"([{{ ]){name}: ,? ?", r"\1", scene, count=1)
     found = settled(problem(scene + f"    choose: {{'{name}':{condition.partition(':')[2]!r}}}\n"))
-    forms = [solution.forms[name] for solution in found.chosen.solutions]
+    forms = [solution.forms[name] for solution in found.choice.solutions]
     draw = {"m": 2.0, "k": 300.0, "c": 1.5, "F0": 300.0, "Omega": 11.0, "a": 0.7, "Y": 0.4, "T": 0.3, "m1": 5.0,
             "m2": 1.5, "k1": 900.0, "k2": 250.0, "m0": 0.3, "e": 0.2}
     wanted = number(parse(known), draw)
@@ -238,7 +238,7 @@ TUNED = """
 def test_absorber_chosen_by_its_fixed_points():
     """Den Hartog 1956, §3.3: ω₂/ω₁ = 1/(1 + μ); g² = (1 ± √(μ/(2 + μ)))/(1 + μ), √(1 + 2/μ) static deflections high."""
     found = settled(problem(TUNED % ("20 kg", "2 kg", "8000 N/m", "30 N*s/m", "50 N")))
-    assert float(found.chosen.solutions[0].values["k2"]) == pytest.approx(2 * (20 / 1.1) ** 2, rel=1e-12)
+    assert float(found.choice.solutions[0].values["k2"]) == pytest.approx(2 * (20 / 1.1) ** 2, rel=1e-12)
     mu = 0.1
     for i, sign in ((1, -1), (2, 1)):
         place = 20 * math.sqrt((1 + sign * math.sqrt(mu / (2 + mu))) / (1 + mu))
@@ -253,7 +253,7 @@ def test_tuning_in_letters():
     """k₂ = m₂ω₁²/(1 + μ)², μ = m₂/m₁ (Den Hartog 1956, §3.3)."""
     found = settled(problem((TUNED % ("", "", "", "", "")).replace("25 rad/s", "3 rad/s")))
     draw = {"m1": 20.0, "m2": 2.0, "k1": 8000.0, "c": 30.0, "F0": 50.0}
-    form = found.chosen.solutions[0].forms["k2"]
+    form = found.choice.solutions[0].forms["k2"]
     assert evaluate([form], Floats, draw)[0] == pytest.approx(2 * (20 / 1.1) ** 2, rel=1e-12)
 
 

@@ -72,11 +72,11 @@ dampers: {{d: {{c: {drawn(dice, 1, 20)} N*s/m, between: [Qb, [1.3 m, -{drawn(dic
 
 def found(scene):
     """[(value, exact, bound)] of every frequency and eigenvalue of a scene that is not zero."""
-    sharp, sharp_damped = scene.to_digits(50)
+    sharp, sharp_damped = scene.modal.to_digits(50)
     pairs = [(mode.omega or mode.growth_rate, exact.omega or exact.growth_rate, mode.error)
-             for mode, exact in zip(scene.modes, sharp, strict=True)]
+             for mode, exact in zip(scene.modal.modes, sharp, strict=True)]
     pairs += [(mode.eigenvalue, exact.eigenvalue, mode.error)
-              for mode, exact in zip(scene.damped, sharp_damped, strict=True)]
+              for mode, exact in zip(scene.modal.damped, sharp_damped, strict=True)]
     return [(value, exact, bound) for value, exact, bound in pairs if exact]
 
 
@@ -107,7 +107,7 @@ springs:
         n = mpmath.matrix([x, y]) / mpmath.sqrt(x * x + y * y)
         K += k * n * n.T
     exact = [mpmath.sqrt(square / mpmath.mpf("0.7")) for square in mpmath.eigsy(K, eigvals_only=True)]
-    for mode, wanted in zip(scene.to_digits(50)[0], exact, strict=True):
+    for mode, wanted in zip(scene.modal.to_digits(50)[0], exact, strict=True):
         assert abs(mode.omega / wanted - 1) < mpmath.mpf(10) ** -49
 
 

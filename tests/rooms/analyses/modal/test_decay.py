@@ -17,10 +17,10 @@ SCENES = sorted((ROOT / "problems").rglob("*.yaml")) + sorted((ROOT / "tests" / 
 
 
 def damped(scene):
-    if scene.symbolic or scene.spec.choices:
+    if scene.numeric.has_free_symbols or scene.spec.choices:
         return ()
     try:
-        return scene.damped or ()
+        return scene.modal.damped or ()
     except (PhysicsError, SpecError):
         return ()
 

@@ -48,7 +48,7 @@ STRIKES = {"step(t - 0.3 s)*sin(w*(t - 0.3 s))": 0.3, "w*ramp(t - 0.3 s)": 0.3, 
 
 def events(text, until=2.5):
     one = problem(text)
-    return simulate(one, until, initial=one.given_start).events
+    return simulate(one.configuration, until, initial=one.initial.given).events
 
 
 @pytest.mark.parametrize("drive", SMOOTH)
@@ -60,7 +60,7 @@ def test_a_drive_that_begins_smoothly_strikes_nothing(scene, drive):
 @pytest.mark.parametrize("force", NOTHING)
 def test_an_impulse_times_nothing_is_none(force):
     one = problem(PUSHED.format(force))
-    found = simulate(one, 2.5, initial=one.given_start)
+    found = simulate(one.configuration, 2.5, initial=one.initial.given)
     assert found.events == () and not found.at(np.linspace(0, 2.5, 40))[1].any()
 
 
@@ -75,7 +75,7 @@ def test_a_drive_that_begins_with_a_speed_strikes(drive):
 def test_an_impulse_counts_with_its_factor_at_its_instant(factor, value):
     one = problem(PUSHED.format(f"impulse(t - 0.3 s)*{factor}"))
     t = np.linspace(0.31, 2.0, 30)
-    x = simulate(one, 2.0, initial=one.given_start).at(t)[0][0]
+    x = simulate(one.configuration, 2.0, initial=one.initial.given).at(t)[0][0]
     assert x == pytest.approx(2 * value / math.sqrt(90) * np.sin(math.sqrt(90) * (t - 0.3)), rel=1e-12, abs=1e-14)
 
 

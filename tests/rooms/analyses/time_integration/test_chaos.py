@@ -121,8 +121,8 @@ def test_a_start_at_an_unstable_place_is_known_until_its_last_digit_shows(scene,
                          ids=["double pendulum", "driven", "at the top", "two wells"])
 def test_a_third_solution_lies_within_the_error_that_is_stated(text, until):
     one = problem(text)
-    found = known_motion(one, until, one.given_start)
-    third = simulate(one, found.end, rtol=3e-13, initial=one.given_start)
+    found = known_motion(one.configuration, until, one.initial.given)
+    third = simulate(one.configuration, found.end, rtol=3e-13, initial=one.initial.given)
     for t in np.linspace(0.02, 0.98, 40) * found.end:
         for i in range(len(found.names)):
             def value(trajectory, times, i=i):
@@ -154,7 +154,7 @@ def test_a_motion_whose_energies_do_not_balance_is_refused(scene, capsys, monkey
 def test_what_rests_in_equilibrium_rests(change):
     """Nothing in time disturbs it, so that the two solutions differ by rounding alone, and so do its energies."""
     scene = problem(RESTING.replace(*change))
-    found = known_motion(scene, 1.0)
+    found = known_motion(scene.configuration, 1.0)
     assert found.end == 1.0 and found.balance.error < 1e-8
     q = found.at(np.linspace(0, 1.0, 50))[0]
     assert np.abs(q - q[:, :1]).max() < 1e-11

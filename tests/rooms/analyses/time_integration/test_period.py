@@ -32,7 +32,7 @@ def test_the_period_is_the_complete_elliptic_integral_in_any_coordinate(angle):
         u = float(back(mpmath.mpf(amplitude)))
         with mpmath.workdps(40):
             exact = 4 * mpmath.ellipk(mpmath.sin(forward(mpmath.mpf(u)) / 2) ** 2) / omega
-            found, error = exact_period(scene.scene, scene.floats, u, 0.0)
+            found, error = exact_period(scene.scene, scene.numeric.floats, u, 0.0)
             assert abs(found / exact - 1) <= error <= 1e-14, amplitude
 
 
@@ -65,7 +65,7 @@ def test_a_well_with_a_top_on_one_side(start):
         a, b, c = sorted(mpmath.re(root) for root in mpmath.polyroots([2, -3, 0, 6 * energy], maxsteps=500,
                                                                       extraprec=400))
         exact = 2 * mpmath.sqrt(6 / (c - a)) * mpmath.ellipk((b - a) / (c - a))
-        found, error = exact_period(scene.scene, scene.floats, float(start), 0.0)
+        found, error = exact_period(scene.scene, scene.numeric.floats, float(start), 0.0)
         assert abs(found / exact - 1) <= error <= 1e-14
 
 
@@ -82,7 +82,7 @@ def test_a_pendulum_let_go_just_below_the_top_comes_back(amplitude):
     scene = problem(PENDULUM % "u")
     omega = mpmath.sqrt(mpmath.mpf("9.81") / mpmath.mpf("0.8"))
     exact = float(4 * mpmath.ellipk(mpmath.sin(mpmath.mpf(amplitude) / 2) ** 2) / omega)
-    assert exact_period(scene.scene, scene.floats, amplitude, 0.0)[0] == pytest.approx(exact, rel=1e-10)
+    assert exact_period(scene.scene, scene.numeric.floats, amplitude, 0.0)[0] == pytest.approx(exact, rel=1e-10)
 
 
 @pytest.mark.parametrize(("force", "amplitude", "most"), [

@@ -34,17 +34,17 @@ def hanging(force, more=""):
 @pytest.mark.parametrize("height", ["0.8 m", "80 m"])
 def test_a_plate_on_a_line_rests_whatever_it_weighs(mass, k, height):
     scene = problem(RESTING.replace("m: 1 kg", "m: " + mass).replace("500 N/m", k).replace("0.8 m", height))
-    found = known_motion(scene, 50.0)
+    found = known_motion(scene.configuration, 50.0)
     q, v, a = found.at(np.linspace(0, 50, 30))
     assert (q == q[:, :1]).all() and not v.any() and not a.any()
     assert (found.end, found.rests, found.balance.error, found.shared.error.max() < 1e-9) == (50.0, 50.0, 0.0, True)
-    assert dict(zip(found.names, q[:, 0], strict=True)) == scene.equilibrium.values
+    assert dict(zip(found.names, q[:, 0], strict=True)) == scene.configuration.equilibrium.values
 
 
 @pytest.mark.parametrize("text", ["{p: pi}", "{p: 3*pi}"])
 def test_at_the_top_it_stays_where_that_is_the_equilibrium_that_is_named(text):
     one = problem(AT_THE_TOP.replace("initial: {p: pi}", f"equilibrium: {text}"))
-    found = known_motion(one, 30.0, one.given_start)
+    found = known_motion(one.configuration, 30.0, one.initial.given)
     assert found.end == 30.0 and np.ptp(found.at(np.linspace(0, 30, 50))[0]) == 0.0
 
 
@@ -58,7 +58,7 @@ BEGINS = {"P*impulse(t - 0.3 s)": lambda t, m, w0: 2 / (m * w0) * np.sin(w0 * t)
 
 @pytest.mark.parametrize("force", BEGINS)
 def test_it_rests_to_the_last_digit_until_a_force_begins(force):
-    found, w0 = known_motion(hanging(force), 2.0), math.sqrt(150)
+    found, w0 = known_motion(hanging(force).configuration, 2.0), math.sqrt(150)
     assert found.rests == pytest.approx(0.3, rel=1e-15) and found.end == 2.0
     before, after = np.linspace(0, 0.3 * (1 - 1e-15), 20), np.linspace(0.31, 2, 40)
     q, v, _ = found.at(before)
@@ -70,14 +70,14 @@ def test_it_rests_to_the_last_digit_until_a_force_begins(force):
 @pytest.mark.parametrize("force", ["F*(1 - step(t - 1 s))", "F*step(t + 1 s)", "F*step(1 s - t)", "F*sin(w*t)^8",
                                    "1e-9*F*cos(w*t)", "F*square(w*t)", "P*impulse(t)", "F*t/(1 s)"])
 def test_what_acts_from_the_start_moves_it(force):
-    found = known_motion(hanging(force), 0.5)
+    found = known_motion(hanging(force).configuration, 0.5)
     assert found.rests == 0.0 and np.ptp(found.at(np.linspace(0, 0.5, 40))[0]) > 1e-12
 
 
 @pytest.mark.parametrize("initial", ["{x: 0}", "{x': 1e-9 m/s}"])
 def test_what_is_let_go_elsewhere_moves(initial):
     one = hanging("0*F", f"initial: {initial}\n")
-    found = known_motion(one, 1.0, one.given_start)
+    found = known_motion(one.configuration, 1.0, one.initial.given)
     assert found.rests == 0.0 and np.ptp(found.at(np.linspace(0, 1, 40))[0]) > 1e-11
 
 
@@ -96,7 +96,7 @@ points: {P: {body: crank, at: [0.2 m, 0]}}
 
 def test_a_block_that_rests_beside_what_is_driven_does_not_hide_its_motion():
     one = problem(CRANK)
-    found = known_motion(one, 2.0)
+    found = known_motion(one.configuration, 2.0)
     assert found.rests == 0.0 and not found.at(np.linspace(0, 2, 50))[0].any()
     t = found.balance.times[-1]
     dissipated = 2 * (0.9 * 40) ** 2 * (t / 2 + math.sin(2 * 40 * t) / (4 * 40))
@@ -106,11 +106,11 @@ def test_a_block_that_rests_beside_what_is_driven_does_not_hide_its_motion():
 
 @pytest.mark.parametrize("until", [20.0, 60.0])
 def test_windows_resolve_what_is_driven_and_felt_by_nothing(until):
-    found = known_motion(problem(CRANK), until)
+    found = known_motion(problem(CRANK).configuration, until)
     t = found.balance.times[-1]
     dissipated = 2 * (0.9 * 40) ** 2 * (t / 2 + math.sin(2 * 40 * t) / (4 * 40))
     assert found.end == until and found.balance.dissipated[-1] == pytest.approx(dissipated, rel=1e-9)
-    moving = known_motion(problem(CRANK + "initial: {x: 0.1 m}\n"), 20.0, {"x": 0.1})
+    moving = known_motion(problem(CRANK + "initial: {x: 0.1 m}\n").configuration, 20.0, {"x": 0.1})
     assert moving.balance.error < 1e-11
     assert moving.at([20.0])[0][0, 0] == pytest.approx(0.1 * math.cos(20 * math.sqrt(90)), rel=1e-9)
 
@@ -118,7 +118,7 @@ def test_windows_resolve_what_is_driven_and_felt_by_nothing(until):
 @pytest.mark.parametrize("drive", ["abs(sin(w*t))", "sawtooth(w*t)*sin(w*t)^2", "(w*t - 4)*step(w*t - 4)"])
 def test_windows_end_where_what_is_felt_by_nothing_turns_at_another_speed(drive):
     text = CRANK.replace("0.1*k*0.1 m^2/N*sin(w*t)", f'"0.1*k*0.1 m^2/N*({drive})"')
-    found = known_motion(problem(text + "initial: {x: 0.1 m}\n"), 3.0, {"x": 0.1})
+    found = known_motion(problem(text + "initial: {x: 0.1 m}\n").configuration, 3.0, {"x": 0.1})
     assert found.end == 3.0 and found.balance.error < 1e-11
 
 
@@ -141,8 +141,8 @@ def test_what_rests_costs_no_step_and_is_told(tmp_path, capsys, monkeypatch):
                                                    ("1e4 kg", "5e3 N/m", "800 m"), ("1e6 kg", "5e5 N/m", "0.8 m")])
 def test_a_start_beside_a_stable_equilibrium_is_not_chaotic(mass, k, height, off):
     scene = problem(RESTING.replace("m: 1 kg", "m: " + mass).replace("500 N/m", k).replace("0.8 m", height))
-    rest = scene.equilibrium.values
-    found = known_motion(scene, 3.0, {name: value + off for name, value in rest.items()})
+    rest = scene.configuration.equilibrium.values
+    found = known_motion(scene.configuration, 3.0, {name: value + off for name, value in rest.items()})
     assert (found.end, found.rests) == (3.0, 0.0)
     away = found.at(np.linspace(0, 3, 60))[0] - np.array(list(rest.values()))[:, None]
     assert np.abs(away).max() < 3 * off + 1e-13
@@ -158,7 +158,7 @@ dampers: {d: {friction: 3 N, breakaway: 4 N, between: [ground, b]}}
 initial: {x: START}
 """
     held, gone = (problem(text.replace("START", start)) for start in ("0.13 m", "0.14 m"))
-    found = known_motion(held, 30.0, held.given_start)
+    found = known_motion(held.configuration, 30.0, held.initial.given)
     assert found.rests == 30.0 and (found.at(np.linspace(0, 30, 9))[0] == 0.13).all()
-    moved = known_motion(gone, 0.1, gone.given_start)
+    moved = known_motion(gone.configuration, 0.1, gone.initial.given)
     assert moved.rests == 0.0 and np.ptp(moved.at([0.0, 0.1])[0]) > 1e-4

@@ -31,7 +31,7 @@ def test_a_spring_that_is_a_root_swings_with_the_exact_period(law, p):
         motion: full
         """)
     exact = quarter(2, 900, p, 0.04)
-    found = simulate(scene, 5.5 * exact, initial=scene.given_start)
+    found = simulate(scene.configuration, 5.5 * exact, initial=scene.initial.given)
     passages = [t for t, *_ in found.events]
     assert passages == pytest.approx([exact, 3 * exact, 5 * exact], rel=1e-11)
     assert found.balance.error < 1e-11

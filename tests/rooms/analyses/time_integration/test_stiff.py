@@ -32,13 +32,13 @@ def exact(soft, stiff, start, times):
 @pytest.mark.parametrize(("springs", "start"), [(("1", "1e9"), ("0.1", "0.1")), (("1e9", "1"), ("0", "0.1"))])
 def test_two_masses_on_springs_of_one_and_of_a_milliard(springs, start):
     scene = problem(TWO % (*springs, *start))
-    found = known_motion(scene, 60.0, scene.given_start)
+    found = known_motion(scene.configuration, 60.0, scene.initial.given)
     assert found.end == 60.0 and found.fast.part < 1e-6 and len(found.windows) < 4000
     times = np.linspace(0.3, 60, 23)
     off = np.abs(found.at(times)[0] - exact(*springs, start, times))
-    scene.motion._trajectory = found
+    scene.response._trajectory = found
     for i, name in enumerate(("x", "y")):
-        signal = FullSignal(scene.motion, scene.scene.q[i])
+        signal = FullSignal(scene.response, scene.scene.q[i])
         assert all(off[i, k] <= 3 * signal.error(t) for k, t in enumerate(times)), (
             name, [(t, off[i, k], signal.error(t)) for k, t in enumerate(times)])
     assert off.max() < 1e-7
@@ -47,7 +47,7 @@ def test_two_masses_on_springs_of_one_and_of_a_milliard(springs, start):
 
 def test_a_fast_oscillation_that_matters_is_followed_or_the_motion_stopped():
     scene = problem(TWO % ("1", "1e9", "0.1", "0"))
-    found = simulate(scene, 600.0, initial=scene.given_start)
+    found = simulate(scene.configuration, 600.0, initial=scene.initial.given)
     assert found.fast is None
     with pytest.raises(PhysicsError, match="of at most 100000 steps"):
         found.at([600.0])
@@ -74,5 +74,5 @@ def test_one_inverse_serves_all_steps_of_a_window(monkeypatch):
     monkeypatch.setattr(collocation_step, "_linearised", lambda *args: counts.append(1) or linearised(*args))
     scene = problem(TWO.replace("k: %s N/m, between: [a", 'law: "%s", between: [a') % (
         "1", "(1e7 N/m)*d + (1e12 N/m^3)*d^3", "0.1", "0.11") + "dampers: {d: {c: 1e5 N*s/m, between: [a, b]}}\n")
-    found = simulate(scene, 10.0, initial=scene.given_start)
+    found = simulate(scene.configuration, 10.0, initial=scene.initial.given)
     assert len(found.windows) / 2 < len(counts) < 1.3 * len(found.windows)

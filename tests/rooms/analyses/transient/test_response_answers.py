@@ -49,9 +49,9 @@ def test_the_earliest_of_equal_peaks_and_none_missed_among_thousands():
 def test_a_motion_that_is_let_go_is_largest_at_the_start(path):
     """At an instant that is exact, not at the zero of its slope, which is the same but for rounding."""
     problem = problem_of(Path(__file__).parents[4] / path)
-    signals = [problem.motion.signal(NameRef(0, 0, name, 0)) for name in problem.scene.coordinates]
+    signals = [problem.response.signal(NameRef(0, 0, name, 0)) for name in problem.scene.coordinates]
     starts = [signal.values(np.zeros(1))[0] for signal in signals]
-    largest = [signal.extreme(0.0, problem.motion.until, 1) for signal in signals]
+    largest = [signal.extreme(0.0, problem.response.until, 1) for signal in signals]
     assert any(start == most for start, (_, most) in zip(starts, largest, strict=True))
     assert all(t == 0.0 for start, (t, most) in zip(starts, largest, strict=True) if start == most)
 

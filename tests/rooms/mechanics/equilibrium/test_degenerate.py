@@ -31,8 +31,8 @@ def test_a_multiple_zero_away_from_the_drawn_position(V, place, ask):
     """No digits are asked, so that none are refused; nor does the place show digits that are not known."""
     text = SCENE.replace("POTENTIAL", V)
     found = problem(text)
-    assert stability(found).kind == HELD
-    assert found.equilibrium.values["x"] == pytest.approx(place, abs=1e-8)
+    assert stability(found.modal).kind == HELD
+    assert found.configuration.equilibrium.values["x"] == pytest.approx(place, abs=1e-8)
     code, out, err = ask(text, "solve")
     assert code == 0 and not err and "digits" not in out
     code, _, err = ask(text, "frequencies", "--digits", "30")
@@ -46,17 +46,17 @@ def test_a_multiple_zero_away_from_the_drawn_position(V, place, ask):
 def test_its_place_is_right_whoever_asks_first(V, place, start, ask):
     """The forces of (x - 1)^10 are rounding from 0.99 on."""
     text = start + SCENE.replace("POTENTIAL", V)
-    assert problem(text).at_rest["x"] == pytest.approx(place, abs=1e-9)
+    assert problem(text).configuration.at_rest["x"] == pytest.approx(place, abs=1e-9)
     assert ask(text + f"answers: {{'equilibrium[x]': {place!r}}}\n", "check")[0] == 0
 
 
 def test_a_line_of_equilibria_that_bends_is_neutral():
-    assert stability(problem(RING)).kind == NEUTRAL
+    assert stability(problem(RING).modal).kind == NEUTRAL
 
 
 @pytest.mark.parametrize("V, kind", [("x^3", FALLING), ("x^4", HELD), ("-x^4", FALLING)])
 def test_as_drawn_terms_beyond_the_linear_ones_decide(V, kind):
-    assert stability(problem(SCENE.replace("POTENTIAL", V))).kind == kind
+    assert stability(problem(SCENE.replace("POTENTIAL", V)).modal).kind == kind
 
 
 def test_where_there_is_none(ask):

@@ -26,7 +26,7 @@ def listed(scene, proved=True):
     assert not found.cut
     assert proved is None or found.complete is proved
     assert all(item.equilibrium.residual <= SCALE for item in found.items)
-    kinds = [stability(about).kind for about in scene.about_each]
+    kinds = [stability(about.modal).kind for about in scene.about_each]
     return [(item.equilibrium.values, kind) for item, kind in zip(found.items, kinds, strict=True)]
 
 
@@ -80,7 +80,7 @@ def test_a_post_beyond_buckling(kt):
     accuracy = 1e-15 / (1 - kt / 9.81)
     scene = upright(kt)
     found_as(scene, [({"f": -exact}, STABLE), ({"f": 0.0}, UNSTABLE), ({"f": exact}, STABLE)], max(accuracy, 1e-13))
-    assert stability(scene.about_each[1]).growth_rate == pytest.approx(sqrt((9.81 - kt) / 0.5), rel=1e-6)
+    assert stability(scene.about_each[1].modal).growth_rate == pytest.approx(sqrt((9.81 - kt) / 0.5), rel=1e-6)
 
 
 @pytest.mark.parametrize("kt", [9.81, 9.82, 20])
@@ -211,7 +211,7 @@ def test_a_kink_is_listed_with_its_stability_left_open(tmp_path, capsys):
     assert out.count("grows as exp(1.73205·t)") == 2 and "no small oscillations: a kink" in out
     scene = problem(path.read_text())
     assert [item.equilibrium.values["x"] for item in scene.equilibria.items] == pytest.approx([-2 / 3, 0, 2 / 3])
-    assert [judged(about).stable for about in scene.about_each] == [False, None, False]
+    assert [judged(about.modal).stable for about in scene.about_each] == [False, None, False]
 
 
 CRANK = """
@@ -247,7 +247,7 @@ def test_a_slider_crank_all_the_way_round():
     assert [kind for _, kind in found] == [STABLE if mpmath.diff(energy, f, 2) > 0 else UNSTABLE for f in exact]
     for about, f in zip(scene.about_each, exact, strict=True):
         x = -0.3 * sin(f) + sqrt(0.25 - 0.09 * cos(f) ** 2)
-        assert 0.4 + about.dependent_values["x"] == pytest.approx(x, abs=1e-9)
+        assert 0.4 + about.configuration.dependent_values["x"] == pytest.approx(x, abs=1e-9)
 
 
 # several coordinates
@@ -291,7 +291,7 @@ def test_himmelblau():
     expected.sort(key=lambda pair: list(pair[0].values()))
     scene = potential("(x^2 + y - 11)^2 + (x + y^2 - 7)^2", "xy", 6)
     found_as(scene, expected)
-    assert [sum(mode.growth_rate is not None for mode in about.modes) for about in scene.about_each].count(2) == 1
+    assert [sum(mode.growth_rate is not None for mode in about.modal.modes) for about in scene.about_each].count(2) == 1
 
 
 def test_two_wells_in_each_of_two_turned_directions():
@@ -311,7 +311,7 @@ def test_morse_count_on_a_torus(seed):
     for a, b in ((1, 0), (0, 1), (1, 1), (1, -1)):
         terms += [f"({draw.gauss(0, 1):.5f})*{f}({a}*x + ({b})*y)" for f in ("cos", "sin")]
     scene = potential(" + ".join(terms), "xy", None)
-    signs = [(-1) ** sum(mode.growth_rate is not None for mode in about.modes) for about in scene.about_each]
+    signs = [(-1) ** sum(mode.growth_rate is not None for mode in about.modal.modes) for about in scene.about_each]
     assert len(listed(scene)) == len(signs) >= 4
     assert sum(signs) == 0 and signs.count(1) >= 2
 
@@ -363,7 +363,7 @@ def test_a_particle_tied_to_a_point_may_go_round_it():
     (values, kind), = listed(scene, proved=False)
     assert kind == NEUTRAL
     assert (1.3 + values["x"]) ** 2 + (0.2 + values["y"]) ** 2 == pytest.approx(1, rel=1e-13)
-    assert scene.about_each[0].modes[1].omega == pytest.approx(sqrt(10), rel=1e-9)
+    assert scene.about_each[0].modal.modes[1].omega == pytest.approx(sqrt(10), rel=1e-9)
 
 
 def test_linear_scenes_have_one_and_need_no_bounds():
@@ -381,8 +381,8 @@ def test_gyroscopic_stability_is_lost_to_a_damper():
     text = ("parameters: {m: 1 kg, k: 1 N/m, h: 3 N*s/m, c: 0.1 N*s/m}\ncoordinates: [x, y]\n"
             "matrices: {M: [[m, 0], [0, m]], C: [[DAMP, h], [-h, DAMP]], K: [[-k, 0], [0, -k]]}")
     free, damped = problem(text.replace("DAMP", "0*c")), problem(text.replace("DAMP", "c"))
-    assert stability(free).kind == STABLE
-    found = stability(damped)
+    assert stability(free.modal).kind == STABLE
+    found = stability(damped.modal)
     roots = mpmath.polyroots([1, 0.1 - 3j, -1], maxsteps=100)         # z̈ + (c − i h) ż − k z = 0 of z = x + i y
     assert found.kind == UNSTABLE
     assert found.growth_rate == pytest.approx(float(max(root.real for root in roots)), rel=1e-9)
@@ -390,7 +390,7 @@ def test_gyroscopic_stability_is_lost_to_a_damper():
 
 def test_dampers_slow_the_fall():
     scene = upright(6, "dampers: {d: {torsion: 2 N*m*s, between: [ground, b]}}")
-    rate = stability(scene.about_each[1]).growth_rate
+    rate = stability(scene.about_each[1].modal).growth_rate
     assert rate == pytest.approx((-2 + sqrt(4 + 4 * 0.5 * 3.81)) / (2 * 0.5), rel=1e-12)
     assert value(scene, "growth_rate[1][2]") == pytest.approx(sqrt(3.81 / 0.5), rel=1e-12)
 
@@ -415,9 +415,9 @@ def test_stiffness_beside_softness_is_no_bifurcation():
 
     scene = problem("parameters: {m: 1 kg, k: 1e12 N/m, s: 1 N/m}\nbodies: {a: {mass: m, slide: x}, b: {mass: m, "
                     "slide: y}}\nsprings: {u: {k: k, between: [a, b]}, v: {k: s, between: [ground, a]}}")
-    assert stiffness_condition(scene) == 1.0
-    assert stiffness_condition(potential("x^4/4 - 1e-9*x^2")) > 1e8
-    assert stiffness_condition(potential("cos(x)")) < 10
+    assert stiffness_condition(scene.modal) == 1.0
+    assert stiffness_condition(potential("x^4/4 - 1e-9*x^2").modal) > 1e8
+    assert stiffness_condition(potential("cos(x)").modal) < 10
 
 
 # answers, text, JSON
@@ -473,7 +473,7 @@ def test_where_the_drawn_position_leads_nowhere_the_list_is_still_there():
     """V = −u⁴/4 + u²/2 falls for ever from u = 1.5, yet has three equilibria."""
     far = potential("(x + 3/2)^2/2 - (x + 3/2)^4/4", within=4)
     with pytest.raises(PhysicsError):
-        far.equilibrium  # noqa: B018
+        far.configuration.equilibrium  # noqa: B018
     found_as(far, [({"x": -2.5}, UNSTABLE), ({"x": -1.5}, STABLE), ({"x": -0.5}, UNSTABLE)])
 
 

@@ -11,8 +11,8 @@ SCALE = 1e-14
 
 
 def balanced(scene):
-    assert scene.equilibrium.residual <= SCALE
-    return scene.equilibrium.values
+    assert scene.configuration.equilibrium.residual <= SCALE
+    return scene.configuration.equilibrium.values
 
 
 def potential(V, coordinates, start=""):
@@ -45,7 +45,7 @@ def test_singular_stiffness_as_drawn():
     """K = diag(0, 900) as drawn, an equilibrium with a mode of frequency zero; no search is needed."""
     scene = potential("450*y^2", "xy")
     assert balanced(scene) == {"x": 0.0, "y": 0.0}
-    assert scene.equilibrium.drawn
+    assert scene.configuration.equilibrium.drawn
     assert value(scene, "omega[1]") == 0.0
     assert value(scene, "omega[2]") == 30.0
 
@@ -62,14 +62,14 @@ def test_slope_without_curvature_at_the_start():
     ("exp(-x) + y^2", "xy", "x")])
 def test_without_equilibrium(V, names, falls):
     with pytest.raises(PhysicsError, match=f"'{falls}'"):
-        potential(V, names).equilibrium  # noqa: B018
+        potential(V, names).configuration.equilibrium  # noqa: B018
 
 
 def test_a_mass_that_nothing_holds():
     scene = problem("parameters: {m: 2 kg, g: 9.81 m/s^2}\ngravity: g\nbodies: {b: {mass: m, at: [0, 0], "
                     "slide: {along: [0, 1], by: fall}}}")
     with pytest.raises(PhysicsError, match="'fall'"):
-        scene.equilibrium  # noqa: B018
+        scene.configuration.equilibrium  # noqa: B018
 
 
 PENDULUM = """
@@ -143,7 +143,7 @@ def test_linear_scenes_take_one_step():
                     "  b: {mass: m, slide: y}\nsprings:\n  s: {k: k, between: [ground, a], preload: N}\n"
                     "  t: {k: k, between: [a, b]}")
     assert balanced(scene) == {"x": pytest.approx(-3 / 80), "y": pytest.approx(-3 / 80)}
-    assert scene.equilibrium.steps <= 2
+    assert scene.configuration.equilibrium.steps <= 2
 
 
 def test_relative_equilibrium_of_a_governor():

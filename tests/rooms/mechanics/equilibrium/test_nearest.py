@@ -45,7 +45,7 @@ def test_of_one_coordinate():
         assert value(found, "equilibrium[x]") == pytest.approx(best / 8, abs=1e-11), (roots, start)
         rising = (len(roots) - 1 - roots.index(best)) % 2 == 0
         assert value(found, "stable") is rising
-        assert found.equilibrium.from_start["x"] == pytest.approx((best - start) / 8, abs=1e-11)
+        assert found.configuration.equilibrium.from_start["x"] == pytest.approx((best - start) / 8, abs=1e-11)
 
 
 def test_of_two_coordinates():
@@ -122,13 +122,14 @@ def test_letters_mean_the_same_as_numbers(name, start):
     text, _, values = LETTERS[name]
     found = problem(f"{text}\nequilibrium: {{{start}}}\n")
     numbers = found.with_values({key: Fraction(str(x)) for key, x in values.items()})
-    place = equilibrium_in_letters(found)
+    place = equilibrium_in_letters(found.symbolic)
     for q, node in place.items():
-        assert evaluate([node], Floats, numbers.floats)[0] == pytest.approx(numbers.equilibrium.values[q], abs=1e-12)
-    matrices = numbers.elements.matrices()
-    for letters, exact in zip(found.matrices_in_letters, matrices, strict=True):
+        place = numbers.configuration.equilibrium.values[q]
+        assert evaluate([node], Floats, numbers.numeric.floats)[0] == pytest.approx(place, abs=1e-12)
+    matrices = numbers.configuration.linear_system.matrices()
+    for letters, exact in zip(found.symbolic.matrices, matrices, strict=True):
         for pair in {*letters, *exact}:
-            entry = evaluate([letters[pair]], Floats, numbers.floats)[0] if pair in letters else 0.0
+            entry = evaluate([letters[pair]], Floats, numbers.numeric.floats)[0] if pair in letters else 0.0
             assert entry == pytest.approx(exact.get(pair, 0.0), rel=1e-11, abs=1e-11)
 
 

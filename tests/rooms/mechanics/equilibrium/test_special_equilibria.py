@@ -17,14 +17,14 @@ QUARTIC = "parameters: {{m: 1 kg, a: 3 N/m^3}}\ncoordinates: [x]\nenergies: {{T:
                                              ("a*x^3*(1 m)/3", "falling", False)])
 def test_terms_beyond_the_linear_ones_decide(V, kind, stable):
     found = problem(QUARTIC.format(V))
-    assert found.zero_modes == {1: kind}
+    assert found.modal.zero_modes == {1: kind}
     assert is_stable(found) is stable
 
 
 def test_a_rigid_motion_costs_no_energy():
     found = problem("parameters: {m: 1 kg, k: 2 N/m}\nbodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}\n"
                     "springs: {s: {k: k, between: [a, b]}}")
-    assert found.zero_modes == {1: "free"}
+    assert found.modal.zero_modes == {1: "free"}
     assert is_stable(found)
 
 
@@ -32,13 +32,13 @@ def test_lateral_springs_hold_without_a_linear_force():
     found = problem("parameters: {m: 1 kg, k: 3 N/m, L: 1 m}\n"
                     "bodies: {b: {mass: m, at: [0, 0], slide: {along: [0, 1], by: y}}}\n"
                     "springs: {l: {k: k, between: [b, [-L, 0]]}, r: {k: k, between: [b, [L, 0]]}}")
-    assert found.zero_modes == {1: "held"}
+    assert found.modal.zero_modes == {1: "held"}
 
 
 def test_preload_of_a_written_stretch_is_the_tension_as_drawn():
     found = problem("parameters: {m: 1 kg, k: 100 N/m, N: 10 N}\ncoordinates: {x: {drawn: 0.3 m}}\n"
                     "bodies: {b: {mass: m, slide: x}}\nsprings: {a: {k: k, stretch: x, preload: N}}")
-    assert found.equilibrium.values["x"] == pytest.approx(0.2, abs=1e-15)
+    assert found.configuration.equilibrium.values["x"] == pytest.approx(0.2, abs=1e-15)
 
 
 TWO = """
@@ -51,8 +51,8 @@ springs: {{a: {{k: k, between: [ground, p]}}, b: {{k: {}, between: [ground, q]}}
 @pytest.mark.parametrize("second", ["k", "k + K"])
 def test_uncoupled_coordinates_move_alone(second):
     found = problem(TWO.format(second)).closed_forms
-    assert [[part.coefficient for part in mode.shape] for mode in found.modes] == [[1, 0], [0, 1]]
-    assert all(mode.pattern is None for mode in found.modes)
+    assert [[part.coefficient for part in mode.shape] for mode in found.modal.modes] == [[1, 0], [0, 1]]
+    assert all(mode.pattern is None for mode in found.modal.modes)
 
 
 def test_letters_are_drawn_where_the_scene_is_stable():
@@ -67,7 +67,7 @@ def test_a_skew_C_turns_the_full_equations():
 
     found = problem("parameters: {m: 2 kg, h: 3 N*s/m}\ncoordinates: [x, y]\n"
                     "matrices: {M: [[m, 0], [0, m]], C: [[0, h], [-h, 0]]}")
-    assert language(found.equations.full[0]) == "m*x'' + h*y'"
+    assert language(found.symbolic.equations.full[0]) == "m*x'' + h*y'"
 
 
 def test_a_derived_parameter_follows_its_definition():

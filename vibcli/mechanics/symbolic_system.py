@@ -1,36 +1,53 @@
-"""Stages of a Problem that keep its letters: matrices, equilibrium, energies, equations, closed forms."""
+"""The small oscillations of a scene in letters: equilibrium, matrices, excitation, equations of motion."""
 
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
 
 from vibcli.base.errors import NotInLetters
-from vibcli.results.stage import Stage
+from vibcli.base.stage import Stage
 
 
-class InLetters:
-    """The part of a Problem that answers in letters."""
+class SymbolicSystem:
+    """A Configuration in letters. `modal_of`: what finds the modes of a Configuration, by which the stable equilibria
+    are told from the others."""
+
+    def __init__(self, configuration, modal_of):
+        self.configuration, self.modal_of = configuration, modal_of
+        self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
+        self.work, self.costs = configuration.work, configuration.costs
+
+    @property
+    def scene(self):
+        return self.system.scene
+
+    @cached_property
+    def preloaded(self):
+        """The same under the force that lets go at t = 0; None where none does."""
+        held = self.configuration.preloaded
+        return held and SymbolicSystem(held, self.modal_of)
 
     @property
     def letters(self):
         """The parameters that have neither a value nor a condition."""
-        return [name for name in self.scene.parameters.free if name not in self.given and name not in self.spec.choices]
+        return [name for name in self.scene.parameters.free
+                if name not in self.numeric.given and name not in self.spec.choices]
 
     @cached_property
-    def matrices_in_letters(self):
-        """M, C, G, K of the small oscillations in letters."""
+    def matrices(self):
+        """M, C, G, K of the small oscillations."""
         from vibcli.mechanics.nonsmooth import require_unheld
         from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 
-        require_unheld(self)
+        require_unheld(self.system)
         if self.scene.timed:
             from vibcli.mechanics.autonomous import require_autonomous
             from vibcli.scene.closed_loops import drawn_values
 
-            require_autonomous(self, drawn_values(self.scene))
+            require_autonomous(self.configuration, drawn_values(self.scene))
         self._require_held()
-        found = matrices_in_letters(self.letters_form)
-        if self.equilibrium_letters is not None:
+        found = matrices_in_letters(self.linearisation)
+        if self.equilibrium is not None:
             from vibcli.symbolic.rational_functions import factored as shorter
         else:
             from vibcli.symbolic.common_denominator import shorter
@@ -39,30 +56,32 @@ class InLetters:
 
     def _require_held(self):
         """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
-        if self.symbolic and self.is_linear and not self.balanced_as_drawn:
+        if self.numeric.has_free_symbols and self.system.is_linear and not self.balanced_as_drawn:
             from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 
             with suppress(NotInLetters):
                 equilibrium_in_letters(self)
 
     @cached_property
-    def linear_in_letters(self):
+    def linearisable(self):
         """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
-        return self.is_linear or self.balanced_as_drawn or self.equilibrium_letters is not None
+        return self.system.is_linear or self.balanced_as_drawn or self.equilibrium is not None
 
     @property
-    def letters_form(self):
-        if self.balanced_as_drawn or self.is_linear:
-            return self.drawn_form if self.balanced_as_drawn else self.form
+    def linearisation(self):
+        """The Linearisation about the equilibrium."""
+        system = self.system
+        if self.balanced_as_drawn or system.is_linear:
+            return system.linearisation_at_reference if self.balanced_as_drawn else system.linearisation
         from vibcli.mechanics.linearisation import at_position
 
-        return at_position(self.form, self.equilibrium_letters.position(self.form))
+        return at_position(system.linearisation, self.equilibrium.position(system.linearisation))
 
     @cached_property
-    def equilibrium_letters(self):
+    def equilibrium(self):
         """The Settled equilibrium of a nonlinear scene with letters that is not the drawn position; None where none is
         found."""
-        if not self.symbolic or self.balanced_as_drawn or self.is_linear:
+        if not self.numeric.has_free_symbols or self.balanced_as_drawn or self.system.is_linear:
             return None
         from vibcli.mechanics.symbolic_equilibrium import settled
 
@@ -70,24 +89,24 @@ class InLetters:
             return settled(self)
 
     @cached_property
-    def start_in_letters(self):
+    def start(self):
         """{symbol: expression} of the position that `equilibrium:` names; None where it is the drawn one."""
         from vibcli.symbolic.normal_form import is_zero
 
         scene = self.scene
-        named = {scene.symbol(name): node for name, node in self.named_start.items()}
+        named = {scene.symbol(name): node for name, node in self.system.named_start.items()}
         moved = any(not is_zero(node - scene.drawn[q]) for q, node in named.items())
         return {**{q: scene.drawn[q] for q in scene.q}, **named} if moved else None
 
     @cached_property
     def balanced_as_drawn(self):
         """Is the equilibrium the drawn position? (Of linear equations its place does not matter.)"""
-        if self.symbolic:
+        if self.numeric.has_free_symbols:
             from vibcli.mechanics.symbolic_equilibrium_linear import vanishes
 
-            drawn = all(vanishes(self.scene, terms) for terms in self.drawn_residual)
-            return drawn and (self.is_linear or self.start_in_letters is None)
-        return self.equilibrium.drawn
+            drawn = all(vanishes(self.scene, terms) for terms in self.system.drawn_residual)
+            return drawn and (self.system.is_linear or self.start is None)
+        return self.configuration.equilibrium.drawn
 
     @cached_property
     def excitation(self):
@@ -98,7 +117,7 @@ class InLetters:
         if not self.scene.timed:
             return {}
         scene, place = self.scene.vibrating, self.excitation_place
-        found = excitation(scene, self.timed_form, place)
+        found = excitation(scene, self.system.time_dependent_linearisation, place)
         if scene is not self.scene:
             from vibcli.mechanics.inputs_outputs.constraint_excitation import excitation_through
 
@@ -118,32 +137,24 @@ class InLetters:
     @property
     def excitation_place(self):
         """{symbol: node} of the position about which loads in time act."""
-        self.form  # noqa: B018
-        scene, settled = self.scene.vibrating, self.equilibrium_letters
+        timed, scene, settled = self.system.time_dependent_linearisation, self.scene.vibrating, self.equilibrium
         if settled is not None:
-            return settled.position(self.timed_form)
-        if self.linear_in_letters or self.symbolic:
+            return settled.position(timed)
+        if self.linearisable or self.numeric.has_free_symbols:
             return scene.drawn_position
-        return {q: scene.table.number(Fraction(self.equilibrium.values[q.name])) for q in scene.drawn}
+        values = self.configuration.equilibrium.values
+        return {q: scene.table.number(Fraction(values[q.name])) for q in scene.drawn}
 
     @Stage
     def energies(self):
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
-        return textbook_energies(self.loose)
+        return textbook_energies(self.system.loose)
 
     @Stage
     def equations(self):
-        """Lagrange's equations, full and for small oscillations, in letters."""
+        """Lagrange's equations, full and for small oscillations."""
         from vibcli.mechanics.lagrange import equations
 
         return equations(self)
-
-    @Stage
-    def closed_forms(self):
-        """Natural frequencies and modes in letters, by SymPy."""
-        from vibcli.analyses.closed_form.modes import closed_forms
-
-        with self.work.task("the search for closed forms"):
-            return closed_forms(self)

@@ -1,0 +1,119 @@
+"""The modes of a system about one of its equilibria, and what is derived from them."""
+
+from functools import cached_property
+
+from vibcli.base.errors import PhysicsError
+from vibcli.base.stage import Stage
+
+MOST = 10_000       # steps of a million products
+
+
+class ModalAnalysis:
+    """The modes of a Configuration. `free`: the number of directions in which it is known to move freely, where it is
+    one of a family of equilibria."""
+
+    def __init__(self, configuration, free=0):
+        self.configuration, self.free = configuration, free
+        self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
+        self.work, self.costs = configuration.work, configuration.costs
+
+    @property
+    def scene(self):
+        return self.system.scene
+
+    @Stage
+    def modes(self):
+        """The modes of the system without its dampers; none where it would not oscillate."""
+        from vibcli.analyses.modal.massless_coordinates import only_damped
+        from vibcli.analyses.modal.modes import natural_modes
+
+        elements = self.configuration.linear_system
+        if elements.massless and only_damped(elements):
+            return []
+        return self.named(natural_modes, elements, *self.configuration.sources)
+
+    @cached_property
+    def zero_modes(self):
+        """What each mode without frequency is: free, held or falling (mechanics/equilibrium/zero_modes.py)."""
+        from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
+
+        rigid = [mode for mode in self.modes if mode.rigid]
+        if self.free and len(rigid) == self.free:
+            return dict.fromkeys((mode.index for mode in rigid), FREE)
+        return zero_modes(self.configuration, rigid) if rigid else {}
+
+    @Stage
+    def damped(self):
+        """The damped modes; None where nothing damps."""
+        elements = self.configuration.linear_system
+        if not (elements.dampers or elements.C):
+            return None
+        from vibcli.analyses.modal.modes import damped_modes
+
+        return self.named(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
+
+    def shape(self, mode, how="first"):
+        """The shape of a mode in the normalisation asked for, as a list of numbers."""
+        from vibcli.analyses.modal.normalisation import normalised, weights
+
+        return normalised(mode.shape, how, weights(self.configuration.linear_system))
+
+    def named(self, solve, *args, **options):
+        """Solve for modes, and give a physical refusal the name of its coordinate."""
+        try:
+            with self.work.task("the search for the modes", MOST):
+                return solve(*args, **options)
+        except PhysicsError as error:
+            index = getattr(error, "coordinate", None)
+            if index is not None:
+                name = self.scene.coordinates[index]
+                error.message = error.message.format(coordinate=name).replace(f"coordinate {index + 1}", f"'{name}'")
+                error.where = error.where or self.spec.coordinates[name].where
+            raise
+
+    def to_digits(self, digits):
+        """(modes, damped modes) recomputed to so many correct digits."""
+        from vibcli.analyses.modal.modes import damped_modes, natural_modes
+
+        elements, sources = self.configuration.linear_system, self.configuration.sources
+        if sources[0] is None:
+            from vibcli.mechanics.high_precision import Degenerate
+
+            raise Degenerate
+        modes = self.named(natural_modes, elements, *sources, digits=digits) if self.modes else []
+        return modes, self.named(damped_modes, elements, lambda: modes, *sources, digits=digits)
+
+    @cached_property
+    def sharp_modes(self):
+        """The modes to the digits that shares and derivatives need."""
+        from vibcli.analyses.modal.modes_precise import sharp_modes
+
+        return self.named(sharp_modes, self.configuration)
+
+    @cached_property
+    def sharp_damped(self):
+        """The damped modes to as many digits; asked for only where something damps."""
+        from vibcli.analyses.modal.modes_precise import sharp_damped
+
+        return self.named(sharp_damped, self.configuration, lambda: self.sharp_modes)
+
+    @Stage
+    def shares(self):
+        """Whose energy the modes have."""
+        from vibcli.analyses.modal.energy_shares import shares
+
+        return shares(self)
+
+    @Stage
+    def sensitivities(self):
+        """Derivatives of frequencies and damping ratios by the parameters."""
+        from vibcli.analyses.modal.sensitivities import sensitivities
+
+        return sensitivities(self)
+
+    @Stage
+    def estimates(self):
+        """Estimates of the lowest frequency by Rayleigh and Dunkerley."""
+        from vibcli.analyses.modal.estimates import estimates
+
+        return estimates(self)

@@ -1,0 +1,108 @@
+"""A mechanical system with numbers for its parameters, before it rests anywhere."""
+
+from functools import cached_property
+from math import isfinite
+
+from vibcli.base.errors import PhysicsError
+from vibcli.symbolic.evaluation import Floats, evaluate
+
+
+class NumericSystem:
+    """`given`: exact values for parameters that the file leaves as symbols."""
+
+    def __init__(self, system, given=None):
+        self.system, self.spec, self.work, self.costs = system, system.spec, system.work, system.costs
+        self.given = system.given if given is None else given
+
+    @property
+    def scene(self):
+        return self.system.scene
+
+    def with_values(self, given):
+        """The same with values for its symbols, its scene drawn anew."""
+        return NumericSystem(self.system.with_values({**self.given, **given}))
+
+    def sharing(self, given):
+        """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
+        return NumericSystem(self.system, {**self.given, **given})
+
+    @property
+    def has_free_symbols(self):
+        """Are there parameters without value?"""
+        return any(name not in self.given for name in self.scene.parameters.free)
+
+    def values(self, arithmetic):
+        """{parameter: number} in an arithmetic."""
+        from vibcli.language.parameters import require_values
+
+        if self.has_free_symbols:
+            require_values(self.scene.parameters, "this")
+        given = {name: arithmetic.number(value) for name, value in self.given.items()}
+        return self.scene.parameters.values(arithmetic, given)
+
+    @cached_property
+    def floats(self):
+        return self.values(Floats)
+
+    @cached_property
+    def drawn_floats(self):
+        drawn = {q.name: node for q, node in self.scene.drawn.items()}
+        drawn = {name: drawn[name] for name in self.spec.coordinates if name in drawn}
+        return dict(zip(drawn, evaluate(list(drawn.values()), Floats, self.floats), strict=True))
+
+    @cached_property
+    def rational(self):
+        """Exact values of the parameters that have a rational one."""
+        return self.scene.parameters.rational(self.given)
+
+    @cached_property
+    def figure_size(self):
+        """The extent of the drawn figure in metres; 0 where nothing has a place."""
+        return self.scene.extent({**self.floats, **self.drawn_floats})
+
+    def size_along(self, coordinate):
+        """The size of the figure along a coordinate: 1 of an angle."""
+        return (self.figure_size or 1.0) if self.system.dimension(coordinate) else 1.0
+
+    def at_rest_in(self, position):
+        """{symbol: float} of everything at rest in a position, at t = 0."""
+        return {**self.floats, self.scene.time.name: 0.0, **position, **{v.name: 0.0 for v in self.scene.v}}
+
+    @cached_property
+    def drawn_numbers(self):
+        """The Numbers in the drawn position where that is an equilibrium, else None."""
+        from vibcli.mechanics.equilibrium.equilibrium import is_balanced
+        from vibcli.mechanics.numeric_linearisation import in_numbers
+
+        form = self.system.linearisation_at_reference
+        numbers = in_numbers(form, Floats, self.floats, self.rational)
+        return numbers if is_balanced(numbers, len(form.curved) + len(form.residual) + 2) else None
+
+    def start(self):
+        """The position from which the equilibrium is searched: as drawn but for what is named."""
+        start = self.system.named_start
+        values = evaluate(list(start.values()), Floats, self.floats)
+        for name, value in zip(start, values, strict=True):
+            if not isfinite(value):
+                raise PhysicsError(f"the start of '{name}' is no real number", "name another place under "
+                                   "`equilibrium:`", self.spec.get("equilibrium")[name].where)
+        return self.closed(self.drawn_floats, {**self.drawn_floats, **dict(zip(start, values, strict=True))})
+
+    def closed(self, start, target):
+        """The position at rest `target` ({coordinate: float}) with its dependent coordinates, reached from the closed
+        position `start`; PhysicsError where its loops cannot close there."""
+        return self._followed(self.scene.resting.loops, start, target)
+
+    def closed_at_start(self, start, target):
+        """The same with what is driven to and fro where it is at t = 0."""
+        return self._followed(self.scene.loops, start, target)
+
+    def _followed(self, loops, start, target):
+        if loops is None:
+            return target
+        floats = {**self.floats, self.scene.time.name: 0.0}
+        found = loops.followed({**floats, **start}, {**floats, **target})
+        if found is None:
+            raise PhysicsError("the loops of this scene cannot close in the position asked for",
+                               "start nearer to the drawn position, or make the links longer")
+        return {name: found[name] for name in self.drawn_floats}
