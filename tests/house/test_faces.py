@@ -8,12 +8,14 @@ import pytest
 from house.measure import PACKAGE
 from vibcli import elements, quantities
 from vibcli.cli import COMMANDS
+from vibcli.drawing.symbols import SYMBOLS
 from vibcli.language import sections as of_language
 from vibcli.reader import sections as of_questions
 from vibcli.report import formats
 from vibcli.report import sections as of_report
 
-FACES = ("elements", "language/sections", "quantities", "reader/sections", "report/formats", "report/sections")
+FACES = ("drawing/symbols", "elements", "language/sections", "quantities", "reader/sections", "report/formats",
+         "report/sections")
 
 
 def defines(path, name):
@@ -38,6 +40,12 @@ def test_a_face_tells_of_every_file_of_its_folder(table, folder):
     files = {path.stem for path in (PACKAGE / folder).glob("*.py")} - {"__init__"}
     assert list(table) == sorted(files)
     assert [name for name, about in table.items() if not is_a_line(about)] == []
+
+
+def test_symbols_are_the_files_of_their_folder():
+    files = {path.stem for path in (PACKAGE / "drawing" / "symbols").glob("*.py")} - {"__init__"}
+    assert {file for file, _ in SYMBOLS.values()} == files
+    assert all(is_a_line(about) for _, about in SYMBOLS.values())
 
 
 def is_a_line(about):

@@ -2,6 +2,7 @@
 
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
+from vibcli.drawing.layout.captions import COEFFICIENTS
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, path
 
@@ -89,11 +90,8 @@ def _beside(middle, normal):
 
 
 def _element(name, sketch):
-    for section, keys in (("springs", ("k", "torsion")), ("dampers", ("c", "torsion"))):
-        record = (sketch.spec.get(section) or {}).get(name)
-        if record is not None:
-            return captions.quantity(record, keys, sketch)
-    return lettering.named(name)
+    record = sketch.spec.connection(name)
+    return lettering.named(name) if record is None else captions.quantity(record, COEFFICIENTS, sketch)
 
 
 def _bodies(stage):

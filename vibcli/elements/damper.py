@@ -33,6 +33,7 @@ ELEMENT = Element(
     settle=_settle,
     instead={"series": "c: c1*c2/(c1 + c2)", "parallel": "write two dampers with the same ends, or c: c1 + c2"},
     example="mass_spring_damper",
+    signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")},
 )
 
 

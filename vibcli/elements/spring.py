@@ -58,6 +58,7 @@ ELEMENT = Element(
     settle=_settle,
     instead={"series": "k: k1*k2/(k1 + k2)", "parallel": "write two springs with the same ends, or k: k1 + k2"},
     example="preloaded_spring",
+    signals={"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")},
 )
 
 

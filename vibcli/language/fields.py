@@ -216,13 +216,14 @@ class Element(Kind):
     """A mapping with declared keys. `short` is the key that a bare value stands for (`slide: x` is `{by: x}`);
     `exclusive` lists groups of keys of which at most one may stand, `needs` groups of which at least one must.
     `settle(record, reader)` sets dimensions that depend on the other keys, and reports keys that do not go together;
-    `instead` says what to write for a key that is missed here."""
+    `instead` says what to write for a key that is missed here; `signals` are those of what joins two ends, {part:
+    (its unit, that of torsion)}."""
 
     def __init__(self, name, about, fields, short=None, exclusive=(), needs=(), settle=None, example=None,
-                 instead=None):
+                 instead=None, signals=None):
         self.name, self.about, self.fields, self.short = name, about, fields, short
         self.exclusive, self.needs, self.settle, self.example = exclusive, needs, settle, example
-        self.instead = instead or {}
+        self.instead, self.signals = instead or {}, signals or {}
 
     @property
     def wants(self):

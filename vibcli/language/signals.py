@@ -6,8 +6,6 @@ from vibcli.language.reader import Record
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
         "normal": "N", "friction": "N"}
-SPRING = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "energy": ("J", "J")}      # of length, and of torsion
-DAMPER = {"stretch": ("m", "rad"), "force": ("N", "N*m"), "power": ("W", "W")}
 GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
 ENERGIES = {"T": "J", "V": "J", "Phi": "W"}      # of the whole scene, where no parameter has the name
 DRIVES = {"slide": {"drive": "N"}, "pin": {"drive": "N*m"}, "turn": {"drive": "N*m"}, "travel": {"drive": "N"},
@@ -38,6 +36,7 @@ ABOUT = (
 )
 
 
+
 def signal_dimension(spec, text):
     """The dimension of a signal; None where the scene has none of that name."""
     unit = _unit(spec, text)
@@ -51,10 +50,9 @@ def _unit(spec, text):
             return (parts | drives(spec, spec.get(section)[name])).get(part)
     if name == "ground":
         return GROUND.get(part)
-    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
-        record = (spec.get(section) or {}).get(name)
-        if record is not None:
-            return parts[part]["torsion" in record] if part in parts else None
+    record = spec.connection(name)
+    if record is not None:
+        return record.element.signals[part]["torsion" in record] if part in record.element.signals else None
     record = (spec.get("constraints") or {}).get(name)
     if record is not None:
         kind = next((kind for kind in FORCES if kind in record), None)
@@ -101,9 +99,9 @@ def near_signals(spec, text):
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
             return [f"{name}.{part}" for part in parts | drives(spec, spec.get(section)[name])]
-    for section, parts in (("springs", SPRING), ("dampers", DAMPER)):
-        if name in (spec.get(section) or {}):
-            return [f"{name}.{part}" for part in parts]
+    joining = spec.connection(name)
+    if joining is not None:
+        return [f"{name}.{part}" for part in joining.element.signals]
     if name == "ground":
         return [f"ground.{part}" for part in GROUND]
     record = (spec.get("constraints") or {}).get(name)

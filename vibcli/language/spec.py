@@ -36,6 +36,16 @@ class Spec(NamedTuple):
     def get(self, section, default=None):
         return self.sections.get(section, default)
 
+    @property
+    def connections(self):
+        """The records of what joins two ends: springs, dampers and their like."""
+        return [record for section in self.sections.values() if isinstance(section, dict) for record in section.values()
+                if isinstance(record, Record) and record.element is not None and record.element.signals]
+
+    def connection(self, name):
+        """The one of that name; None where there is none."""
+        return next((record for record in self.connections if record.name == name), None)
+
     def with_parameters(self, parameters):
         """The Spec with other parameters."""
         return self._replace(parameters=parameters, sections={**self.sections, "parameters": parameters})

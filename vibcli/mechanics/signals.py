@@ -21,7 +21,7 @@ def moving(system, text, primes=0):
     if node is None:
         node = _along(scene, name, part)
     if node is None:
-        known = [f"{name}.force" for kind in ("springs", "dampers") for name in system.spec.get(kind) or {}]
+        known = [f"{record.name}.force" for record in system.spec.connections]
         raise PhysicsError(f"'{text}' is not found along a motion of the full equations", "forces are found of springs "
                            "and dampers alone" + (", as " + " or ".join(known[:2]) if known else ""))
     for _ in range(primes):
@@ -59,7 +59,7 @@ def force(configuration, text):
         return _of_outputs(configuration, text)
     if name in (configuration.spec.get("springs") or {}):
         return _tension(configuration, name)
-    if name in (configuration.spec.get("dampers") or {}):
+    if configuration.spec.connection(name) is not None:
         if part == "force":
             require_fixed_at_rest(configuration, name)
         _require_equilibrium(configuration)

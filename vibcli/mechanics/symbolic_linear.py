@@ -93,13 +93,13 @@ def _force(opened, name):
 
 def _on_the_ground(opened, kind):
     """Σ of what springs and dampers exert on the ground of a scene with one axis; None of other scenes."""
-    total, spec = opened.scene.table.zero, opened.configuration.spec
-    for section in ("springs", "dampers"):
-        for name, record in (spec.get(section) or {}).items():
-            sign = along_the_axis(opened, record, kind) if "between" in record else None
-            if sign is None:
-                return None
-            total = total + sign * _force(opened, name) if sign else total
+    total = opened.scene.table.zero
+    for record in opened.configuration.spec.connections:
+        sign = along_the_axis(opened, record, kind) if "between" in record else None
+        force = _force(opened, record.name) if sign else opened.scene.table.zero
+        if sign is None or force is None:
+            return None
+        total = total + sign * force
     return total
 
 

@@ -96,9 +96,9 @@ def _time_is_taken(spec, reader):
 def _moving(spec, reader):
     """Scalars in which coordinates and the time may stand: motions, stretches, loads and energies, and in these two
     velocities; all else is of parameters."""
-    holders = [*(spec.get("springs") or {}).values(), *(spec.get("dampers") or {}).values()]
     reader.at_speed.update(reader.loads, (expression.scalar for expression in (spec.get("energies") or {}).values()))
-    return {*reader.motions, *reader.at_speed, *(record["stretch"].scalar for record in holders if "stretch" in record)}
+    return {*reader.motions, *reader.at_speed, *(record["stretch"].scalar for record in spec.connections
+                                                 if "stretch" in record)}
 
 
 def _coordinates(spec, reader):

@@ -178,7 +178,7 @@ def _sections(root, reader):
                 sections[key] = record
         if len(reader.diagnostics) > before and key not in ("answers", "find", "cases", "choose", "initial"):
             reader.not_whole()
-    return sections
+    return {key: sections[key] for key in SECTIONS if key in sections}
 
 
 def _is_empty(node):

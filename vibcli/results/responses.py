@@ -73,7 +73,7 @@ class Response:
 
 def nonlinear(spec, owner):
     """The refusal of a motion in time that nobody said to linearise."""
-    record = {**spec.get("springs", {}), **spec.get("dampers", {})}.get(owner)
+    record = spec.connection(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 

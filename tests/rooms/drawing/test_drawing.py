@@ -24,9 +24,9 @@ from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
 from vibcli.drawing.canvas.primitives import Arc, Circle, Hatch, LetterRuns, Polygon, Polyline, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
-from vibcli.drawing.symbols import mode_shape, rope, sliding
-from vibcli.drawing.symbols.damper import dashpot
-from vibcli.drawing.symbols.spring import zigzag
+from vibcli.drawing.symbols import SYMBOLS, mode_shape, rope, sliding
+from vibcli.elements import NAMES
+from vibcli.language.fields import load
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])
@@ -137,13 +137,17 @@ def test_letters_and_indices():
 
 # the elements
 
-def test_springs_and_dampers_end_where_they_should():
+JOINING = [name for name in NAMES if getattr(getattr(load(name), "ELEMENT", None), "signals", None)]
+
+
+@pytest.mark.parametrize("name", JOINING)
+def test_springs_and_dampers_end_where_they_should(name):
+    between = load(SYMBOLS[name][0], "drawing.symbols").between
     for a, b in (((0.0, 0.0), (60.0, 0.0)), ((3.0, 4.0), (-20.0, 90.0)), ((0.0, 0.0), (1.0, 0.0))):
-        coil, = zigzag(a, b, plane.distance(a, b))
-        ends = [p for part in dashpot(a, b) for p in part.points]
-        for drawn in (coil.points, ends):
-            assert min(plane.distance(a, p) for p in drawn) < 1e-9 and min(plane.distance(b, p) for p in drawn) < 1e-9
-    assert len(zigzag((0, 0), (60, 0), 60)[0].points) == len(zigzag((0, 0), (75, 0), 60)[0].points)
+        drawn = [p for part in between({}, a, b, plane.distance(a, b)) for p in getattr(part, "points", ())]
+        assert min(plane.distance(a, p) for p in drawn) < 1e-9 and min(plane.distance(b, p) for p in drawn) < 1e-9
+    stretched = between({}, (0, 0), (75, 0), 60)
+    assert len(between({}, (0, 0), (60, 0), 60)[0].points) == len(stretched[0].points)
 
 
 def test_ropes_are_tangents():

@@ -39,12 +39,11 @@ def _tied(sketch):
     for record in (sketch.spec.get("constraints") or {}).values():
         for key in ("rope", "link", "join"):
             names.update(getattr(end, "text", None) for end in record.get(key, ()))
-    for section in ("springs", "dampers"):
-        for record in (sketch.spec.get(section) or {}).values():
-            ends = [sketch.attachment(end) for end in record.get("between", ())]
-            if len(ends) == 2 and None not in ends and not any(sketch.is_fixed(end.carrier) for end in ends):
-                names.update(end.carrier for end in ends if sketch.scene.bodies.get(end.carrier) is not None
-                             and sketch.scene.bodies[end.carrier].mass is not None)
+    for record in sketch.spec.connections:
+        ends = [sketch.attachment(end) for end in record.get("between", ())]
+        if len(ends) == 2 and None not in ends and not any(sketch.is_fixed(end.carrier) for end in ends):
+            names.update(end.carrier for end in ends if sketch.scene.bodies.get(end.carrier) is not None
+                         and sketch.scene.bodies[end.carrier].mass is not None)
     return names
 
 

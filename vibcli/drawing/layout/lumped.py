@@ -3,13 +3,14 @@
 from math import sin
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import BODY, ELEMENT, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.rows import motion
-from vibcli.drawing.symbols import arrow, damper, spring, support
+from vibcli.drawing.symbols import arrow, support
+from vibcli.drawing.symbols.connection import symbol
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
-HALF, RIM, SHAFT, ROOM = 18.0, 30.0, 2.4, 46.0
+HALF, RIM, ROOM = 18.0, 30.0, 46.0
 
 
 class LumpedPlace(NamedTuple):
@@ -68,12 +69,12 @@ def draw(layout, moved):
             t = (0.5 * (len(edges) - 1) - i) * STACK
             start, end = _ends(layout, places, column, t)
             drawn = plane.distance(*_ends(layout, layout.places, column, t))
-            found += _element(edge, start, end, drawn)
-            where[edge.name] = plane.middle(start, end), (0.0, 1.0)
+            found += symbol(edge.record).between(edge.record, start, end, drawn)
+            where[edge.record.name] = plane.middle(start, end), (0.0, 1.0)
     for lane, (low, high, edge) in enumerate(layout.row.lanes):
         lines, middle = _lane(layout, places, low, high, edge, lane)
         found += lines
-        where[edge.name] = middle, (0.0, 1.0)
+        where[edge.record.name] = middle, (0.0, 1.0)
     return found, where
 
 
@@ -83,21 +84,6 @@ def _ends(layout, places, column, t):
     start = layout.left if column == 0 else places[bodies[column - 1]].middle[0] + places[bodies[column - 1]].half
     end = layout.right if column == len(bodies) else places[bodies[column]].middle[0] - places[bodies[column]].half
     return (start, layout.y + t), (end, layout.y + t)
-
-
-def _element(edge, start, end, drawn):
-    if edge.kind == "dampers":
-        return damper.dashpot(start, end)
-    if "torsion" in edge.record:
-        return shaft(start, end)
-    return spring.zigzag(start, end, drawn)
-
-
-def shaft(start, end):
-    """An elastic shaft from the side."""
-    at, length = plane.along(start, end), plane.distance(start, end)
-    return [Polygon((at(0, SHAFT), at(length, SHAFT), at(length, -SHAFT), at(0, -SHAFT)), "paper", "spring",
-                    layer=ELEMENT)]
 
 
 def _lane(layout, places, low, high, edge, lane):
@@ -112,7 +98,7 @@ def _lane(layout, places, low, high, edge, lane):
             ends.append((place.middle[0] + side * (place.half - 6), layout.y + place.height))
     (x1, y1), (x2, y2) = ends
     legs = [Polyline(((x, foot), (x, y))) for x, foot in ((x1, y1), (x2, y2)) if foot is not None]
-    return legs + _element(edge, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
+    return legs + symbol(edge.record).between(edge.record, (x1, y), (x2, y), x2 - x1), ((x1 + x2) / 2, y)
 
 
 def _box(place):

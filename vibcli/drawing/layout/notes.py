@@ -19,13 +19,12 @@ def lines(stage, box):
 def of(stage):
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
-    shown = {edge.name for edge in rows.edges(scene)}
+    shown = {edge.record.name for edge in rows.edges(scene)}
     found = []
-    for section, keys in (("springs", ("k", "torsion")), ("dampers", ("c", "torsion"))):
-        for name, record in (spec.get(section) or {}).items():
-            if "stretch" in record and name not in shown:
-                field = next(record[key] for key in keys if key in record)
-                found.append(_note(f"{name}: ", scene, (field, " on "), (record["stretch"], "")))
+    for record in spec.connections:
+        if "stretch" in record and record.name not in shown:
+            field = next(record[key] for key in captions.COEFFICIENTS if key in record)
+            found.append(_note(f"{record.name}: ", scene, (field, " on "), (record["stretch"], "")))
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
             found.append(_note(f"{name}: ", scene, (record["value"], "")))

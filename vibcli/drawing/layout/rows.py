@@ -9,13 +9,11 @@ BRUTE = 6       # bodies of a row up to which every order is tried
 
 
 class Edge(NamedTuple):
-    """A spring or damper between two lumped bodies; None is the ground."""
+    """What joins two lumped bodies; None is the ground."""
 
-    name: str
-    kind: str           # springs or dampers
+    record: object
     one: str | None
     two: str | None
-    record: object
 
 
 class LumpedRow(NamedTuple):
@@ -30,11 +28,10 @@ class LumpedRow(NamedTuple):
 def edges(scene):
     """The Edges of a scene."""
     found = []
-    for kind in ("springs", "dampers"):
-        for name, record in (scene.spec.get(kind) or {}).items():
-            ends = _ends(record, scene)
-            if ends is not None:
-                found.append(Edge(name, kind, *ends, record))
+    for record in scene.spec.connections:
+        ends = _ends(record, scene)
+        if ends is not None:
+            found.append(Edge(record, *ends))
     return found
 
 

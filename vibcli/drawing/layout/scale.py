@@ -36,7 +36,8 @@ def scale_of(sketch):
                   if "curve" in record]
         sizes = halves or _given_lengths(sketch)
         return ALONE / (sizes[0] * sketch.scale) if sizes else 1.0 / sketch.scale
-    much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "springs", "dampers", "points", "forces"))
+    much = sum(len(sketch.spec.get(section) or ()) for section in ("bodies", "points", "forces"))
+    much += len(sketch.spec.connections)
     share = min(1.5, max(0.62, 0.5 + 0.12 * much))
     wide, high = share * WIDE, min(share, 1.15) * HIGH
     scale = min(wide / max(right - left, 1e-9 * size), high / max(top - bottom, 1e-9 * size))

@@ -21,9 +21,8 @@ class Ties:
         for record in (sketch.spec.get("surfaces") or {}).values():
             if "body" in record:
                 self.surfaces.setdefault(record["body"].text, []).append(record)
-        for section in ("springs", "dampers"):
-            for record in (sketch.spec.get(section) or {}).values():
-                self._joined(record.get("between"), sketch)
+        for record in sketch.spec.connections:
+            self._joined(record.get("between"), sketch)
         for record in (sketch.spec.get("constraints") or {}).values():
             self._constraint(record, sketch)
         self.implied = implied.ropes(sketch)

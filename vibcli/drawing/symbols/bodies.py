@@ -42,7 +42,8 @@ def marks(sketch, looks):
 def _pins(sketch, looks):
     """A hinge at every pin; a bearing where it is on the ground, higher where a spiral spring winds about it."""
     found, grounded = [], {}
-    wound = {_rounded(at.drawn) for _, is_spring, _, at, _, other in joint.elements(sketch) if is_spring and not other}
+    wound = {_rounded(at.drawn) for record, at, _, other in joint.elements(sketch)
+             if record.element.name == "spring" and not other}
     for name, body in sketch.scene.bodies.items():
         pivot = sketch.pivot(name) if name in looks else None
         if pivot is None:

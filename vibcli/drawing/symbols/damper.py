@@ -1,19 +1,40 @@
 """Dampers: a dashpot between two ends, or bent about a joint."""
 
+from math import pi, tau
+
 from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import plane
+from vibcli.drawing.symbols import support
 
 CUP, HALF = 13.0, 5.5
+ARC, SPAN = 24.0, 0.62 * pi     # the radius of an arc about a joint, its angle
 
 
-def dashpot(start, end):
+def between(_record, start, end, _drawn):
     """A damper from one place to another."""
     return _dashpot(plane.along(start, end), plane.distance(start, end))
 
 
-def bent(centre, radius, start, sense, length):
-    """A rotary damper: the same along an arc."""
-    at = plane.around(centre, radius, start, sense)
+def about(_record, turn):
+    """The same along an arc about a joint, to a wall where the ground holds it; also where it is: (middle, normal)."""
+    begin, end, foot = arc(turn)
+    middle = (begin + end) / 2
+    where = plane.polar(turn.centre, ARC + 7, middle), plane.polar((0, 0), 1.0, middle)
+    return [*_bent(plane.around(turn.centre, ARC, begin, 1), ARC * (end - begin)), *foot], where
+
+
+def arc(turn):
+    """The angles at which an arc about a joint begins and ends, and the wall at its foot where the ground holds it."""
+    start, held = turn.held or (0.0, 0.0)
+    span = (start - turn.heading) % tau
+    span = span if turn.held and 0.3 * pi < span < 1.7 * pi else SPAN
+    begin, end = turn.heading - span + held, turn.heading + turn.moved
+    wall = [] if turn.held else support.wall(plane.polar(turn.centre, ARC, begin),
+                                             plane.polar((0.0, 0.0), 1.0, begin - pi / 2), 6.0)
+    return begin, end, wall
+
+
+def _bent(at, length):
     found = _dashpot(at, length)
     rod = found[-1]
     steps = [length * i / 12 for i in range(13)]
