@@ -30,7 +30,7 @@ class Draws:
 
 def drawn(problem):
     """The problem with random values for its letters, whenever the drawing fits together."""
-    from vibcli.scene.parameter_samples import sample_values
+    from vibcli.language.parameter_samples import sample_values
 
     for attempt in range(CANDIDATES):
         values = sample_values(problem.symbolic.letters, attempt)

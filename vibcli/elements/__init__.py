@@ -10,7 +10,6 @@ NAMES = {
     "damper": "a damper between two ends: viscous, of a law, or of dry friction",
     "energies": "terms of T, V and Φ written out",
     "force": "a load: a force at a point, a moment, a generalised force, an unbalance",
-    "gravity": "the weight of everything that has a place",
     "matrices": "M, C and K given outright",
     "move": "general plane motion: two displacements and a rotation",
     "pin": "rotation about a pin, fixed or carried",

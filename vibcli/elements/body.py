@@ -12,6 +12,7 @@ from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.language.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
 from vibcli.language.named_place import DRAWN
 
+_LENGTH, _ANGLE = Quantity("m"), Quantity("rad")
 _SHAPE = {
     "shape": Field(Choice(*NEEDS), "what it is (default: particle)"),
     "mass": Field(Quantity("kg"), "its mass; massless without it"),
@@ -20,14 +21,14 @@ _SHAPE = {
                 "circle"),
     "from": Field(DRAWN, "one end of a rod"),
     "to": Field(DRAWN, "the other end of a rod"),
-    "angle": Field(Quantity("rad"), "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
+    "angle": Field(_ANGLE, "how the shape is turned as drawn: the axis of a sector or arch, the width of a "
                    "rectangle, a of an ellipse; 0 is along +x"),
-    "radius": Field(Quantity("m"), "radius of a disc, ring, sector or arch"),
-    "half_angle": Field(Quantity("rad"), "half the opening angle of a sector or arch"),
-    "width": Field(Quantity("m"), "width of a rectangle, along its angle"),
-    "height": Field(Quantity("m"), "height of a rectangle"),
-    "a": Field(Quantity("m"), "semi-axis of an ellipse, along its angle"),
-    "b": Field(Quantity("m"), "the other semi-axis of an ellipse"),
+    "radius": Field(_LENGTH, "radius of a disc, ring, sector or arch"),
+    "half_angle": Field(_ANGLE, "half the opening angle of a sector or arch"),
+    "width": Field(_LENGTH, "width of a rectangle, along its angle"),
+    "height": Field(_LENGTH, "height of a rectangle"),
+    "a": Field(_LENGTH, "semi-axis of an ellipse, along its angle"),
+    "b": Field(_LENGTH, "the other semi-axis of an ellipse"),
 }
 
 PART = Element("part", "One of several shapes welded into a body.",
@@ -43,7 +44,7 @@ ELEMENT = Element(
     {
         **_SHAPE,
         "inertia": Field(Quantity("kg*m^2"), "moment of inertia about the mass centre, overriding the shape's"),
-        "gyration": Field(Quantity("m"), "radius of gyration about the mass centre, overriding the shape's"),
+        "gyration": Field(_LENGTH, "radius of gyration about the mass centre, overriding the shape's"),
         "parts": Field(Many(PART, 1, 50, "a list of parts"), "several shapes welded into this body"),
         "slide": Field(Lazy("slide"), "translates along a direction"),
         "pin": Field(Lazy("pin"), "turns about a point"),

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
+from vibcli.language.parameter_samples import sample_values
 from vibcli.quantities.expression import lowered
-from vibcli.scene.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 

@@ -10,8 +10,8 @@ import math
 from itertools import islice
 
 from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.language.parameter_samples import given_values
 from vibcli.mechanics.linearisation import nodes_of, residual_terms
-from vibcli.scene.parameter_samples import given_values
 from vibcli.symbolic.angle_addition import opened, openings
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.one_unknown import SymbolicSolution, solutions
@@ -94,7 +94,7 @@ class _Tried:
         for attempt in self.left:
             if attempt >= FAILURES and not self.known:
                 return
-            values = given_values(symbolic.scene, self.free, attempt)
+            values = given_values(symbolic.scene.parameters, symbolic.scene.sample, self.free, attempt)
             candidate = symbolic.modal_of(symbolic.configuration.with_values(values))
             try:
                 if not named and any(mode.growth_rate is not None for mode in candidate.modes):

@@ -1,13 +1,13 @@
 """Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
 
 from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.autonomous import steady
 from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import solve_linear
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
-from vibcli.scene.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 from vibcli.symbolic.rationals import ONE

@@ -42,9 +42,8 @@ class SymbolicSystem:
         require_unheld(self.system)
         if self.scene.timed:
             from vibcli.mechanics.autonomous import require_autonomous
-            from vibcli.scene.closed_loops import drawn_values
 
-            require_autonomous(self.configuration, drawn_values(self.scene))
+            require_autonomous(self.configuration, self.scene.drawn_values)
         self._require_held()
         found = matrices_in_letters(self.linearisation)
         if self.equilibrium is not None:

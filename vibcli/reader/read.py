@@ -8,12 +8,11 @@ import re
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
-from vibcli.elements import gravity
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Choice, Kind, Lazy, Named, Text
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
-from vibcli.language.sections import coordinates, equilibrium, initial
+from vibcli.language.sections import coordinates, equilibrium, gravity, initial
 from vibcli.language.spec import Spec
 from vibcli.reader.sections import answer, find
 from vibcli.reader.unit_consistency import resolve

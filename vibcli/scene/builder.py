@@ -2,6 +2,7 @@
 they contribute."""
 
 from vibcli.language.fields import load
+from vibcli.language.parameter_samples import sample_values
 from vibcli.language.parameters import Parameters
 from vibcli.language.reader import Reference
 from vibcli.language.sections.initial import let_go
@@ -16,7 +17,6 @@ from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
 from vibcli.scene.laws import Law
-from vibcli.scene.parameter_samples import sample_values
 from vibcli.scene.places import Places
 from vibcli.scene.reports import Reports
 from vibcli.symbolic.antiderivatives import from_zero
@@ -33,7 +33,8 @@ class Builder:
 
     def __init__(self, spec, given, attempt, variant):
         self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
-        self.table = table = Table({name: record["samples"] for name, record in (spec.get("records") or {}).items()})
+        records = spec.sections.get("records") or {}
+        self.table = table = Table({name: record["samples"] for name, record in records.items()})
         self.parameters = Parameters(spec, table)
         self.sample = self.parameters.values(Floats, _samples(spec, self.parameters.free, given, attempt))
         table.resample(self.sample)
@@ -61,7 +62,7 @@ class Builder:
 
     def _offer_places(self, places):
         """The services of bodies, points, and what is joined."""
-        self.bodies, self.surfaces, self.ground = places.bodies, self.spec.get("surfaces") or {}, places.ground
+        self.bodies, self.surfaces, self.ground = places.bodies, self.spec.sections.get("surfaces") or {}, places.ground
         self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
         self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
         self.extent, ends = places.extent, Ends(places)
@@ -93,24 +94,29 @@ class Builder:
 
     def add_elements(self):
         """Build the bodies, carriers first, then what connects them."""
-        spec, contents = self.spec, self.contents
-        if "gravity" in spec.sections:
-            self.contents = contents._replace(gravity=load("gravity").build(spec.get("gravity"), self))
-        for name in carriers_first(spec, self.report):
+        sections, bodies = self.spec.sections, self.bodies
+        if "gravity" in sections:
+            self.contents = self.contents._replace(gravity=self._gravity(sections["gravity"]))
+        for name in carriers_first(self.spec, self.report):
             self.owner = name
-            contents.bodies[name] = load("body").build(spec.get("bodies")[name], self)
+            bodies[name] = load("body").build(sections["bodies"][name], self)
         if self.diagnostics:
             return
+        left_out = None if self.variant.preloaded else let_go(self.spec)
         for section, element in CONNECTING.items():
-            for record in (spec.get(section) or {}).values():
-                if section != "forces" or self.variant.preloaded or record.name != let_go(spec):
+            for record in (sections.get(section) or {}).values():
+                if section != "forces" or record.name != left_out:
                     self._add(element, record)
         for section in ("energies", "matrices"):
-            if section in spec.sections:
-                load(section).build(spec.get(section), self)
-        for name, record in (spec.get("points") or {}).items():
+            if section in sections:
+                load(section).build(sections[section], self)
+        for name, record in (sections.get("points") or {}).items():
             if "moves" in record:
                 self.place(Reference(name, record.where))
+
+    def _gravity(self, field):
+        """(gₓ, g_y): downwards, or as the vector given."""
+        return self.pair(field) if isinstance(field, list) else (self.table.zero, -self.lower(field))
 
     def _add(self, element, record):
         """One spring, damper, force or constraint."""

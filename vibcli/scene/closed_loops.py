@@ -113,16 +113,9 @@ class Loops:
         raise PhysicsError("the loops of this scene do not close to more digits", "ask for fewer digits")
 
 
-def drawn_values(scene):
-    """{name: float} as drawn, with sample values for letters."""
-    names = {node.name: value for node, value in scene.drawn.items()}
-    found = evaluate(list(names.values()), Floats, scene.sample)
-    return {**scene.sample, **dict(zip(names, found, strict=True)), scene.time.name: 0.0}
-
-
 def nearby(scene, attempt):
     """A closed position near the drawn one, other at each attempt; None where the loops do not close there."""
-    start = drawn_values(scene)
+    start = scene.drawn_values
     target = dict(start)
     for i, q in enumerate(q for q in scene.q if q not in scene.inputs):
         target[q.name] += 0.01 * (1 + (7 * i + 3 * attempt) % 5) * (-1) ** (i + attempt) * scene.unit_of(q.name)

@@ -12,6 +12,7 @@ from vibcli.scene.geometry import Geometry
 from vibcli.scene.laws import switches
 from vibcli.scene.places import Places
 from vibcli.symbolic.derivatives import substitute
+from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import ONE
 
 CONNECTIONS = ("springs", "dampers", "laws")
@@ -98,7 +99,7 @@ class Scene:
     def _contents(self, contents):
         """Bodies, points and terms, and what may be asked of them."""
         self.gravity, self.bodies, self.points = contents.gravity, contents.bodies, contents.points
-        self.surfaces = self.spec.get("surfaces") or {}
+        self.surfaces = self.spec.sections.get("surfaces") or {}
         self.inertias, self.springs, self.dampers, self.weights, self.forces, self.laws = (
             contents.inertias, contents.springs, contents.dampers, contents.weights, contents.forces, contents.laws)
         self.constraints, self.energies, self.matrices = contents.constraints, contents.energies, contents.matrices
@@ -161,6 +162,13 @@ class Scene:
     def drawn_coordinates(self):
         """{name: node as drawn} of the independent coordinates."""
         return {q.name: self.drawn[q] for q in self.q}
+
+    @property
+    def drawn_values(self):
+        """{name: float} as drawn, with sample values for letters."""
+        names = {node.name: value for node, value in self.drawn.items()}
+        found = evaluate(list(names.values()), Floats, self.sample)
+        return {**self.sample, **dict(zip(names, found, strict=True)), self.time.name: 0.0}
 
     def terms_of(self, name, *kinds, undriven=False):
         """The springs, dampers and laws of an element, or those of the given kinds; `undriven`: as functions of the

@@ -17,7 +17,7 @@ from vibcli.bench.linkage import tongs
 from vibcli.mechanics.energies import kinetic, potential
 from vibcli.mechanics.inputs_outputs.reactions import along_the_motion, slack
 from vibcli.results.random_states import states
-from vibcli.scene.closed_loops import drawn_values, nearby
+from vibcli.scene.closed_loops import nearby
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 
@@ -852,7 +852,7 @@ def test_signals_of_dependent_things():
                                    "problems/6_two_degrees/cart_with_pendulum.yaml"])
 def test_positions_near_the_drawn_one_differ_from_it_and_from_each_other_in_every_coordinate(scene):
     scene = problem_of(PROJECT / scene).scene
-    drawn, found = drawn_values(scene), [nearby(scene, attempt) for attempt in range(4)]
+    drawn, found = scene.drawn_values, [nearby(scene, attempt) for attempt in range(4)]
     for q in scene.q:
         ways = [(position[q.name] - drawn[q.name]) / scene.unit_of(q.name) for position in found]
         assert len({round(way, 9) for way in ways}) == 4 and min(ways) < 0 < max(ways)

@@ -4,7 +4,7 @@ A set of values is admissible where the figure fits together and as many modes a
 """
 
 from vibcli.base.errors import Inertless, PhysicsError, SpecError
-from vibcli.scene.parameter_samples import given_values
+from vibcli.language.parameter_samples import given_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 WANTED, ATTEMPTS, FAILURES = 4, 24, 6
@@ -38,8 +38,9 @@ def _candidates(symbolic):
     """Modes: those that reach the equilibrium found in letters, or others at random values."""
     if symbolic.equilibrium is not None:
         return symbolic.equilibrium.reached
-    free = [name for name in symbolic.scene.parameters.free if name not in symbolic.numeric.given]
-    return (symbolic.modal_of(symbolic.configuration.with_values(given_values(symbolic.scene, free, attempt)))
+    parameters, sample = symbolic.scene.parameters, symbolic.scene.sample
+    free = [name for name in parameters.free if name not in symbolic.numeric.given]
+    return (symbolic.modal_of(symbolic.configuration.with_values(given_values(parameters, sample, free, attempt)))
             for attempt in range(ATTEMPTS))
 
 

@@ -8,7 +8,6 @@ from vibcli.drawing.layout.sketch import Sketch
 from vibcli.drawing.layout.ties import Ties
 from vibcli.drawing.symbols import bodies, connection, joint, rope, support, tracks
 from vibcli.drawing.symbols.appearance import looks
-from vibcli.scene.closed_loops import drawn_values
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
@@ -18,7 +17,7 @@ FINE = 1e9                  # points per metre at which what has a size on paper
 def values_at(scene, position=None, time=0.0):
     """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
     loops of the scene cannot follow."""
-    values = drawn_values(scene)
+    values = scene.drawn_values
     target = {**values, **(position or {}), scene.time.name: time}
     if scene.loops is not None and (position or time):
         target = scene.loops.followed(values, target)

@@ -14,7 +14,6 @@ from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
 from vibcli.mechanics.linearise import linearise
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import take_over
-from vibcli.scene.closed_loops import drawn_values
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -47,7 +46,7 @@ class Opened:
     def sample(self):
         """The same as drawn where the scene has letters, with sample values for them."""
         symbolic = self.configuration.numeric.has_free_symbols
-        return {**self.at_zero, **drawn_values(self.scene)} if symbolic else self.values
+        return {**self.at_zero, **self.scene.drawn_values} if symbolic else self.values
 
     @property
     def place(self):

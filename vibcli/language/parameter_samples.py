@@ -12,19 +12,19 @@ def sample_values(names, attempt):
             for i, name in enumerate(names)}
 
 
-def given_values(scene, free, attempt):
-    """{letter: exact value} of `free` letters, another at each attempt; 0: as drawn, odd ones near that, every fourth
-    of letters far apart.
+def given_values(parameters, sample, free, attempt):
+    """{letter: exact value} of `free` letters, another at each attempt; 0: those of the `sample`, odd ones near that,
+    every fourth of letters far apart.
 
     Letters of any sign are negative at every fourth attempt.
     """
     if attempt == 0:
-        return {name: Fraction(scene.sample[name]) for name in free}
+        return {name: Fraction(sample[name]) for name in free}
     values = sample_values(free, FAR + attempt)
     if attempt % 4 == 0:
         values = {name: value**FAR_APART for name, value in values.items()}
     elif attempt % 2:
-        values = {name: scene.sample[name] * (0.6 + 0.4 * value) for name, value in values.items()}
-    signs = {name: -1 if attempt % 4 == 2 and scene.parameters.records[name].get("sign") == "any" else 1
+        values = {name: sample[name] * (0.6 + 0.4 * value) for name, value in values.items()}
+    signs = {name: -1 if attempt % 4 == 2 and parameters.records[name].get("sign") == "any" else 1
              for name in free}
     return {name: signs[name] * Fraction(value).limit_denominator(1000) for name, value in values.items()}

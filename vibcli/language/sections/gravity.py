@@ -7,9 +7,3 @@ KIND = OneOf("an acceleration, or a vector [gx, gy]", scalar=Quantity("m/s^2"),
 ABOUT = ("The acceleration of gravity, downwards (along −y), or a vector. Without it nothing has weight; bodies "
          "without a place have none in any case.")
 
-
-def build(gravity, scene):
-    """(gₓ, g_y) as expressions."""
-    if isinstance(gravity, list):
-        return scene.lower(gravity[0]), scene.lower(gravity[1])
-    return scene.table.zero, -scene.lower(gravity)
