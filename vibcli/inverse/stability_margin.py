@@ -30,7 +30,7 @@ def free_roots(elements):
     """The number of roots λ = 0 of motion that nothing holds: K v = 0, twice where (C + G) v = 0 too."""
     import numpy as np
 
-    _, C, G, K = _matrices(elements)
+    _, C, G, K = elements.arrays()
     values, directions = np.linalg.svd(K)[1:]
     along = directions[values <= FREE * values.max()].T
     resisted = np.linalg.svd((C + G) @ along)[1] if along.size else np.array([])
@@ -38,22 +38,15 @@ def free_roots(elements):
     return 2 * along.shape[1] - int((resisted > FREE * size).sum())
 
 
-def _matrices(elements):
-    import numpy as np
-
-    n = elements.n
-    return [np.array([[float(matrix.get((i, j), 0)) for j in range(n)] for i in range(n)])
-            for matrix in elements.matrices()]
-
-
 def _eigenvalues(elements, damped):
     """All λ of λ²M + λ(C + G) + K, in floats."""
     import numpy as np
 
-    n = elements.n
-    M, C, G, K = _matrices(elements)
+    from vibcli.numerics.state_space import first_order
+
+    M, C, G, K = elements.arrays()
     if not damped and not G.any():
         roots = np.sqrt(-np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex))
         return [complex(sign * root) for root in roots for sign in (1, -1)]
-    lower = np.hstack([-np.linalg.solve(M, K), -np.linalg.solve(M, C + G)])
-    return list(map(complex, np.linalg.eigvals(np.vstack([np.eye(n, 2 * n, n), lower]))))
+    A = first_order(np.linalg.solve(M, K), np.linalg.solve(M, C + G))
+    return list(map(complex, np.linalg.eigvals(A)))

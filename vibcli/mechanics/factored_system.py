@@ -50,6 +50,14 @@ class OscillatorElements:
         return [_assembled(rows, extra) for rows, extra in (
             (self.inertias, self.M), (self.dampers, summed(self.C, self.drag)), ((), self.G), (self.springs, self.K))]
 
+    def arrays(self):
+        """The same as arrays of floats."""
+        return [_as_array(entries, self.n) for entries in self.matrices()]
+
+    def stiffness_array(self):
+        """K assembled, as an array of floats."""
+        return _as_array(self.stiffness(), self.n)
+
     def stiffness(self):
         """K assembled, {(i, j): number}."""
         return _assembled(self.springs, self.K)
@@ -60,6 +68,15 @@ def summed(one, two):
     found = dict(one)
     for pair, x in two.items():
         found[pair] = found[pair] + x if pair in found else x
+    return found
+
+
+def _as_array(entries, n):
+    import numpy as np
+
+    found = np.zeros((n, n))
+    for pair, x in entries.items():
+        found[pair] = float(x)
     return found
 
 

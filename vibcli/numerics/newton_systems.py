@@ -1,32 +1,42 @@
 """Zeros of several functions of several positive or signed unknowns: damped Newton steps from many starting places.
 
 Positive unknowns are solved for in logarithms, so that products of powers are linear. The starts are, of two unknowns,
-the zeros of the functions as they are between the points of a grid over a box (linear on its triangles), then those of
-a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
+the zeros of the functions as they are between the points of a grid over a box (linear on its triangles), then the
+centre of the cube and those of a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
 """
 
-from itertools import product
+from itertools import chain, count, islice, product
 
 GRID, BESIDE = 24, 0.25         # cells along a side of the box; how far beside its triangle such a zero may lie
 FACTORS = (-0.5, -0.2, 0.2, 0.5)
 STEPS, STARTS, IDLE, STEP, CLOSE = 40, 48, 16, 1e-7, 1e-6
 CONVERGED, LONGEST = 1e-13, 2.3
-PRIMES = (2, 3, 5, 7)
 
 
-def halton(count, dimensions):
-    """Points spread evenly over the unit cube, the same at every run; the first is its centre."""
-    yield [0.5] * dimensions
-    for i in range(1, count):
-        yield [_reversed(i, prime) for prime in PRIMES[:dimensions]]
+def halton(dimensions, first=1):
+    """Points spread evenly over the unit cube, the same at every run, from that of a number on."""
+    bases = _primes(dimensions)
+    for number in count(first):
+        yield [_radical_inverse(number, base) for base in bases]
 
 
-def _reversed(i, base):
-    value, digit = 0.0, 1.0 / base
-    while i:
-        i, rest = divmod(i, base)
-        value, digit = value + rest * digit, digit / base
+def _radical_inverse(number, base):
+    """The digits of a number mirrored at the point."""
+    value, place = 0.0, 1.0 / base
+    while number:
+        number, digit = divmod(number, base)
+        value += digit * place
+        place /= base
     return value
+
+
+def _primes(n):
+    found, candidate = [], 2
+    while len(found) < n:
+        if all(candidate % p for p in found):
+            found.append(candidate)
+        candidate += 1
+    return found
 
 
 def common_zeros(function, place, dimensions):
@@ -35,7 +45,7 @@ def common_zeros(function, place, dimensions):
     found, idle = [], 0
     for start in _crossings(function, place) if dimensions == 2 else ():
         _add(found, newton(function, start))
-    for point in halton(STARTS, dimensions):
+    for point in chain([[0.5] * dimensions], islice(halton(dimensions), STARTS - 1)):
         idle = 0 if _add(found, newton(function, place(point))) else idle + 1
         if idle >= IDLE:
             break

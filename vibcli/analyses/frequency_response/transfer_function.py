@@ -61,16 +61,8 @@ def transfer(configuration, signal, driven_by, order=0):
 
 def system(configuration):
     """(M, C + G, K) of the small oscillations as arrays."""
-    n = len(configuration.scene.q)
-    M, C, G, K = (_matrix(entries, n) for entries in configuration.linear_system.matrices())
+    M, C, G, K = configuration.linear_system.arrays()
     return M, C + G, K
-
-
-def _matrix(entries, n):
-    found = np.zeros((n, n))
-    for (i, j), x in entries.items():
-        found[i, j] = x
-    return found
 
 
 def _dense(parts, n):

@@ -36,8 +36,8 @@ def only_damped(elements):
         return False
     if len(elements.massless) == elements.n:
         return True
-    bare, stiffness = sorted(elements.massless), elements.matrices()[3]
-    K = np.array([[float(stiffness.get((i, j), 0.0)) for j in bare] for i in bare])
+    bare = sorted(elements.massless)
+    K = elements.stiffness_array()[np.ix_(bare, bare)]
     unit = 1 / np.sqrt(np.maximum(np.abs(K).max(axis=1), np.finfo(float).tiny))
     return bool(np.linalg.svd(unit[:, None] * K * unit)[1][-1] <= LOOSE)
 

@@ -59,9 +59,7 @@ def _of_springs(configuration):
     if elements.circulatory:
         raise Inertless
     sizes = list(map(configuration.numeric.size_along, configuration.scene.coordinates))
-    K = np.zeros((elements.n, elements.n))
-    for (i, j), value in elements.stiffness().items():
-        K[i, j] = value * sizes[i] * sizes[j]
+    K = elements.stiffness_array() * np.outer(sizes, sizes)
     values = np.linalg.eigvalsh(K) / (np.abs(K).max() or 1.0)
     if values[0] < -ROUNDING:
         return Stability(UNSTABLE)

@@ -6,6 +6,8 @@ held to LEAST of the one that moves most, √Mᵢᵢ qᵢ being compared, so tha
 
 import numpy as np
 
+from vibcli.numerics.state_space import first_order
+
 LEAST = 1e-3
 EPSILON = 2.0**-52
 STEP = 1e-6
@@ -65,7 +67,7 @@ def _fastest(K, C, weight):
     """The largest |λ| of δ̈ = K δ + C δ̇; of many coordinates a bound, √‖K‖ + ‖C‖ with the coordinates weighted."""
     n = len(K)
     if n <= FEW:
-        return np.abs(np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [K, C]]))).max()
+        return np.abs(np.linalg.eigvals(first_order(-K, -C))).max()
     rows = [np.abs(weight[:, None] * matrix / weight).sum(axis=1).max() for matrix in (K, C)]
     return np.sqrt(rows[0]) + rows[1]
 

@@ -94,7 +94,7 @@ def _prepared(numeric, forces, rests):
     forces.learn_periods()
     limits = bounds(numeric, forces, [rest.values for rest in rests])
     low, high = _box(forces, limits)
-    forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.halton(len(low), SAMPLES))
+    forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.spread(len(low), SAMPLES))
     return limits, Found(forces, (low, high))
 
 

@@ -80,10 +80,8 @@ class Branch:
             numbers = in_numbers(self.numeric.system.linearisation, Floats, {**floats, **target})
         except (ArithmeticError, ValueError, PhysicsError):
             return None
-        K = self.np.zeros((len(q), len(q)))
-        for pair, entry in numbers.elements.stiffness().items():
-            K[pair] = entry
-        r, K = self.np.array(numbers.residual, float) * self.scale, K * self.np.outer(self.scale, self.scale)
+        r = self.np.array(numbers.residual, float) * self.scale
+        K = numbers.elements.stiffness_array() * self.np.outer(self.scale, self.scale)
         return (r, K, target) if self.np.isfinite(r).all() and self.np.isfinite(K).all() else None
 
     def corrected(self, value, place, q, reach):

@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from vibcli.mechanics.equilibrium.completeness import chunks, halved, summed
-from vibcli.mechanics.equilibrium.multistart import halton
+from vibcli.mechanics.equilibrium.multistart import spread
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import exact, outward
@@ -87,7 +87,7 @@ def _reference(enclosed, low, high, bounded):
     """(Y, c, sign): Y F is near to x − c along the bounded coordinates x on the boundary, and sign is that of det Y."""
     n = len(low)
     points = []
-    for fractions in halton(n, SAMPLES):
+    for fractions in spread(n, SAMPLES):
         for j in np.flatnonzero(bounded):
             points += [low + (high - low) * np.where(np.arange(n) == j, end, fractions) for end in (0.0, 1.0)]
     points = np.array(points)

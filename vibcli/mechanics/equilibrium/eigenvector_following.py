@@ -6,7 +6,7 @@ From any place uphill along the k softest directions and downhill along the othe
 
 import numpy as np
 
-from vibcli.mechanics.equilibrium.multistart import halton
+from vibcli.mechanics.equilibrium.multistart import spread
 from vibcli.mechanics.equilibrium.newton import CLOSE, settled
 
 STEPS, LONGEST, SOFTEST, ASIDE, STARTS = 80, 0.3, 1e-3, 0.2, 10
@@ -16,7 +16,7 @@ def look_for(forces, found, index):
     """Adds places whose J has a determinant of this sign, from beside those that are known and from points between;
     True if one is new."""
     low, high = found.box
-    starts = [*_beside(forces, found), *(low + part * (high - low) for part in halton(len(low), STARTS * len(low)))]
+    starts = [*_beside(forces, found), *(low + part * (high - low) for part in spread(len(low), STARTS * len(low)))]
     before = found.count
     for uphill in range(0 if index > 0 else 1, len(low) + 1, 2):
         for z in starts:

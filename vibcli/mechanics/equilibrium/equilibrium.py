@@ -117,7 +117,7 @@ class EnergyDescent:
             raise PhysicsError("the search for the equilibrium reaches a position in which the loops of this scene "
                                "cannot close", "draw the scene nearer to its equilibrium")
         numbers = in_numbers(self.numeric.system.linearisation, Floats, {**self.numeric.floats, **position})
-        stiffness = self.np.abs(self.stiffness(numbers))
+        stiffness = self.np.abs(numbers.elements.stiffness_array())
         if not (all(map(math.isfinite, numbers.residual)) and self.np.isfinite(stiffness).all()):
             raise Undefined("the forces of this scene are not finite numbers at the place where the search for its "
                             "equilibrium starts", "draw the scene elsewhere, or start elsewhere with `equilibrium:`")
@@ -145,7 +145,7 @@ class EnergyDescent:
 
     def faded(self, numbers):
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
-        held = self.np.abs(self.stiffness(numbers)) @ self.scale
+        held = self.np.abs(numbers.elements.stiffness_array()) @ self.scale
         return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
                    zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
 
@@ -168,18 +168,11 @@ class EnergyDescent:
 
     def hessian(self, numbers):
         """K in scaled coordinates."""
-        K = self.stiffness(numbers)
+        K = numbers.elements.stiffness_array()
         if not self.np.all(self.np.isfinite(K)):
             raise PhysicsError("the forces of this scene have no finite slope in a position that the search for its "
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
         return K * self.np.outer(self.scale, self.scale)
-
-    def stiffness(self, numbers):
-        n = len(self.names)
-        K = self.np.zeros((n, n))
-        for pair, value in numbers.elements.stiffness().items():
-            K[pair] = value
-        return K
 
     def step(self, q, numbers, radius):
         """One accepted step: (q, numbers, radius, True), or False where no step lowers V any more."""

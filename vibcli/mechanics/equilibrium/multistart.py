@@ -5,11 +5,12 @@ N starts that met w zeros leave less than half a zero to be expected elsewhere: 
 Rinnooy Kan 1987, Math. Programming 37, 59). Then deflated Newton from some of them until nothing new turns up.
 """
 
-from itertools import count, product
+from itertools import islice, product
 
 import numpy as np
 
 from vibcli.mechanics.equilibrium.newton import zero_from
+from vibcli.numerics.newton_systems import halton
 
 LEAST, GRID, DEFLATED, AVOIDED, START = 50, 4, 8, 20, 20
 
@@ -57,31 +58,10 @@ def _starts(forces, box, first):
         parts = [(0.0, 0.5) if periodic else (0.0, 0.5, 1.0) for periodic in forces.periodic]
         for fractions in product(*parts):
             yield low + np.array(fractions) * (high - low)
-    for fractions in halton(len(low)):
-        yield low + fractions * (high - low)
+    for fractions in halton(len(low), START):
+        yield low + np.array(fractions) * (high - low)
 
 
-def halton(n, most=None):
-    """Points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
-    bases = _primes(n)
-    for number in count(START) if most is None else range(START, START + most):
-        yield np.array([_radical_inverse(number, base) for base in bases])
-
-
-def _radical_inverse(number, base):
-    """The digits of a number mirrored at the point (Halton 1960)."""
-    value, place = 0.0, 1.0 / base
-    while number:
-        number, digit = divmod(number, base)
-        value += digit * place
-        place /= base
-    return value
-
-
-def _primes(n):
-    found, candidate = [], 2
-    while len(found) < n:
-        if all(candidate % p for p in found):
-            found.append(candidate)
-        candidate += 1
-    return found
+def spread(n, most):
+    """So many points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
+    return map(np.array, islice(halton(n, START), most))

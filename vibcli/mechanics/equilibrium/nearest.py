@@ -48,7 +48,7 @@ class _Nearest:
         forces.know(start)
         forces.learn_periods()
         n = len(self.origin)
-        forces.learn_sizes(self.origin + 2 * fractions - 1 for fractions in multistart.halton(n, SAMPLES * n))
+        forces.learn_sizes(self.origin + 2 * fractions - 1 for fractions in multistart.spread(n, SAMPLES * n))
         self.best = None
 
     def found(self, fallen):
@@ -118,7 +118,7 @@ class _Nearest:
     def sow(self, radius):
         """Newton's method from points of a box about the start that is as wide as the nearest place is far."""
         n = len(self.origin)
-        for fractions in multistart.halton(n, STARTS * n):
+        for fractions in multistart.spread(n, STARTS * n):
             if self.best is not None:
                 radius = min(radius, self.away(self.best))
             self.take(zero_from(self.forces, self.origin + radius * (2 * fractions - 1),

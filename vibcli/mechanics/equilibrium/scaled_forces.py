@@ -94,12 +94,8 @@ class Forces:
             numbers = in_numbers(self.numeric.system.linearisation, Floats, values)
         except (PhysicsError, ArithmeticError, ValueError):
             return None
-        n = len(self.numeric.scene.coordinates)
-        K = np.zeros((n, n))
-        for pair, value in numbers.elements.stiffness().items():
-            K[pair] = value
         F = np.array(numbers.residual, dtype=float)[self.rows] * self.D
-        J = K[np.ix_(self.rows, self.rows)] * np.outer(self.D, self.D)
+        J = numbers.elements.stiffness_array()[np.ix_(self.rows, self.rows)] * np.outer(self.D, self.D)
         if not (np.isfinite(F).all() and np.isfinite(J).all() and np.abs(F).max() < HUGE and np.abs(J).max() < HUGE):
             return None
         size = np.array(numbers.residual_size, dtype=float)[self.rows] * self.D + np.abs(J) @ (1.0 + np.abs(z))
