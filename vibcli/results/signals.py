@@ -153,7 +153,7 @@ class ComposedSignal(Signal):
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value."""
         from vibcli.analyses.transient.extremes import extreme
-        from vibcli.results.sampled_extremes import SampledSearch
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
         end = min(end, start + (self.period or end))
         try:
@@ -164,7 +164,7 @@ class ComposedSignal(Signal):
     def zeros(self, start, end):
         """Instants at which the signal passes or touches zero."""
         from vibcli.analyses.transient.zeros import zeros
-        from vibcli.results.sampled_extremes import SampledSearch
+        from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
         try:
             return zeros(self.along(end), None, start, end, self.work).tolist()

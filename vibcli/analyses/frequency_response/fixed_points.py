@@ -9,9 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import sampled
-from vibcli.analyses.frequency_response.extremes import narrowed, places
+from vibcli.analyses.frequency_response.extremes import places
 from vibcli.analyses.frequency_response.poles_and_zeros import pace
 from vibcli.analyses.frequency_response.transfer_function import Transfer
+from vibcli.numerics.bracketing import zeros_between
 
 SAME, STATIC, STRONG, FELT = 1e-8, 1e-3, 1e4, 1e-6
 
@@ -44,7 +45,7 @@ def fixed_points(without, with_one):
     known = np.flatnonzero(np.isfinite(gaps))
     change = known[:-1][np.sign(gaps[known[:-1]]) != np.sign(gaps[known[1:]])]
     after = known[np.searchsorted(known, change) + 1]
-    found = narrowed(difference, Omega[change], Omega[after]) if len(change) else np.zeros(0)
+    found = zeros_between(difference, Omega[change], Omega[after]) if len(change) else np.zeros(0)
     heights = [np.abs(sampled(system, found)[0]) for system in systems]
     low = STATIC * pace(without)
     return [FixedPoint(float(at), float(height)) for at, height, *others in zip(found, *heights, strict=True)

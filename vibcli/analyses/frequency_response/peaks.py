@@ -7,9 +7,10 @@ half-power points of a peak are where |H| = peak/√2 on either side of it; Q = 
 import numpy as np
 
 from vibcli.analyses.frequency_response.evaluate import frf, sampled
-from vibcli.analyses.frequency_response.extremes import WIDE, extremes, narrowed
+from vibcli.analyses.frequency_response.extremes import WIDE, extremes
 from vibcli.analyses.frequency_response.poles_and_zeros import pace, poles, zeros
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.bracketing import zeros_between
 
 
 def peaks(system, known=None):
@@ -55,7 +56,7 @@ def half_power(system, peak, known=None):
         raise PhysicsError(f"the response does not fall to peak/√2 {side} the peak at {peak.Omega:.6g} rad/s",
                            "its bandwidth is not defined")
     low, high = np.minimum(ends, inner), np.maximum(ends, inner)
-    found = narrowed(lambda Omega: np.abs(frf(system, Omega)) - level, low, high)
+    found = zeros_between(lambda Omega: np.abs(frf(system, Omega)) - level, low, high)
     return float(found[0]), float(found[1])
 
 

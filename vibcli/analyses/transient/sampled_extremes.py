@@ -7,10 +7,10 @@ places that no period is in step with, until none does.
 import numpy as np
 
 from vibcli.analyses.transient.isolating_intervals import refused
+from vibcli.numerics.bracketing import GOLDEN, maxima_between, zeros_between
 
-SAMPLES, ROUNDS, LIMIT = 4001, 90, 3_000_000
+SAMPLES, LIMIT = 4001, 3_000_000
 STRAIGHT = 2e-3                         # of the range, what a stretch may stray by
-GOLDEN = 0.3819660112501051
 ROUNDING = 1e-14                        # of the range
 
 
@@ -51,21 +51,16 @@ class SampledSearch:
         near = np.flatnonzero(values >= values.max() - 2 * STRAIGHT * self.range)
         near = near[(values[near] >= values[np.maximum(near - 1, 0)])
                     & (values[near] >= values[np.minimum(near + 1, len(times) - 1)])]
-        found = self._largest(lambda t: sense * self.measure(t), near)
+        found = maxima_between(lambda t: sense * self.measure(t), *self._beside(near))
         candidates = np.concatenate([times[near], found])
         tops = sense * self.measure(candidates)
         alike = np.flatnonzero(tops >= tops.max() - ROUNDING * self.range)
         best = alike[np.argmin(candidates[alike])]
         return float(candidates[best]), float(sense * tops[best])
 
-    def _largest(self, function, near):
-        """Instants of the peaks beside samples, by golden section."""
-        low, high = self.times[np.maximum(near - 1, 0)], self.times[np.minimum(near + 1, len(self.times) - 1)]
-        for _ in range(ROUNDS if len(near) else 0):
-            left, right = low + GOLDEN * (high - low), high - GOLDEN * (high - low)
-            falls = function(left) >= function(right)
-            low, high = np.where(falls, low, left), np.where(falls, right, high)
-        return 0.5 * (low + high)
+    def _beside(self, near):
+        """The samples before and after those at these places."""
+        return self.times[np.maximum(near - 1, 0)], self.times[np.minimum(near + 1, len(self.times) - 1)]
 
     def zeros(self):
         """Instants at which the signal passes or touches zero."""
@@ -74,17 +69,13 @@ class SampledSearch:
             return []
         above = values > 0
         at = np.flatnonzero(above[:-1] != above[1:])
-        low, high, rises = times[at], times[at + 1], above[at + 1]
-        for _ in range(ROUNDS if len(at) else 0):
-            middle = 0.5 * (low + high)
-            later = (self.measure(middle) > 0) != rises
-            low, high = np.where(later, middle, low), np.where(later, high, middle)
+        passages = zeros_between(self.measure, times[at], times[at + 1]) if len(at) else times[at]
         size = np.abs(values)
         near = np.flatnonzero((size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:])
                               & (size[1:-1] <= 2 * STRAIGHT * self.range)) + 1
         near = near[(above[near - 1] == above[near]) & (above[near] == above[near + 1])]
-        touches = self._largest(lambda t: -np.abs(self.measure(t)), near)
+        touches = maxima_between(lambda t: -np.abs(self.measure(t)), *self._beside(near))
         touches = touches[np.abs(self.measure(touches)) <= nothing] if len(near) else touches
         first = times[:1][size[:1] <= nothing]
-        found, apart = np.sort(np.concatenate([first, 0.5 * (low + high), touches])), 1e-12 * times[-1]
+        found, apart = np.sort(np.concatenate([first, passages, touches])), 1e-12 * times[-1]
         return found[np.append(True, np.diff(found) > apart)].tolist() if len(found) else []
