@@ -163,8 +163,8 @@ class ComposedSignal(Signal):
 
     def zeros(self, start, end):
         """Instants at which the signal passes or touches zero."""
-        from vibcli.analyses.transient.zeros import zeros
         from vibcli.analyses.transient.sampled_extremes import SampledSearch
+        from vibcli.analyses.transient.zeros import zeros
 
         try:
             return zeros(self.along(end), None, start, end, self.work).tolist()

@@ -6,9 +6,9 @@ import pytest
 from support.scenes import problem, value
 
 from vibcli.analyses.transient.composition import Composition
+from vibcli.analyses.transient.sampled_extremes import SampledSearch
 from vibcli.base.errors import PhysicsError
 from vibcli.base.work import Work
-from vibcli.analyses.transient.sampled_extremes import SampledSearch
 
 M, K, X0 = 1.0, 100.0, 0.5
 FUNCTIONS = {        # of x [m], x' [m/s] and x'' [m/s^2]

@@ -5,9 +5,8 @@ from functools import lru_cache
 import numpy as np
 
 from vibcli.numerics.collocation_rule import rule
+from vibcli.numerics.root_finding import bracketed
 
-ROUNDS = 100
-NEAR = 4 * 2.0**-52
 WITHIN = 1e-10         # of a window
 
 
@@ -52,43 +51,23 @@ def _room(switching, window, t, q, v):
 
 
 def _zero(switching, window, k, low, high):
-    """The instant at which the room of a switch vanishes, by false position with bisection (Illinois)."""
+    """The instant at which the room of a switch vanishes."""
     def room(tau):
         q, v, _ = window.states(np.array([tau]))
         return _room(switching, window, np.array([window.start + tau]), q, v)[k, 0]
 
     below, above = room(low), room(high)
     if below <= 0:
-        return low if low else _after_start(room, high)
-    side = 0
-    for _ in range(ROUNDS):
-        middle = (low * above - high * below) / (above - below)
-        if not low < middle < high:
-            middle = 0.5 * (low + high)
-        value = room(middle)
-        if high - low <= NEAR * (window.start + high) or value == 0:
-            break
-        if value < 0:
-            high, above = middle, value
-            below = 0.5 * below if side < 0 else below
-            side = -1
-        else:
-            low, below = middle, value
-            above = 0.5 * above if side > 0 else above
-            side = 1
-    return middle
+        return low if low else _after_start(room, high, above)
+    return bracketed(room, low, below, high, above, jumps=True)
 
 
-def _after_start(room, high):
+def _after_start(room, high, above):
     """A switch that has just changed may start from zero: where it comes back to it, 0.0 where it never left."""
     low = high
     for _ in range(60):
         low *= 0.5
-        if room(low) > 0:
-            break
-    else:
-        return 0.0
-    for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if room(middle) > 0 else (low, middle)
-    return high
+        below = room(low)
+        if below > 0:
+            return bracketed(room, low, below, high, above, jumps=True)
+    return 0.0
