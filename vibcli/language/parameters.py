@@ -147,12 +147,6 @@ class Parameters:
         return found
 
 
-def independent(records):
-    """Names of the parameters that are not defined by others."""
-    return [name for name, record in records.items() if "value" not in record
-            or not any(other in records for other, *_ in record["value"].parts.names)]
-
-
 def definition_order(records):
     """Names in an order in which each comes after those it is defined by (there are no circles)."""
     needs = {name: [n for n, *_ in record["value"].parts.names if n in records] if "value" in record else []

@@ -50,6 +50,13 @@ class Spec(NamedTuple):
         """The Spec with other parameters."""
         return self._replace(parameters=parameters, sections={**self.sections, "parameters": parameters})
 
+    @property
+    def independent_parameters(self):
+        """Names of the parameters that are not defined by others."""
+        records = self.parameters
+        return [name for name, record in records.items() if "value" not in record
+                or not any(other in records for other, *_ in record["value"].parts.names)]
+
     def example(self, literal):
         """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
         return literal.partition(" ")[0] if self.free_numbers else literal

@@ -5,7 +5,6 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import applied
-from vibcli.language.parameters import independent
 from vibcli.language.signals import coordinate_name, near_signals, signal_dimension
 from vibcli.quantities.cycle_count import cycles
 from vibcli.quantities.quantity import (
@@ -84,7 +83,7 @@ def _index(spec, reader, place, head, kind, index):
     elif kind == "fraction":
         return _of_kind(reader, place, _is_fraction(index), "a fraction between 0 and 1", index)
     elif kind == "parameter":
-        good, valid = index in independent(spec.parameters), independent(spec.parameters)
+        good, valid = index in spec.independent_parameters, spec.independent_parameters
         if not good and index in spec.parameters:
             reader.report(place, f"'{index}' is defined by other parameters", nearest(index, valid))
             return False

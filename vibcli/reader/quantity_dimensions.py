@@ -3,7 +3,6 @@
 import re
 
 from vibcli.base import units
-from vibcli.language.parameters import independent
 from vibcli.language.signals import ENERGIES, coordinate_name, signal_dimension
 from vibcli.quantities.quantity import IN_FREQUENCY, OF_SPEED, SIGNAL, declared, dimension, is_choice, usage
 from vibcli.symbolic.semantics import DimensionCheck
@@ -39,7 +38,7 @@ def usage_here(spec, head):
     """How a quantity is written, in names of this scene."""
     named = {"x": spec.coordinates, "signal": spec.coordinates, "coordinate": spec.coordinates, "F": inputs(spec),
              "d": spec.get("dampers") or (), "body": spec.get("bodies") or (), "place": spec.get("bodies") or (),
-             "parameter": independent(spec.parameters)}
+             "parameter": spec.independent_parameters}
     return re.sub(r"(?<![\w.])[A-Za-z]+(?=[],)])", lambda word: next(iter(named.get(word[0], ())), word[0]),
                   usage(head))
 

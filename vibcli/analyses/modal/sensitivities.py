@@ -9,7 +9,6 @@ coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′
 
 from vibcli.analyses.modal.modes_precise import SAME, WORKING, by_frequency, coinciding
 from vibcli.base.errors import PhysicsError
-from vibcli.language.parameters import independent
 from vibcli.mechanics.inner_products import conjugate, inner, only
 from vibcli.mechanics.parameter_derivatives import perturbed_elements
 from vibcli.symbolic.dual_numbers import Dual, slope
@@ -52,7 +51,7 @@ def sensitivities(modal):
         groups = [_Group(group, elements) for group in by_frequency(modes)]
         free = [mode.shape for mode in modes if mode.rigid]
         changes, refused = {}, {}
-        for name in independent(modal.spec.parameters):
+        for name in modal.spec.independent_parameters:
             try:
                 changes[name] = only(perturbed_elements(modal.configuration, name, free), _changes)
             except PhysicsError as error:
