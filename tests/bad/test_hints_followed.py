@@ -7,7 +7,8 @@ import pytest
 from support.wrong_scenes import BAD, diagnostics, expected
 
 from vibcli.cli import run
-from vibcli.quantities.quantity import ASKED
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.quantity import named
 
 UNIT = re.compile(r"write the unit: (?P<text>\S+(?: .+)?)$")
 NAME = re.compile(r"did you mean '(?P<text>[^']+)'\?$")
@@ -63,8 +64,8 @@ def test_units_without_their_brackets_are_understood(tmp_path, capsys):
     assert "unknown name" not in capsys.readouterr().err
 
 
-QUANTITIES = [name + "[1]" for name, asked in ASKED.items() if asked.unit not in (None, "", "1")
-              and tuple(asked.indices) == ("mode",)]
+QUANTITIES = [name + "[1]" for name in FAMILIES if named(name).unit not in (None, "", "1")
+              and named(name).indices == ("mode",)]
 
 
 @pytest.mark.parametrize("quantity", QUANTITIES)

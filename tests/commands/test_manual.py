@@ -20,7 +20,8 @@ from vibcli.manual import nearest_words, overview, page, scenes, schema, topics,
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import FACES, Catalogue
 from vibcli.manual.index import Index
-from vibcli.quantities.quantity import ASKED, FIND, IN_FREQUENCY, IN_TIME
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.questions import FIND
 from vibcli.reader.read import SECTIONS, read_spec
 from vibcli.report.json_keys import KEYS
 from vibcli.results.problem import Problem
@@ -115,7 +116,7 @@ def test_every_element_names_an_example_that_uses_it():
     assert swept >= 15
 
 
-@pytest.mark.parametrize("head", ASKED)
+@pytest.mark.parametrize("head", FAMILIES)
 def test_every_quantity_is_asked_in_an_example(head):
     assert scenes.asking(head) is not None
 
@@ -142,7 +143,7 @@ def test_pages_are_narrow_and_whole(pages):
 
 def test_every_word_has_a_page(pages):
     catalogue = Catalogue()
-    expected = [*SECTIONS, *catalogue.elements, *UNITS, *FUNCTIONS, *ASKED, *FIND, *topics.TOPICS]
+    expected = [*SECTIONS, *catalogue.elements, *UNITS, *FUNCTIONS, *FAMILIES, *FIND, *topics.TOPICS]
     expected += [f"{word}.{key}" for word, key in catalogue.pairs()] + [key for _, key in catalogue.pairs()]
     assert [word for word in expected if word not in pages] == []
     assert len(set(expected)) >= 200
@@ -172,10 +173,9 @@ def test_words_of_textbooks_lead_to_their_pages(word, title):
     assert page(word).startswith(title)
 
 
-@pytest.mark.parametrize("head", [*IN_TIME, *IN_FREQUENCY])
+@pytest.mark.parametrize("head", [head for head, family in FAMILIES.items() if family.endswith("response")])
 def test_quantities_of_responses_name_the_page_about_them(head):
-    topic = "response" if head in IN_TIME else "frequency_response"
-    assert f"More: vibcli explain {topic};" in page(head)
+    assert f"More: vibcli explain {FAMILIES[head]};" in page(head)
 
 
 def test_a_key_is_shown_in_every_element_that_has_it():

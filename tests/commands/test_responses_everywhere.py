@@ -10,7 +10,7 @@ import pytest
 from support.scenes import problem_of
 
 from vibcli.base.errors import PhysicsError
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.plots.braille import braille
 from vibcli.report.document import Report
 from vibcli.report.formats.text import render
@@ -30,7 +30,7 @@ def problems_of(path):
     for problem in (scene, *(scene.case(name) for name in scene.spec.cases)):
         if problem.numeric.has_free_symbols:
             yield problem
-        numeric = next(iter(Draws(problem)), None)
+        numeric = next(iter(Instances(problem)), None)
         if numeric is not None:
             yield numeric
 

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from support.scenes import number, problem_of
 
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.inverse import settled
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -56,7 +56,7 @@ def keys_of(problem):
 
 def draws(problem):
     """The problem with numbers: itself, or with several sets of random positive values for its symbols."""
-    draws = Draws(problem)
+    draws = Instances(problem)
     return list(islice(draws, draws.wanted))
 
 

@@ -16,7 +16,7 @@ from support import kane
 from support.scenes import problem_of
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.results.random_states import reach
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
@@ -88,7 +88,7 @@ class Both:
 
     def __init__(self, build):
         self.name = build.__name__
-        self.problem = next(iter(Draws(problem_of(PROBLEMS[self.name]))))
+        self.problem = next(iter(Instances(problem_of(PROBLEMS[self.name]))))
         self.scene = self.problem.scene
         with mpmath.workdps(DIGITS):
             self.parameters = self.problem.numeric.values(multiprecision())

@@ -12,7 +12,7 @@ import pytest
 from support.scenes import problem_of
 
 from vibcli.base.errors import PhysicsError, SpecError
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.mechanics.autonomous import without_time
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.lagrange import equation_of
@@ -30,7 +30,7 @@ def numeric_problems(path):
     scene = problem_of(path)
     for one in (scene, *(scene.case(name) for name in scene.spec.cases)):
         try:
-            numeric = next(iter(Draws(one)), None)
+            numeric = next(iter(Instances(one)), None)
             found = numeric is not None and 0 < len(numeric.scene.q) <= MOST and numeric.equilibrium is not None
         except (PhysicsError, SpecError):
             continue

@@ -16,7 +16,7 @@ from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.analyses.transient.linear_response import linear_motion
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.results.random_states import reach
 from vibcli.symbolic.parser import parse
 
@@ -41,7 +41,7 @@ EVERY = {"step": None, "ramp": None, "impulse": None, "square": math.pi, "sawtoo
 
 def first(name):
     """A numeric Problem of a file."""
-    return next(iter(Draws(problem_of(FILES[name]))))
+    return next(iter(Instances(problem_of(FILES[name]))))
 
 
 def function(node, values, time, blow=0.0):

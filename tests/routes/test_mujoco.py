@@ -32,7 +32,7 @@ from support.mjcf import (
 )
 from support.scenes import problem_of
 
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.results.random_states import at_states, states
 from vibcli.symbolic.derivatives import gradient
@@ -316,7 +316,7 @@ class Compared:
         stem, _, case = build.__name__.partition("__")
         problem = problem_of(PROBLEMS[stem])
         self.build = build
-        self.problem = next(iter(Draws(problem.case(case.replace("_", " ")) if case else problem)))
+        self.problem = next(iter(Instances(problem.case(case.replace("_", " ")) if case else problem)))
         scene = self.problem.scene
         self.names, n = scene.coordinates, len(scene.q)
         found, groups = states(self.problem)

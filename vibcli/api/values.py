@@ -9,12 +9,12 @@ from vibcli.api.expressions import SymbolicExpression
 from vibcli.base import units
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError, Where
 from vibcli.language.reader import Reader
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import evaluated, measure, value_of
 from vibcli.quantities.frequency_response import ERROR
-from vibcli.quantities.quantity import IN_FREQUENCY, ROUNDING, SIGNAL, STATE_FUNCTIONS, declared, is_choice
-from vibcli.quantities.size import size_of
-from vibcli.reader.answer_check import check_question, dimension_of, unit_asked
-from vibcli.reader.quantity_dimensions import asked_dimension
+from vibcli.quantities.quantity import OF_STATE, ROUNDING, SIGNAL, declared, quantity_of
+from vibcli.reader.answer_check import check_question
 from vibcli.symbolic.semantics import quantities_in
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -44,10 +44,11 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
     """What a scene answers to a quantity, or to an expression of some."""
     asked = quantity_asked(problem.spec, text)
     tree, unit = asked.tree, unit_of(problem.spec, asked)
-    if problem.numeric.has_free_symbols or (isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS):
+    quantity = quantity_of(problem.spec, tree)
+    of_state = quantity is not None and quantity.kind == OF_STATE
+    if problem.numeric.has_free_symbols or of_state:
         from vibcli.api.letters import expression_in_letters, state_function
 
-        of_state = isinstance(tree, QuantityRef) and tree.head in STATE_FUNCTIONS
         node = state_function(problem, tree) if of_state else expression_in_letters(problem, asked)
         return QuantityValue(text, None, unit, 0.0, SymbolicExpression(node, tuple(problem.scene.coordinates)))
     value, error = bounded(problem, asked)
@@ -74,14 +75,14 @@ def given_expression(text: str, place: str) -> "Expression":
 def unit_of(spec: "Spec", asked: "Expression") -> str:
     """The SI unit of the value of a quantity: 1 of a pure number, nothing where the scene has no units."""
     tree = asked.tree
-    whole = isinstance(tree, QuantityRef) and not is_choice(spec, tree)
-    if whole and unit_asked(tree):
-        return unit_asked(tree)
-    dimension = asked_dimension(spec, tree) if whole else dimension_of(spec, asked)
+    quantity = quantity_of(spec, tree)
+    if quantity is not None and quantity.unit not in (None, SIGNAL):
+        return quantity.unit
+    dimension = asked_dimension(spec, tree) if quantity is not None else dimension_of(spec, asked)
     if dimension is None:
         return ""
     found = spec.dimensions.resolve(dimension)
-    angle = whole and (declared(tree).unit == SIGNAL or tree.head == "equilibrium")
+    angle = quantity is not None and (quantity.unit == SIGNAL or tree.head == "equilibrium")
     return ("rad" if angle else "1") if found == {} else units.text(found)
 
 
@@ -112,8 +113,8 @@ def _measured(problem, tree):
 def _rounding(problem, tree):
     """What a number of a motion that is found in closed form may be off near zero: by the size of its signal; where a
     signal is largest it is flat, and its instant is known to the root of rounding."""
-    if not tree.args or tree.head in IN_FREQUENCY or problem.response.KIND == "full":
+    if not tree.args or FAMILIES.get(tree.head) == "frequency_response" or problem.response.KIND == "full":
         return 0.0
     with suppress(PhysicsError):
-        return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * size_of(problem, tree)
+        return (sqrt(ROUNDING) if tree.head in ("argmax", "argmin") else ERROR) * declared(tree).size(problem, tree)
     return 0.0

@@ -9,18 +9,15 @@ import math
 import re
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.base.units import LENGTH
-from vibcli.check.instances import Draws
-from vibcli.language.signals import coordinate_name, signal_dimension
-from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.virtual_work import generalised_force_at_rest
+from vibcli.check.instances import Instances
 from vibcli.quantities.expression import lowered, measure, value_of
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.results.random_states import at_states, reach, states
+from vibcli.quantities.quantity import OF_STATE, quantity_of
+from vibcli.results.random_states import at_states, states
 from vibcli.symbolic.semantics import quantities_in, whole_literal
 from vibcli.symbolic.syntax import QuantityRef
 
-EXACT, WIDEST, ROUNDING, EPSILON = 1e-9, 0.005, 1e-13, 2.0**-52
+EXACT, WIDEST, SMALL, ROUNDING, EPSILON = 1e-9, 0.005, 1e-12, 1e-13, 2.0**-52
 
 
 class Verdict:
@@ -39,24 +36,24 @@ def check(problem):
     verdicts = []
     for case in (None, *problem.spec.cases):
         part = problem if case is None else problem.case(case)
-        draws = Draws(part)
-        verdicts += [_verdict(draws, answer, case) for answer in part.spec.answers]
+        instances = Instances(part)
+        verdicts += [_verdict(instances, answer, case) for answer in part.spec.answers]
     return verdicts
 
 
-def _verdict(draws, answer, case):
-    """Compare at every draw; of a scene with symbols, draws of a regime that has no such answer are passed over."""
+def _verdict(instances, answer, case):
+    """Compare at every instance; of a scene with symbols, those of a regime that has no such answer are passed over."""
     verdict, compared = None, 0
-    for draw in draws:
+    for instance in instances:
         try:
-            found = _compare(draw, answer)
+            found = _compare(instance, answer)
         except PhysicsError as error:
             if verdict is None:
                 verdict = Verdict(answer, False, remark="no such answer: " + error.message)
                 verdict.refusal = error.told(answer.asked.where)
             continue
         verdict, compared = found, compared + 1
-        if not verdict.agrees or compared == draws.wanted:
+        if not verdict.agrees or compared == instances.wanted:
             break
     verdict.case = case
     return verdict
@@ -75,10 +72,9 @@ def _worst(wanted, found, groups, rounding=0.0):
 def _compare(problem, answer):
     tree = answer.asked.tree
     head = tree.head if isinstance(tree, QuantityRef) else None
-    if head in ("equation", "motion"):
-        return _compare_equation(problem, answer, head)
-    if head in ("T", "V", "Phi", "Q"):
-        return _compare_energy(problem, answer, head)
+    quantity = quantity_of(problem.spec, tree)
+    if quantity is not None and quantity.kind == OF_STATE:
+        return (_compare_equation if head in ("equation", "motion") else _compare_energy)(problem, answer, head)
     if head == "stable":
         stable = measure(problem, tree)[0]
         wanted = answer.expected.text == "true"
@@ -129,38 +125,10 @@ def _tolerance(problem, answer, expected):
 def _small(problem, answer):
     """What counts as zero: rounding beside the largest number of its kind."""
     tree = answer.asked.tree
-    head = tree.head if isinstance(tree, QuantityRef) else None
-    if head is not None and tree.args:
-        from vibcli.quantities.size import size_of
-
-        return EXACT * size_of(problem, tree)
-    if head in ("M", "C", "G", "K"):
-        matrices = dict(zip("MCGK", problem.configuration.linear_system.matrices(), strict=True))
-        return 1e-12 * max((abs(float(value)) for value in matrices[head].values()), default=0.0)
-    if head == "equilibrium":
-        return _small_signal(problem, tree.indices[0])
-    if head in ("mode", "zeta"):
-        return 1e-11
-    if head in ("omega", "frequency", "omega_d", "decay", "growth_rate"):
-        return 1e-12 * max((float(mode.omega or mode.growth_rate or 0.0) for mode in problem.modal.modes), default=0.0)
-    size = problem.numeric.figure_size
-    if head in ("J", "centre"):
-        body = problem.scene.bodies[tree.indices[0]]
-        mass = problem.scene.number(body.mass) if head == "J" and body.mass is not None else 1.0
-        return 1e-12 * (mass * size * size if head == "J" else size)
-    return 1e-12 * max((float(abs(measure(problem, quantity)[0])) for quantity in quantities_in(tree)), default=0.0)
-
-
-def _small_signal(problem, text):
-    """What counts as zero of a coordinate, place, turn or force in equilibrium."""
-    name = coordinate_name(problem.spec, text)
-    if name is not None:
-        return 1e-12 * reach(problem, name)
-    dimension = signal_dimension(problem.spec, text)
-    if dimension in ({}, LENGTH):
-        return 1e-12 * (problem.numeric.figure_size or 1.0) if dimension else 1e-12
-    reactions = problem.configuration.reactions
-    return 1e-11 * max((abs(reaction.value) for reaction in reactions if reaction.value), default=0.0)
+    quantity = quantity_of(problem.spec, tree)
+    if quantity is not None and quantity.size is not None:
+        return (EXACT if tree.args else SMALL) * quantity.size(problem, tree)
+    return SMALL * max((float(abs(measure(problem, part)[0])) for part in quantities_in(tree)), default=0.0)
 
 
 def _expected_node(problem, expression):
@@ -173,11 +141,8 @@ def _expected_node(problem, expression):
 
 
 def _compare_energy(problem, answer, head):
-    scene = problem.scene
-    if head == "Q":
-        ours = generalised_force_at_rest(problem.system, coordinate_number(problem, answer.asked.tree.indices[0]))
-    else:
-        ours = {"T": kinetic, "V": potential, "Phi": dissipation}[head](scene)
+    scene, tree = problem.scene, answer.asked.tree
+    ours = quantity_of(problem.spec, tree).symbolic(problem, tree)
     verdict = _at_states(problem, answer, head, ours)
     if not verdict.agrees and head in ("T", "V") and ours.mask & scene.time.mask:
         left = scene.terms_with(ours, ~scene.time.mask)     # Lagrange's equations do not need the others
@@ -214,9 +179,8 @@ def _compare_equation(problem, answer, head):
         wanted, load = at_states(problem, [expected, drive], at)
         found = _small_oscillation(problem, i, at) - load
     else:
-        from vibcli.mechanics.lagrange import equation_of
-
-        wanted, found = at_states(problem, [expected, equation_of(scene, i)], at)
+        tree = answer.asked.tree
+        wanted, found = at_states(problem, [expected, quantity_of(problem.spec, tree).symbolic(problem, tree)], at)
     factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
     worst = _worst(wanted, factor * found, groups)
     agrees = factor != 0.0 and worst is None

@@ -6,9 +6,10 @@ degree into C² = 4 ζ² K M. These also hold for another mode, or with another 
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.conditions import summed
-from vibcli.inverse.symbolic_quantity_conditions import one_degree, side
+from vibcli.inverse.symbolic_quantity_conditions import side
 from vibcli.inverse.symbolic_response_conditions import equal_heights, response_is, response_of
 from vibcli.mechanics.static_preload import pivots, solve_linear
+from vibcli.quantities.modal import one_degree
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.elimination import solve_equations
 from vibcli.symbolic.equations.univariate import depends, polynomial, solve_equation

@@ -5,7 +5,7 @@ from vibcli.elements.shapes import NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks, in_short, listed, paragraph, table
-from vibcli.quantities.quantity import ASKED
+from vibcli.quantities import FAMILIES
 from vibcli.reader.read import SECTIONS
 
 START = ("A scene is a YAML file that says what a textbook figure shows: the bodies where they are drawn, how each "
@@ -34,7 +34,7 @@ def overview():
         ["Sections of a scene, all optional", *table(sections, least=width)],
         ["How a body moves, one of", *table(motions, least=width)],
         ["Shapes of bodies", *listed(NEEDS)],
-        ["Quantities, for `answers`", *listed(ASKED)],
+        ["Quantities, for `answers`", *listed(FAMILIES)],
         ["Topics", *table(subjects, least=width)],
         ["More on any word, and a scene that runs", *table([
             ("vibcli explain spring", "the keys of a spring"),

@@ -7,15 +7,13 @@ from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
 from vibcli.notation.scene_language import language
-from vibcli.quantities import quantity
-from vibcli.quantities.quantity import ASKED, VALUE
+from vibcli.quantities import FAMILIES, quantity
+from vibcli.quantities.index_kinds import INDICES
+from vibcli.quantities.quantity import named
 from vibcli.reader.read import INSTEAD
 from vibcli.report import json_keys
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.normal_form import textbook
-
-LETTERS = {"mode": ("i",), "coordinate": ("q", "r"), "signal": ("q",), "body": ("body",), "place": ("O",),
-           "parameter": ("p",)}
 
 
 def topic_page(catalogue, word):
@@ -87,23 +85,22 @@ def shape_page(catalogue, word):
 
 def usage(head):
     """How a quantity is written: M[q,r], J[body, O], amplitude(x)."""
-    asked = ASKED[head]
+    asked = named(head)
     if asked.args:
         return quantity.usage(head)
     if not asked.indices:
         return head
-    letters = [LETTERS[kind][min(asked.indices[:i].count(kind), len(LETTERS[kind]) - 1)]
-               for i, kind in enumerate(asked.indices)]
+    letters = [INDICES[kind].letters[asked.indices[:i].count(kind)] for i, kind in enumerate(asked.indices)]
     joined = "][" if head == "mode" else ", " if "body" in asked.indices else ","
     text = f"{head}[{joined.join(letters)}]"
     if head == "J":
         text = "J[body], " + text
-    return ", ".join(f"{text}.{a}" for a in asked.attributes) if asked.attributes != ("",) else text
+    return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text
 
 
 def quantities_table(catalogue):
-    rows = [(usage(head), asked.about + _unit(asked)) for head, asked in ASKED.items()]
-    rows.insert(next(i for i, head in enumerate(ASKED) if head in quantity.IN_TIME), ("x(2 s)", VALUE.about))
+    rows = [(usage(head), named(head).about + _unit(named(head))) for head in FAMILIES]
+    rows.insert(next(i for i, head in enumerate(FAMILIES) if named(head).args), ("x(2 s)", named("value").about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
              "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`. "
@@ -118,7 +115,7 @@ def _unit(asked):
 
 def quantity_page(catalogue, head):
     """One quantity: how it is written, and a scene whose answers ask for it."""
-    asked = ASKED[head]
+    asked = named(head)
     rows = [("means", asked.about), ("unit", _unit(asked).strip(" []") or None)]
     compared = {"equation": "equations", "motion": "equations", "T": "energies", "V": "energies", "Phi": "energies",
                 "stable": "stable"}.get(head)
@@ -129,7 +126,7 @@ def quantity_page(catalogue, head):
 
 
 def _more(head):
-    topic = "response" if head in quantity.IN_TIME else "frequency_response" if head in quantity.IN_FREQUENCY else ""
+    topic = named(head).topic
     return f"More: vibcli explain {topic}; all quantities: vibcli explain quantities" if topic else (
         "All quantities: vibcli explain quantities")
 

@@ -7,7 +7,8 @@ from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.manual.time_and_work import PATIENCE, TIME
-from vibcli.quantities.quantity import SEVERAL as HEADS
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.quantity import named
 
 EXIT_CODES = [
     ("0", "all well"),
@@ -77,8 +78,9 @@ COMPARED = [
     ("stable", "`true` or `false`."),
 ]
 
+HEADS = ", ".join(head for head in FAMILIES if named(head).several)
 SEVERAL = (f"A last index asks about one of all the equilibria that `find: {{equilibria: all}}` lists, in ascending "
-           f"order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise {', '.join(HEADS)}.")
+           f"order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise {HEADS}.")
 
 IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
             "`vibcli explain quantities`.")

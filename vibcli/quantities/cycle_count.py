@@ -3,6 +3,7 @@
 from vibcli.base import units
 from vibcli.language.parameters import definition_order
 from vibcli.language.record_calls import own
+from vibcli.quantities import quantity
 from vibcli.quantities.quantity import SIGNAL, declared
 from vibcli.symbolic.cycles import (
     NEITHER,
@@ -17,8 +18,6 @@ from vibcli.symbolic.cycles import (
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
 from vibcli.symbolic.syntax import Equation, NameRef, Product
-
-PERIODS = ("period", "beat_period")
 
 
 def cycles(spec, text=""):
@@ -81,7 +80,7 @@ def _quantity(spec, tree):
     asked = declared(tree)
     if tree.head in spec.choices and (asked is None or len(tree.indices) == 1):
         return spec.counts.get(tree.head, NEITHER)
-    if tree.head in PERIODS:
+    if asked is not None and asked.kind == quantity.PERIOD:
         return {PERIOD: 1}
     if tree.component == "Omega":
         return {RADIAN: 1}

@@ -1,54 +1,34 @@
-"""Values of quantities and of expressions of them: the arguments of a quantity first, then its family."""
+"""Values of quantities and of expressions of them: the arguments of a quantity first, then the quantity itself."""
 
-from importlib import import_module
 from math import isfinite, tau
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
-from vibcli.quantities import FAMILIES
 from vibcli.quantities.cycle_count import counts_cycles
-from vibcli.quantities.quantity import ASKED, IN_FREQUENCY, OF_VALUES, ROUNDING, SEVERAL, declared, is_choice
+from vibcli.quantities.quantity import ROUNDING, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import lower, quantities_in
 from vibcli.symbolic.syntax import QuantityRef
 
-IN_GRAPHS = ("peak", "antiresonance", "half_power", "fixed_point", "quality")   # read off a whole response
-
 
 def measure(problem, tree):
     """(value, relative error bound) of a quantity tree."""
-    head, indices, attribute = tree.head, tree.indices, tree.component
-    if tree.args or head in IN_FREQUENCY:
-        return _with_arguments(problem, tree)
-    if is_choice(problem.spec, tree) and problem.choice is not None:
-        return problem.choice.value(head, int(indices[0])), ROUNDING
-    if head in SEVERAL and len(indices) > len(ASKED[head].indices):
+    if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
+        return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
+    quantity = declared(tree)
+    if quantity.several and len(tree.indices) > len(quantity.indices):
         from vibcli.quantities.equilibrium import about
 
-        problem, indices = about(problem, int(indices[-1])), indices[:-1]
-    return family(head).VALUES[head](problem, indices, attribute)
+        problem, tree = about(problem, int(tree.indices[-1])), tree._replace(indices=tree.indices[:-1])
+    kinds = zip(quantity.args, tree.args, strict=not quantity.optional)
+    return quantity.value(problem, tree, [_argument(problem, kind, arg) for kind, arg in kinds])
 
 
-def family(head):
-    """The module of the family to which a quantity belongs."""
-    return import_module(f"vibcli.quantities.{FAMILIES[head]}")
-
-
-def _with_arguments(problem, tree):
-    """The arguments that are numbers first, then the family."""
-    head, args = tree.head, tree.args
-    of_frf = bool(args) and isinstance(args[0], QuantityRef) and args[0].head in ("frf", *OF_VALUES)
-    if head in IN_FREQUENCY or of_frf:
-        from vibcli.quantities.frequency_response import VALUES
-
-        complex_part = head in (*OF_VALUES, "phase")
-        return VALUES[head](problem, tree, [measure(problem, arg) if complex_part else
-                                            None if head in IN_GRAPHS else number_of(problem, arg) for arg in args])
-    from vibcli.quantities.response import measure_response
-
-    kinds = declared(tree).args
-    return measure_response(problem, tree, [number_of(problem, arg) if kind == "time" else None
-                                            for kind, arg in zip(kinds, args, strict=True)])
+def _argument(problem, kind, arg):
+    """The value of an argument that is a number, of a complex one with its error; None of what is a function."""
+    if kind == "complex":
+        return measure(problem, arg)
+    return number_of(problem, arg) if kind in ("time", "Omega") else None
 
 
 def value_of(problem, expression):

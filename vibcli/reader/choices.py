@@ -2,16 +2,16 @@
 
 from vibcli.base import units
 from vibcli.language.dimension_check import check
-from vibcli.language.reader import Expression, Record
-from vibcli.quantities.quantity import ASKED, STATE_FUNCTIONS
-from vibcli.reader.answer_check import as_quantity, check_cycles, dimension_of, unit_asked
+from vibcli.language.reader import Record
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.dimensions import asked_dimension, dimension_of
+from vibcli.quantities.quantity import COUNT, OF_STATE, quantity_of
+from vibcli.reader.answer_check import as_quantity, check_cycles, in_unit_asked
 from vibcli.reader.quantity_check import can_be_asked
-from vibcli.reader.quantity_dimensions import asked_dimension
 from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 MOST_CHOSEN = 4
-COUNTED = ("stable", "equilibria")
 
 
 def with_choices(spec, reader):
@@ -55,9 +55,9 @@ def _finished(spec, condition):
     """An equation in which names alone are the quantities that they stand for, its expected side in their unit."""
     left, right = (as_quantity(spec, side) for side in condition.sides)
     if _head(right) and not _head(left):
-        left = Expression(left.scalar, left.tree, unit_asked(right.tree))
+        left = in_unit_asked(spec, left, right.tree)
     elif _head(left):
-        right = Expression(right.scalar, right.tree, unit_asked(left.tree))
+        right = in_unit_asked(spec, right, left.tree)
     return condition.with_sides(left, right)
 
 
@@ -65,16 +65,17 @@ def _equation(spec, reader, name, condition):
     left, right = condition.sides
     quantities = [(side, tree) for side in condition.sides for tree in side.parts.quantities]
     for side, tree in quantities:
-        if tree.head in spec.choices and tree.head not in ASKED:
+        if tree.head in spec.choices and tree.head not in FAMILIES:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition", f"write {tree.head} alone")
             return
         if not can_be_asked(spec, reader, side, tree):
             return
-        if tree.head in COUNTED:
+        quantity = quantity_of(spec, tree)
+        if quantity is not None and quantity.kind == COUNT:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it changes by leaps",
                           "for the value at which it changes write stability limit")
             return
-        if tree.head in STATE_FUNCTIONS:
+        if quantity is not None and quantity.kind == OF_STATE:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it is not a number",
                           "conditions are made of numbers, parameters and quantities such as omega[1]")
             return

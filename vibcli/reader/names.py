@@ -8,8 +8,8 @@ from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Record
 from vibcli.language.sections.initial import RELEASED
-from vibcli.quantities.quantity import dimension
-from vibcli.reader.quantity_dimensions import asked_dimension
+from vibcli.quantities.dimensions import asked_dimension
+from vibcli.quantities.matrices import entry_dimension
 from vibcli.reader.records import check_record_names, record_dimensions
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
@@ -225,10 +225,11 @@ def _circles(spec):
 
 
 def _matrices(spec):
-    """{scalar: dimension} of the entries (q, r) of M, C, K: energy·timeᵖ/(q·r)."""
+    """{scalar: dimension} of the entries of M, C, K."""
     names, matrices = list(spec.coordinates), spec.get("matrices") or {}
-    return {entry.scalar: dimension(key, (q, r), spec.dimensions.unknown) for key, rows in matrices.items()
-            for q, row in zip(names, rows, strict=False) for r, entry in zip(names, row, strict=False)}
+    return {entry.scalar: entry_dimension(key, spec.dimensions.unknown(q), spec.dimensions.unknown(r))
+            for key, rows in matrices.items() for q, row in zip(names, rows, strict=False)
+            for r, entry in zip(names, row, strict=False)}
 
 
 def _start(spec):

@@ -1,11 +1,26 @@
-"""Random states of motion at which expressions are compared: the same at every run."""
+"""Random values of free symbols and random states of motion, at which scenes are compared: the same at every run."""
 
 import random
+from fractions import Fraction
 
-from vibcli.base.errors import PhysicsError
+from vibcli.base.errors import PhysicsError, SpecError
+from vibcli.language.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import evaluate
 
-STATES, NEAR, SEPARATE, MOST_HALVINGS = 5, 1e-4, 12, 30
+STATES, NEAR, SEPARATE, MOST_HALVINGS, CANDIDATES = 5, 1e-4, 12, 30, 40
+
+
+def random_instances(problem):
+    """The problem with random values for its free symbols, whenever the drawing fits together."""
+    for attempt in range(CANDIDATES):
+        values = sample_values(problem.symbolic.letters, attempt)
+        given = {name: Fraction(value).limit_denominator(1000) for name, value in values.items()}
+        candidate = problem.with_values(given)
+        try:
+            candidate.draw()
+        except (SpecError, PhysicsError):
+            continue
+        yield candidate
 
 
 def states(problem):

@@ -7,7 +7,7 @@ import pytest
 from support.scenes import problem_of
 
 from vibcli.base.errors import PhysicsError
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.mechanics.inputs_outputs.forces_along_motion import ForcesAlong
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -30,7 +30,7 @@ def at_rest(one):
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_of_a_scene_at_rest(path):
-    one = next(iter(Draws(problem_of(path))), None)
+    one = next(iter(Instances(problem_of(path))), None)
     try:
         statics = {} if one is None or one.scene.timed else {
             reaction.signal: reaction.value for reaction in one.configuration.reactions if reaction.value is not None}

@@ -15,8 +15,8 @@ from support.scenes import problem
 import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
+from vibcli.quantities import FAMILIES
 from vibcli.quantities.expression import measure
-from vibcli.quantities.quantity import IN_TIME, PARTS
 from vibcli.symbolic.parser import parse
 
 SCENE = """
@@ -29,6 +29,8 @@ initial: {{x: 0.02 m, x': 0.1 m/s}}
 motion: {motion}
 find: [{{response: {{until: 3 s}}}}]
 """
+IN_TIME = [head for head, family in FAMILIES.items() if family == "response"]
+PARTS = ("steady", "transient", "envelope")      # signals again
 PROBLEM = Path(vibcli.__file__).parent / "examples" / "stop_with_clearance.yaml"
 OMEGA, UNTIL, INSTANT = 3.0, 3.0, 0.4
 LOADS = {"none": "0 N", "wave": "2 N*sin(3 rad/s*t)", "square": "2 N*square(3 rad/s*t)", "step": "2 N*step(t)",

@@ -4,7 +4,8 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element, Expression, Field, Kind, Quantity
-from vibcli.quantities.quantity import ALL, ASKED
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.quantity import ALL
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -48,7 +49,7 @@ class Answers(Kind):
             except ExpressionError as error:
                 asked = key.text.partition("(")[0].strip()
                 if error.message.startswith("unknown function") and error.offset == 0:
-                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, ASKED) or ALL)
+                    reader.report(key.where, f"unknown quantity {quoted(asked)}", nearest(asked, FAMILIES) or ALL)
                 else:
                     reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue

@@ -4,7 +4,8 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Scalar, Sequence
 from vibcli.language.fields import Element, Expression, Field, Kind, Quantity
-from vibcli.quantities.quantity import ALL, ASKED
+from vibcli.quantities import FAMILIES
+from vibcli.quantities.quantity import ALL
 from vibcli.symbolic.parser import ExpressionError, parse
 
 BALANCE, LIMIT = "equilibrium", "stability limit"
@@ -54,7 +55,7 @@ class _Condition(Kind):
             asked = node.text[error.offset:error.offset + error.width]
             if error.message.startswith("unknown function"):
                 return reader.report(node.place(error.offset, error.width), f"unknown quantity {quoted(asked)}",
-                                     nearest(asked, ASKED) or ALL)
+                                     nearest(asked, FAMILIES) or ALL)
             return reader.report(node.place(error.offset, error.width), error.message, error.hint)
         sides = [_side(node, tree) for tree in equation.children]
         reader.expressions.update((side.scalar, side) for side in sides)

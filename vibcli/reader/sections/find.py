@@ -3,7 +3,7 @@
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Choice, Element, Expression, Field, Kind, Many, OneOf, Quantity
 from vibcli.language.sections.equilibrium import ByCoordinate
-from vibcli.quantities.quantity import FIND
+from vibcli.quantities.questions import FIND
 from vibcli.symbolic.parser import ExpressionError, parse
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"

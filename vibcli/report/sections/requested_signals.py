@@ -5,8 +5,9 @@ from typing import NamedTuple
 from vibcli.base import units
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
 from vibcli.language.reader import Reader
+from vibcli.quantities.dimensions import signal_tree_dimension
+from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.quantity_check import check_questions
-from vibcli.reader.quantity_dimensions import input_dimension, inputs, output_dimension, signal_tree_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.symbolic.syntax import NameRef
 

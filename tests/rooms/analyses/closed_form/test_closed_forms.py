@@ -10,7 +10,7 @@ from support.scenes import number, problem
 
 from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.base.errors import PhysicsError
-from vibcli.check.instances import Draws
+from vibcli.check.instances import Instances
 from vibcli.check.verdicts import check
 from vibcli.report.document import Report
 from vibcli.report.formats.text import section_lines, shown
@@ -90,7 +90,7 @@ class Forms:
     def draws(self, wanted=3):
         """Numeric problems at random values other than those that the forms were checked with."""
         found = []
-        for draw in Draws(self.problem):
+        for draw in Instances(self.problem):
             try:
                 if not self.same_regime(draw):
                     continue

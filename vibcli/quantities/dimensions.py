@@ -1,0 +1,42 @@
+"""The dimension of a quantity, and of a signal: an expression of coordinates, signals and parameters."""
+
+from vibcli.base import units
+from vibcli.quantities.quantity import SIGNAL, declared, is_choice
+from vibcli.quantities.signal_dimensions import output_dimension
+from vibcli.symbolic.parser import ExpressionError
+from vibcli.symbolic.semantics import DimensionCheck
+
+
+def asked_dimension(spec, tree):
+    """The dimension of a quantity; None where any fits, or something in it is unknown."""
+    if is_choice(spec, tree):
+        return spec.dimensions.of(tree.head)
+    quantity = declared(tree)
+    if quantity.unit == SIGNAL:
+        return signal_tree_dimension(spec, tree.args[0]) if tree.args else None
+    if quantity.unit is not None:
+        return units.parse_unit(quantity.unit).dimension
+    return None if quantity.dimension is None else quantity.dimension(spec, tree)
+
+
+def dimension_of(spec, expression):
+    """The dimension of an expression of quantities and parameters; None where its parts do not fit."""
+    try:
+        return DimensionCheck(spec.dimensions, lambda name, primes: spec.dimensions.of(name), spec.free_numbers,
+                              lambda tree: asked_dimension(spec, tree)).dimension(expression.tree)
+    except ExpressionError:
+        return None
+
+
+def signal_tree_dimension(spec, tree):
+    """The dimension of a signal; ExpressionError of a misfit."""
+    return checker(spec).dimension(tree)
+
+
+def checker(spec, text=""):
+    """What finds the dimensions of signals."""
+    def of(name, primes):
+        found = spec.dimensions.of(name) if name in spec.parameters else output_dimension(spec, name + "'" * primes)
+        return units.times(found, units.TIME, 0)
+
+    return DimensionCheck(spec.dimensions, of, spec.free_numbers, lambda part: asked_dimension(spec, part), text)
