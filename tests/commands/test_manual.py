@@ -15,7 +15,8 @@ from vibcli.base.units import UNITS
 from vibcli.check.verdicts import check
 from vibcli.cli import run
 from vibcli.language.document.document import read, read_file
-from vibcli.language.fields import Element, load
+from vibcli.language.fields import Element
+from vibcli.language.named_elements import load
 from vibcli.manual import nearest_words, overview, page, scenes, schema, topics, words
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import FACES, Catalogue

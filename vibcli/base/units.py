@@ -151,6 +151,7 @@ class Dimensions:
         return True
 
 
+@lru_cache(maxsize=256)
 def parse_unit(text, where=None):
     """The unit of a text such as 'kg*m^2' (for the declarations of fields); raises ValueError."""
     import re

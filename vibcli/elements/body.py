@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from vibcli.elements import body_checks, rim
 from vibcli.elements.shapes import LAWS, NEEDS
-from vibcli.language.fields import Choice, Element, Field, Flag, Lazy, Many, Quantity, load
+from vibcli.language.fields import Choice, Element, Field, Flag, Many, Quantity
+from vibcli.language.named_elements import Lazy, load
 from vibcli.language.named_place import DRAWN
 
 _LENGTH, _ANGLE = Quantity("m"), Quantity("rad")

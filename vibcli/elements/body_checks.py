@@ -2,7 +2,7 @@
 
 from vibcli.base.units import parse_unit
 from vibcli.elements.shapes import NEEDS
-from vibcli.language.fields import article
+from vibcli.language.reader import article
 
 SIZES = ("radius", "half_angle", "width", "height", "a", "b", "from", "to", "angle")
 SLENDER = ("rod", "ring", "arch")

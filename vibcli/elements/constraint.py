@@ -35,7 +35,8 @@ ELEMENT = Element(
     "What ties motions together: a rope, a pair of gears, a belt, two points pinned together, a rigid massless link, a "
     "point kept on a surface, or a plain equation between coordinates such as `x2 = 2*x1`.",
     {
-        "equation": Field(EquationField(), "an equation between coordinates and the time, true as drawn"),
+        "equation": Field(EquationField(equation="x2 = 2*x1"),
+                          "an equation between coordinates and the time, true as drawn"),
         "rope": Field(rope.KIND, rope.ABOUT),
         "gear": Field(_TWO_BODIES, "two bodies whose pitch circles roll on each other"),
         "belt": Field(_TWO_BODIES, "two bodies with a belt around them"),

@@ -50,7 +50,7 @@ def check(spec, reader, expression, names, expected, local=None):
     try:
         def of(name, primes):
             known = local[1] if local and name == local[0] else spec.dimensions.of(name)
-            return units.times(known, units.TIME, -primes)
+            return units.times(known, units.TIME, -primes) if primes else known
 
         def quantity(tree):
             return spec.asked_dimension(spec, tree)

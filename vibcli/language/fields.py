@@ -2,10 +2,10 @@
 
 A kind reads a document node into a value, or reports what was expected and found. An Element is a mapping with
 declared keys; reading one gives a Record. Expressions are parsed here and kept as trees; what their names mean
-and whether their dimensions fit is settled by spec.py, once all names are known.
+and whether their dimensions fit is settled by the reader, once all names are known.
 """
 
-from importlib import import_module
+from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
@@ -35,12 +35,16 @@ class Text(Kind):
         return {"type": ["string", "number"]}
 
 
-class Quantity(Kind):
-    """An expression of a given dimension; `unit` None leaves it to be inferred."""
+class Quantity(NamedTuple):
+    """An expression of a given dimension; `unit` None leaves it to be inferred; `equation`: an example of one that is
+    due instead."""
 
-    def __init__(self, unit=None, equation=None):
-        self.unit, self.equation = unit, equation
-        self.dimension = None if unit is None else units.parse_unit(unit).dimension
+    unit: str | None = None
+    equation: str | None = None
+
+    @property
+    def dimension(self):
+        return None if self.unit is None else units.parse_unit(self.unit).dimension
 
     @property
     def wants(self):
@@ -74,6 +78,8 @@ class Quantity(Kind):
 class MotionField(Quantity):
     """A displacement or rotation in coordinates; a bare name here, if no parameter, is a coordinate."""
 
+    __slots__ = ()
+
     def read(self, node, reader):
         expression = super().read(node, reader)
         if expression is not None:
@@ -83,6 +89,8 @@ class MotionField(Quantity):
 
 class Load(Quantity):
     """An expression of the time, coordinates and velocities."""
+
+    __slots__ = ()
 
     def read(self, node, reader):
         expression = super().read(node, reader)
@@ -94,8 +102,7 @@ class Load(Quantity):
 class EquationField(Load):
     """An equation between coordinates and the time."""
 
-    def __init__(self):
-        super().__init__(equation="x2 = 2*x1")
+    __slots__ = ()
 
 
 class NewName(Text):
@@ -155,12 +162,17 @@ class Flag(Choice):
         return {"type": "boolean"}
 
 
-class Many(Kind):
-    """A list of one kind; `least` and `most` bound its length."""
+class Many(NamedTuple):
+    """A list of one kind; `least` and `most` bound its length; `named`: what it is, in words."""
 
-    def __init__(self, kind, least=0, most=10000, wants=None):
-        self.kind, self.least, self.most = kind, least, most
-        self.wants = wants or (f"a list of {least}" if least == most else "a list")
+    kind: object
+    least: int = 0
+    most: int = 10000
+    named: str | None = None
+
+    @property
+    def wants(self):
+        return self.named or (f"a list of {self.least}" if self.least == self.most else "a list")
 
     def read(self, node, reader):
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
@@ -180,18 +192,26 @@ def vector(unit, wants, kind=Quantity):
     return Many(kind(unit), 2, 2, wants)
 
 
-class OneOf(Kind):
-    """Alternatives told apart by the node's form: {Scalar: kind, Sequence: kind, Mapping: kind}."""
+class OneOf(NamedTuple):
+    """Alternatives told apart by the node's form."""
 
-    def __init__(self, wants, scalar=None, sequence=None, mapping=None):
-        self.wants, self.kinds = wants, {Scalar: scalar, Sequence: sequence, Mapping: mapping}
+    wants: str
+    scalar: object = None
+    sequence: object = None
+    mapping: object = None
+
+    @property
+    def kinds(self):
+        """{form of a node: kind} of the forms that it may have."""
+        pairs = ((Scalar, self.scalar), (Sequence, self.sequence), (Mapping, self.mapping))
+        return {form: kind for form, kind in pairs if kind is not None}
 
     def read(self, node, reader):
-        kind = self.kinds[type(node)]
-        return kind.read(node, reader) if kind else reader.expected(node, self.wants)
+        kind = self.kinds.get(type(node))
+        return reader.expected(node, self.wants) if kind is None else kind.read(node, reader)
 
     def schema(self):
-        return {"anyOf": [kind.schema() for kind in self.kinds.values() if kind]}
+        return {"anyOf": [kind.schema() for kind in self.kinds.values()]}
 
 
 PLACE = OneOf("a place [x, y] or the name of a point or body",
@@ -203,13 +223,12 @@ BODY = NameOf("the name of a body", "bodies")
 ENDS = Many(END, 2, 2, "two ends [A, B]")
 
 
-class Field:
+class Field(NamedTuple):
     """A key of an element: its kind and what it means, in a few words."""
 
-    __slots__ = ("about", "kind", "required")
-
-    def __init__(self, kind, about, required=False):
-        self.kind, self.about, self.required = kind, about, required
+    kind: object
+    about: str
+    required: bool = False
 
 
 class Element(Kind):
@@ -283,53 +302,3 @@ class Element(Kind):
         if self.short is None:
             return mapping
         return {"anyOf": [self.fields[self.short].kind.schema(), mapping]}
-
-
-def load(name, room="elements"):
-    """The module of an element or a section, vibcli/ROOM/NAME.py."""
-    return import_module(f"vibcli.{room}.{name}")
-
-
-class Lazy(Kind):
-    """An element or section by its room and the name of its file, imported when a scene first uses it."""
-
-    def __init__(self, name, room="elements"):
-        self.name, self.room = name, room
-
-    @property
-    def module(self):
-        return load(self.name, self.room)
-
-    def __getattr__(self, attribute):
-        return getattr(self.module.ELEMENT, attribute)
-
-    def read(self, node, reader, *named):
-        return self.module.ELEMENT.read(node, reader, *named)
-
-
-class Named(Kind):
-    """A mapping from names, chosen by the writer, to elements of one kind."""
-
-    def __init__(self, kind, wants, forbidden=()):
-        self.kind, self.wants, self.forbidden = kind, wants, forbidden
-
-    def read(self, node, reader):
-        if not isinstance(node, Mapping):
-            return reader.expected(node, self.wants)
-        records = {}
-        for key, (key_node, value_node) in node.entries.items():
-            name = check_name(key_node, reader, self.forbidden)
-            if name is None:
-                continue
-            if name in records:
-                reader.report(key_node.where, f"'{key}' is the same name as one before it",
-                              "Greek letters are names like those that spell them: φ is phi")
-                continue
-            record = (self.kind.read(value_node, reader, name, key_node.where) if isinstance(self.kind, (Element, Lazy))
-                      else self.kind.read(value_node, reader))
-            if record is not None:
-                records[name] = record
-        return records
-
-    def schema(self):
-        return {"type": "object", "additionalProperties": self.kind.schema()}

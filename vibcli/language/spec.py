@@ -8,12 +8,14 @@ from vibcli.language.reader import Record
 
 
 class Spec(NamedTuple):
-    """`named`: the names that stand in each section, of what could not be read as well; `used`: those on which
-    something depends; `counts`: what names count, cycles or radians; `asked_dimension(spec, tree)`: that of a quantity,
-    None while none may stand; `sample`: values of letters at which the scene is drawn, where not any will do."""
+    """`get(section, default)`: the records of a section; `named`: the names that stand in each section, of what could
+    not be read as well; `used`: those on which something depends; `counts`: what names count, cycles or radians;
+    `asked_dimension(spec, tree)`: that of a quantity, None while none may stand; `sample`: values of letters at which
+    the scene is drawn, where not any will do."""
 
     file: str
     sections: dict
+    get: Callable
     named: dict[str, list[str]]
     parameters: dict[str, Record]
     choices: dict[str, Record]
@@ -30,11 +32,13 @@ class Spec(NamedTuple):
     @classmethod
     def of(cls, file, sections, named):
         """A Spec whose names are not settled yet."""
-        return cls(file, sections, named, parameters=sections.get("parameters", {}), choices={},
+        return cls(file, sections, sections.get, named, parameters=sections.get("parameters", {}), choices={},
                    answers=sections.get("answers", []), used=set(), counts={}, sample={}, cases={})
 
-    def get(self, section, default=None):
-        return self.sections.get(section, default)
+    def with_sections(self, **changed):
+        """The Spec with other records in some sections."""
+        sections = {**self.sections, **changed}
+        return self._replace(sections=sections, get=sections.get)
 
     @property
     def connections(self):
@@ -48,7 +52,7 @@ class Spec(NamedTuple):
 
     def with_parameters(self, parameters):
         """The Spec with other parameters."""
-        return self._replace(parameters=parameters, sections={**self.sections, "parameters": parameters})
+        return self.with_sections(parameters=parameters)._replace(parameters=parameters)
 
     @property
     def independent_parameters(self):

@@ -3,7 +3,8 @@
 from vibcli import elements
 from vibcli.language import sections
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Element, Lazy, Many, Named, OneOf, load
+from vibcli.language.fields import Element, Many, OneOf
+from vibcli.language.named_elements import Lazy, Named, load
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS
 
@@ -51,8 +52,7 @@ class Catalogue:
             return self._gather(kind.kind, place, section)
         if isinstance(kind, OneOf):
             for part in kind.kinds.values():
-                if part is not None:
-                    self._gather(part, place, section)
+                self._gather(part, place, section)
             return None
         if not isinstance(kind, (Lazy, Element)):
             return None
@@ -109,8 +109,8 @@ def _used(kind, node):
     if isinstance(kind, Many):
         return [use for item in node.items for use in _used(kind.kind, item)] if isinstance(node, Sequence) else []
     if isinstance(kind, OneOf):
-        inner = kind.kinds[type(node)]
-        return _used(inner, node) if inner else []
+        inner = kind.kinds.get(type(node))
+        return _used(inner, node) if inner is not None else []
     if not isinstance(kind, (Lazy, Element)):
         return []
     word, element, _ = opened(kind)

@@ -39,7 +39,7 @@ def check_choices(spec, reader):
     """The Spec with its conditions finished; reports whatever is wrong with them."""
     found = {name: record if record["so"].word else record.with_values({**record, "so": _finished(spec, record["so"])})
              for name, record in spec.choices.items()}
-    spec = spec._replace(choices=found, sections={**spec.sections, "choose": {**spec.get("choose", {}), **found}})
+    spec = spec.with_sections(choose={**spec.get("choose", {}), **found})._replace(choices=found)
     for name, record in found.items():
         for bound in (record[key] for key in ("from", "to") if key in record):
             for other, _, start, end in bound.parts.names:

@@ -1,16 +1,18 @@
 """Cycles and radians in a file: where cycles stand for radians."""
 
+from vibcli.base.unit_table import UNITS
 from vibcli.quantities.cycle_count import count_of_unit, cycles, known_dimension
 from vibcli.symbolic.cycles import CYCLE, agree, fits_both, left_over
 from vibcli.symbolic.parser import ExpressionError
-from vibcli.symbolic.semantics import literal_unit
+
+OF_CYCLES = frozenset(name for name, unit in UNITS.items() if unit.cycles)
 
 
 def uses_cycles(spec, reader):
     """Does anything in the file count cycles?"""
     values = [record["value"] for record in spec.parameters.values() if "value" in record]
-    if any(part.units and literal_unit(part.units).cycles for expression in (*reader.expressions.values(), *values)
-           for part in expression.parts.numbers):
+    if any(part.unit in OF_CYCLES for expression in (*reader.expressions.values(), *values)
+           for number in expression.parts.numbers for part in number.units):
         return True
     records = (*spec.parameters.values(), *(spec.get("records") or {}).values())
     if any(count_of_unit(record).get(CYCLE) for record in records):

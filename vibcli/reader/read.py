@@ -9,7 +9,8 @@ from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.fields import Choice, Kind, Lazy, Named, Text
+from vibcli.language.fields import Choice, Kind, Text
+from vibcli.language.named_elements import Lazy, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
 from vibcli.language.sections import coordinates, equilibrium, gravity, initial

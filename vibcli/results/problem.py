@@ -48,7 +48,7 @@ class Problem:
     def without(self, damper):
         """The problem with one damper taken out."""
         dampers = {name: record for name, record in self.spec.get("dampers").items() if name != damper}
-        spec = self.spec._replace(sections={**self.spec.sections, "dampers": dampers})
+        spec = self.spec.with_sections(dampers=dampers)
         return Problem(spec, self.numeric.given, self.work)
 
     def with_values(self, given):

@@ -1,7 +1,7 @@
 """The scene while it is built: the services by which elements make their functions of the coordinates, and to which
 they contribute."""
 
-from vibcli.language.fields import load
+from vibcli.language.named_elements import load
 from vibcli.language.parameter_samples import sample_values
 from vibcli.language.parameters import Parameters
 from vibcli.language.reader import Reference

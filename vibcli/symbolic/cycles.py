@@ -5,6 +5,9 @@ of rad and rpm, PI of the factors π. A factor π turns one cycle into radians, 
 counts CYCLE − PERIOD cycles. A rate v/R or a number n counts neither, and is added to both.
 """
 
+from collections.abc import Callable
+from typing import NamedTuple
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
@@ -66,12 +69,14 @@ def agree(counts, dimensions):
         left_over(count) or fits_both(count, dimension) for count, dimension in zip(counts, dimensions, strict=True)))
 
 
-class Cycles:
+class Cycles(NamedTuple):
     """Counts of the parts of trees, given `of(name)` and `quantity(tree)`, the counts of names and quantities, and
     `dimension(tree)`; every misfit is raised as an ExpressionError."""
 
-    def __init__(self, of, quantity, dimension, text=""):
-        self.of, self.quantity, self.dimension, self.text = of, quantity, dimension, text
+    of: Callable
+    quantity: Callable
+    dimension: Callable
+    text: str = ""
 
     def count(self, tree):
         return getattr(self, "_" + tree.kind)(tree)

@@ -1,6 +1,8 @@
 """The meaning of a syntax tree: its dimension, checked part by part, and the expression it stands for."""
 
+from collections.abc import Callable
 from fractions import Fraction
+from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
@@ -31,16 +33,19 @@ def literal_unit(chain):
     return units.combine(tuple((name, power) for name, power, _, _ in chain))
 
 
-class DimensionCheck:
-    """The dimension of trees, given `of(name, primes) -> dimension`; every misfit is raised as an ExpressionError.
+class DimensionCheck(NamedTuple):
+    """The dimension of trees, given `of(name, primes)`, that of a name, and `quantity(tree)`, that of a quantity (None:
+    any); every misfit is raised as an ExpressionError, which quotes the text.
 
     `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity; small whole ones are
     factors, unless it is ALL_NUMBERS: then everything fits, as a factor 1 with a unit is not written.
     """
 
-    def __init__(self, dimensions, of, free_numbers=False, quantity=None, text=""):
-        self.dimensions, self.of, self.free_numbers, self.quantity = dimensions, of, free_numbers, quantity
-        self.text = text
+    dimensions: units.Dimensions
+    of: Callable
+    free_numbers: bool | str = False
+    quantity: Callable | None = None
+    text: str = ""
 
     def _same(self, one, other):
         return self.dimensions.equate(one, other) or self.free_numbers == ALL_NUMBERS

@@ -34,7 +34,7 @@ def planted(problem, name, quantity, number):
     condition = choose.Condition(f"{quantity} = {number!r}", where, None, side(quantity), side(repr(number)))
     choices = {name: Record(choose.ELEMENT, name, where, {"so": condition}, {})}
     spec = spec.with_parameters({**spec.parameters, name: record.with_values(values)})
-    return Problem(spec._replace(choices=choices, sections={**spec.sections, "choose": choices}))
+    return Problem(spec.with_sections(choose=choices)._replace(choices=choices))
 
 
 def measured_nearby(problem, name, quantity):

@@ -142,6 +142,10 @@ def _no_colon(halt, first=None):
     return first._replace(width=max(1, len(text))), f"expected key: value, found {found}", _key_value(text)
 
 
+def _tight_colon(halt):
+    return halt.here(), "expected a space after the ':'", "put a space after the colon"
+
+
 def _bracket(halt):
     """An entry of [ ] or { } that neither a comma nor the closing bracket follows."""
     tree, source = halt.tree, halt.source
@@ -191,6 +195,7 @@ _EXPLAINED = (  # words of libyaml and of the pure Python parser, the more speci
     ("unexpected document", _quote),
     ("mapping values are not allowed", _colon),
     ("could not find expected ':'", _no_colon),
+    ("unexpected ':'", _tight_colon),
     ("expected key", _indentation),
     ("'-' indicator", _indentation),
     ("block end", _indentation),

@@ -3,7 +3,8 @@
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Element, Expression, Field, Kind, Quantity
+from vibcli.language.fields import Element, Field, Kind, Quantity
+from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL
 from vibcli.symbolic.parser import ExpressionError, parse

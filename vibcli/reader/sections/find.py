@@ -1,7 +1,8 @@
 """Questions of a scene: words, the search for all equilibria, motions in time and frequency responses."""
 
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Choice, Element, Expression, Field, Kind, Many, OneOf, Quantity
+from vibcli.language.fields import Choice, Element, Field, Kind, Many, OneOf, Quantity
+from vibcli.language.reader import Expression
 from vibcli.language.sections.equilibrium import ByCoordinate
 from vibcli.quantities.questions import FIND
 from vibcli.symbolic.parser import ExpressionError, parse
@@ -31,9 +32,6 @@ class _Frequency(Quantity):
 
     wants, sample = "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
 
-    def __init__(self):
-        super().__init__("Hz")
-
 
 class _Input(_Signal):
     wants = "the name of a force, driven point or coordinate"
@@ -56,8 +54,8 @@ _IN_FREQUENCY = Element(
         "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
         "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of "
                     "these if left out"),
-        "from": Field(_Frequency(), "where plots and saved numbers begin"),
-        "up_to": Field(_Frequency(), "where they end"),
+        "from": Field(_Frequency("Hz"), "where plots and saved numbers begin"),
+        "up_to": Field(_Frequency("Hz"), "where they end"),
     },
     example="frequency_response",
 )
@@ -121,9 +119,7 @@ class Questions(list):
 
 
 class _Question(OneOf):
-    def __init__(self):
-        words = Choice(*(word for word in FIND if word != SEARCH))
-        super().__init__(f"{words.wants}, or {{{SEARCH}: all}}", scalar=words, mapping=ELEMENT)
+    """A word, or a question with particulars."""
 
     def read(self, node, reader):
         if isinstance(node, Scalar) and node.text == SEARCH:
@@ -133,10 +129,6 @@ class _Question(OneOf):
 
 class _Find(OneOf):
     """A list of questions; a mapping stands for the list of it alone."""
-
-    def __init__(self):
-        super().__init__("a list of questions", sequence=Many(_Question(), 1, 20, "a list of questions"),
-                         mapping=_Question())
 
     def read(self, node, reader):
         if isinstance(node, Scalar):
@@ -152,4 +144,6 @@ class _Find(OneOf):
         return Questions(items if isinstance(items, list) else [items])
 
 
-QUESTIONS = _Find()
+_WORDS = Choice(*(word for word in FIND if word != SEARCH))
+_ONE = _Question(f"{_WORDS.wants}, or {{{SEARCH}: all}}", scalar=_WORDS, mapping=ELEMENT)
+QUESTIONS = _Find("a list of questions", sequence=Many(_ONE, 1, 20, "a list of questions"), mapping=_ONE)
