@@ -26,7 +26,7 @@ from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
 from vibcli.drawing.symbols import SYMBOLS, mode_shape, rope, sliding
 from vibcli.elements import NAMES
-from vibcli.language.fields import load
+from vibcli.language.named_elements import load
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml")])

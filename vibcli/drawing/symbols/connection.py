@@ -6,7 +6,7 @@ from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment
 from vibcli.drawing.symbols import SYMBOLS, support
-from vibcli.language.fields import load
+from vibcli.language.named_elements import load
 
 APART, BRIDGE = 17.0, 8.0
 
