@@ -14,6 +14,7 @@ import vibcli
 from vibcli.base.units import UNITS
 from vibcli.check.verdicts import check
 from vibcli.cli import run
+from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import read, read_file
 from vibcli.language.fields import Element
 from vibcli.language.named_elements import load
@@ -91,7 +92,8 @@ def test_every_key_and_section_stands_in_an_example():
 
 def test_the_catalogue_knows_every_element_file():
     elements = Catalogue().elements
-    files = {name: getattr(load(name, room), "ELEMENT", None) for room, face in FACES for name in face.NAMES}
+    files = {name: getattr(load(name, room), "ELEMENT", None)
+             for room, names in (*FACES, ("elements", ELEMENTS)) for name in names}
     known = [declared.kind for declared in elements.values()]
     declared = [kind for kind in files.values() if isinstance(kind, Element)]
     assert len(declared) >= 14

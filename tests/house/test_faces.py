@@ -33,13 +33,18 @@ def test_a_face_imports_nothing(folder):
 
 
 @pytest.mark.parametrize(("table", "folder"), [
-    pytest.param(elements.NAMES, "elements", id="elements"),
     pytest.param(of_language.NAMES, "language/sections", id="language"),
     pytest.param(of_questions.NAMES, "reader/sections", id="reader")])
 def test_a_face_tells_of_every_file_of_its_folder(table, folder):
     files = {path.stem for path in (PACKAGE / folder).glob("*.py")} - {"__init__"}
     assert list(table) == sorted(files)
     assert [name for name, about in table.items() if not is_a_line(about)] == []
+
+
+def test_elements_are_the_files_that_define_one():
+    files = (PACKAGE / "elements").glob("*.py")
+    assert {path.stem for path in files if defines(path, "ELEMENT")} == set(elements.ELEMENTS)
+    assert all(is_a_line(about) for _, about in elements.ELEMENTS.values())
 
 
 def test_symbols_are_the_files_of_their_folder():

@@ -7,7 +7,7 @@ parallel axis theorem; a part with `cut: true` counts negative.
 
 from typing import NamedTuple
 
-from vibcli.elements import body_checks, rim
+from vibcli.elements import ELEMENTS, body_checks, rim
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.language.fields import Choice, Element, Field, Flag, Many, Quantity
 from vibcli.language.named_elements import Lazy, load
@@ -36,7 +36,7 @@ PART = Element("part", "One of several shapes welded into a body.",
                {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
                settle=body_checks.part, example="welded_parts")
-MOTIONS = ("slide", "pin", "roll", "move", "weld", "turn")
+MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None)
 ELEMENT = Element(
     "body",
     "A rigid body or particle: its shape and mass, where it is drawn, and the one key that says how it may move; "
@@ -47,12 +47,7 @@ ELEMENT = Element(
         "inertia": Field(Quantity("kg*m^2"), "moment of inertia about the mass centre, overriding the shape's"),
         "gyration": Field(_LENGTH, "radius of gyration about the mass centre, overriding the shape's"),
         "parts": Field(Many(PART, 1, 50, "a list of parts"), "several shapes welded into this body"),
-        "slide": Field(Lazy("slide"), "translates along a direction"),
-        "pin": Field(Lazy("pin"), "turns about a point"),
-        "roll": Field(Lazy("roll"), "rolls without slip on a surface"),
-        "move": Field(Lazy("move"), "general plane motion [x, y, phi]"),
-        "weld": Field(Lazy("weld"), "carried rigidly by another body"),
-        "turn": Field(Lazy("turn"), "rotation of a body without a place"),
+        **{name: Field(Lazy(name), ELEMENTS[name][1]) for name in MOTIONS},
     },
     exclusive=(("mass", "density", "parts"), ("at", "from"), ("at", "to"), ("inertia", "gyration"), MOTIONS,
                ("shape", "parts")),

@@ -1,6 +1,5 @@
 """What the declarations declare: every element with its keys, and where in a scene it stands."""
 
-from vibcli import elements
 from vibcli.language import sections
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Many, OneOf
@@ -8,7 +7,7 @@ from vibcli.language.named_elements import Lazy, Named, load
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS
 
-FACES = (("elements", elements), ("language.sections", sections), ("reader.sections", questions))
+FACES = (("language.sections", sections.NAMES), ("reader.sections", questions.NAMES))
 
 
 class Declared:
@@ -33,15 +32,15 @@ class Catalogue:
 
     def __init__(self):
         self.elements, self.sections = {}, {}
-        modules = [load(name, room) for room, face in FACES for name in face.NAMES]
+        modules = [load(name, room) for room, names in FACES for name in names]
         self._of_kind = {id(module.KIND): module for module in modules if hasattr(module, "KIND")}
         for section, (kind, _) in SECTIONS.items():
             module = self._of_kind.get(id(kind))
             inner = kind.kind if isinstance(kind, Named) else kind
             whole = inner is kind and module is None
             place = f"the section `{section}`" if whole else f"an entry of `{section}`, by its name"
-            if module is not None and isinstance(getattr(module, "ELEMENT", None), Element):
-                inner = module.ELEMENT
+            if module is not None:
+                inner = getattr(module, "ELEMENT", kind)
             declared = self._gather(inner, place, section)
             if declared is not None:
                 self.sections[section] = declared
@@ -70,8 +69,7 @@ class Catalogue:
     def about(self, section):
         """What a section is: the fullest text that its declarations have."""
         kind, about = SECTIONS[section]
-        module = self._of_kind.get(id(kind))
-        return getattr(module, "ABOUT", None) or about
+        return getattr(self._of_kind.get(id(kind)), "ABOUT", None) or about
 
     def pairs(self):
         """Every key of every element as (element word, key)."""

@@ -24,7 +24,7 @@ answers:
 def overview():
     """The page that `vibcli explain` prints without a word."""
     catalogue = Catalogue()
-    sections = [(section, _about(catalogue, section)) for section in SECTIONS]
+    sections = [(section, in_short(about)) for section, (_, about) in SECTIONS.items()]
     motions = [(word, in_short(catalogue.elements["body"].fields[word].about)) for word in MOTIONS]
     subjects = [(word, about) for word, (about, _) in topics.TOPICS.items()]
     width = max(len(row[0]) for row in sections + subjects)
@@ -40,11 +40,3 @@ def overview():
             ("vibcli explain spring", "the keys of a spring"),
             ("vibcli explain spring.preload", "one key of it"),
             ("vibcli new --list", f"templates to start from, and {len(examples)} example scenes")])])
-
-
-def _about(catalogue, section):
-    """What a section is, in a line; of a section of elements what these are."""
-    declared, about = catalogue.sections.get(section), SECTIONS[section][1]
-    if declared is not None and about == section:
-        about = declared.about
-    return in_short(about)

@@ -8,13 +8,16 @@ import re
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
+from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Choice, Kind, Text
 from vibcli.language.named_elements import Lazy, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own
+from vibcli.language.sections import NAMES as GIVEN
 from vibcli.language.sections import coordinates, equilibrium, gravity, initial
 from vibcli.language.spec import Spec
+from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
 from vibcli.reader.unit_consistency import resolve
 from vibcli.symbolic.parser import plain_name
@@ -45,33 +48,33 @@ class _Cases(Kind):
         return {"type": "object", "additionalProperties": {"type": "object"}}
 
 
+def _kind(name, section):
+    """What a section of elements holds: the one of its own name, or many by name."""
+    if section == name:
+        return Lazy(name)
+    return Named(Lazy(name), f"a mapping from names to {_CALLED.get(section, section)}", _TAKEN.get(section, ()))
+
+
+_CALLED, _TAKEN = {"points": "places"}, {"points": ("ground",), "bodies": ("ground",)}
 SECTIONS = {
     "title": (Text(), "what the scene shows, in a line"),
     "source": (Text(), "where the problem is from"),
     "question": (Text(), "the question as a textbook would pose it; may quote parameters: {m}"),
     "parameters": (Named(Lazy("parameter", "language.sections"), "a mapping from names to values", ("pi",)),
-                   "what is given"),
+                   GIVEN["parameter"]),
     "records": (Named(Lazy("record", "language.sections"), "a mapping from names to records", RESERVED),
-                "measured functions of the time"),
-    "coordinates": (coordinates.KIND, coordinates.ELEMENT.about),
-    "gravity": (gravity.KIND, gravity.ABOUT),
-    "points": (Named(Lazy("point"), "a mapping from names to places", ("ground",)), "named places, fixed or carried"),
-    "surfaces": (Named(Lazy("surface"), "a mapping from names to surfaces"), "what bodies roll, slide or lie on"),
-    "bodies": (Named(Lazy("body"), "a mapping from names to bodies", ("ground",)), "what moves, and how"),
-    "springs": (Named(Lazy("spring"), "a mapping from names to springs"), "springs"),
-    "dampers": (Named(Lazy("damper"), "a mapping from names to dampers"), "dampers"),
-    "forces": (Named(Lazy("force"), "a mapping from names to forces"), "loads: forces, moments, generalised forces"),
-    "constraints": (Named(Lazy("constraint"), "a mapping from names to constraints"), "what ties motions together"),
-    "energies": (Lazy("energies"), "terms of T, V and Phi written out"),
-    "matrices": (Lazy("matrices"), "M, C and K given outright"),
-    "equilibrium": (equilibrium.KIND, equilibrium.ABOUT),
-    "initial": (initial.KIND, initial.ABOUT),
+                GIVEN["record"]),
+    "coordinates": (coordinates.KIND, GIVEN["coordinates"]),
+    "gravity": (gravity.KIND, GIVEN["gravity"]),
+    **{section: (_kind(name, section), about) for name, (section, about) in ELEMENTS.items() if section is not None},
+    "equilibrium": (equilibrium.KIND, GIVEN["equilibrium"]),
+    "initial": (initial.KIND, GIVEN["initial"]),
     "motion": (Choice("small", "full"), "what motions in time are: `small` oscillations in closed form, the default, "
                "or those of the `full` equations, integrated. Scenes with nonlinear laws must say which"),
-    "find": (find.QUESTIONS, "what `solve` prints; all that is cheap if left out"),
+    "find": (find.QUESTIONS, ASKED["find"]),
     "choose": (Named(Lazy("choose", "reader.sections"), "a mapping from parameters to conditions", ("pi", "t")),
-               "parameters that conditions determine"),
-    "answers": (answer.KIND, "expected answers, which `check` compares"),
+               ASKED["choose"]),
+    "answers": (answer.KIND, ASKED["answer"]),
     "cases": (_Cases(), "parts of the scene by name, each merged over it, with its own find and answers"),
 }
 

@@ -1,6 +1,7 @@
 """The scene while it is built: the services by which elements make their functions of the coordinates, and to which
 they contribute."""
 
+from vibcli.elements import ELEMENTS
 from vibcli.language.named_elements import load
 from vibcli.language.parameter_samples import sample_values
 from vibcli.language.parameters import Parameters
@@ -24,7 +25,7 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
 
-CONNECTING = {"springs": "spring", "dampers": "damper", "forces": "force", "constraints": "constraint"}
+FIRST = (None, "points", "surfaces", "bodies")       # built by what refers to them, or before all others
 SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
 
@@ -102,14 +103,9 @@ class Builder:
             bodies[name] = load("body").build(sections["bodies"][name], self)
         if self.diagnostics:
             return
-        left_out = None if self.variant.preloaded else let_go(self.spec)
-        for section, element in CONNECTING.items():
-            for record in (sections.get(section) or {}).values():
-                if section != "forces" or record.name != left_out:
-                    self._add(element, record)
-        for section in ("energies", "matrices"):
-            if section in sections:
-                load(section).build(sections[section], self)
+        for name, (section, _) in ELEMENTS.items():
+            if section in sections and section not in FIRST:
+                self._add_section(name, section)
         for name, record in (sections.get("points") or {}).items():
             if "moves" in record:
                 self.place(Reference(name, record.where))
@@ -117,6 +113,17 @@ class Builder:
     def _gravity(self, field):
         """(gₓ, g_y): downwards, or as the vector given."""
         return self.pair(field) if isinstance(field, list) else (self.table.zero, -self.lower(field))
+
+    def _add_section(self, name, section):
+        """The element of a section, or its elements by name, without the force that lets go."""
+        found = self.spec.sections[section]
+        if name == section:
+            load(name).build(found, self)
+            return
+        left_out = let_go(self.spec) if section == "forces" and not self.variant.preloaded else None
+        for record in found.values():
+            if record.name != left_out:
+                self._add(name, record)
 
     def _add(self, element, record):
         """One spring, damper, force or constraint."""

@@ -25,7 +25,7 @@ from vibcli.drawing.canvas.primitives import Arc, Circle, Hatch, LetterRuns, Pol
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
 from vibcli.drawing.symbols import SYMBOLS, mode_shape, rope, sliding
-from vibcli.elements import NAMES
+from vibcli.elements import ELEMENTS
 from vibcli.language.named_elements import load
 
 ROOT = Path(__file__).parents[3]
@@ -137,7 +137,7 @@ def test_letters_and_indices():
 
 # the elements
 
-JOINING = [name for name in NAMES if getattr(getattr(load(name), "ELEMENT", None), "signals", None)]
+JOINING = [name for name in ELEMENTS if getattr(load(name).ELEMENT, "signals", None)]
 
 
 @pytest.mark.parametrize("name", JOINING)

@@ -15,6 +15,7 @@ ELEMENT = Element(
     short="about",
     example="double_pendulum",
 )
+ABOUT = ELEMENT.about
 
 
 class Coordinates(Kind):
