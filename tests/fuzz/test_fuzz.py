@@ -13,7 +13,9 @@ from vibcli.base.work import Work
 from vibcli.check.verdicts import check
 from vibcli.language.document.document import Mapping, Scalar, Sequence, read
 from vibcli.reader.read import read_spec
-from vibcli.report.sections.data import equations_data, frequencies_data
+from vibcli.report.keys import data
+from vibcli.report.sections.equations_of_motion import EQUATIONS
+from vibcli.report.sections.spectrum import frequencies_data
 from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
 from vibcli.symbolic.expression import Table
@@ -70,7 +72,7 @@ def try_scene(root, problems):
         for problem in (Problem(part, work=Work(PATIENCE)) for part in (spec, *spec.cases.values())):
             small = len(problem.scene.coordinates) <= 6
             if small:
-                json.dumps([equations_data(problem), problem.symbolic.energies is None], allow_nan=False)
+                json.dumps([data([EQUATIONS], problem), problem.symbolic.energies is None], allow_nan=False)
             if not problem.numeric.has_free_symbols:
                 json.dumps(frequencies_data(problem), allow_nan=False)
         for verdict in check(Problem(spec, work=Work(PATIENCE))):

@@ -78,10 +78,10 @@ class MotionEquation:
 
 def equations_of(problem: "Problem") -> dict[str, MotionEquation]:
     """{coordinate: its equation}."""
-    from vibcli.report.sections.data import equations_data
+    from vibcli.report.sections.equations_of_motion import equation_rows
 
     equations, found = problem.symbolic.equations, {}
-    for i, row in enumerate(equations_data(problem)):
+    for i, row in enumerate(equation_rows(problem)):
         name = row["coordinate"]
         linear = None
         if equations.in_letters and name in problem.scene.coordinates:

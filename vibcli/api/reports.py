@@ -36,47 +36,48 @@ def illustrated(sections: Sequence[str]) -> list[str]:
 def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int | None, sections: Sequence[str],
          wanted: Wanted | None = None) -> dict[str, object]:
     """The results with the keys of --json: those of its `parts`, and what is asked for among the sections."""
-    from vibcli.report.sections.data import energies_data, equations_data, matrices_data, sticking_data
+    from vibcli.report import keys
 
     if digits is not None:
         _require_numbers(problem)
     found = {"title": problem.spec.get("title"), "coordinates": list(problem.scene.coordinates)}
     if problem.choice is not None:
-        from vibcli.report.sections.design_parameters import chosen_data
+        from vibcli.report.sections.design_parameters import CHOSEN
 
-        found["chosen"] = chosen_data(problem)
+        found |= keys.data([CHOSEN], problem)
     if "frequencies" in parts:
         found |= _frequencies(problem, parts, normalise, digits, sections)
     if "equilibria" in sections:
-        from vibcli.report.sections.equilibria import equilibria_data
+        from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 
-        found |= equilibria_data(problem)
+        found |= keys.data([EQUILIBRIA, SEARCH], problem)
     if "equations" in parts:
         refusal = problem.symbolic.equations.refusal
         if refusal and not (isinstance(refusal, NotInLetters) or _without_slope(problem, refusal, sections)
                             or _listed_alone(problem, sections)):
             raise refusal
-        if problem.system.sticking is not None:
-            found["sticking"] = sticking_data(problem)
-        found["energies"] = energies_data(problem)
-        found["equations"] = equations_data(problem)
+        from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
+        from vibcli.report.sections.equilibrium import STICKING
+
+        found |= keys.data([*[STICKING] * (problem.system.sticking is not None), ENERGY, EQUATIONS], problem)
         if "frequencies" not in parts:
             known = not refusal or isinstance(refusal, NotInLetters)
-            found["matrices"] = matrices_data(problem) if known else None
+            found |= keys.data([MATRICES], problem) if known else {"matrices": None}
     if asked := [word for word in sections if word in RESPONSES]:
-        from vibcli.report.sections import response_data
+        from vibcli.report.sections import frequency_response, response
 
         for word in asked:
             # of letters `find` asks formulas, which texts have
             beside = word not in parts and problem.numeric.has_free_symbols
-            found[word] = None if beside else getattr(response_data, word + "_data")(problem, wanted or Wanted())
+            write = response.response_data if word == "response" else frequency_response.frequency_response_data
+            found[word] = None if beside else write(problem, wanted or Wanted())
     if words := [word for word in sections if word in INSIGHT]:
         found["insight"] = _insight(problem, words, sections)
     return found
 
 
 def _insight(problem, words, sections):
-    from vibcli.report.sections.insight_data import insight_data
+    from vibcli.report.sections.insight import insight_data
 
     try:
         return insight_data(problem, words)
@@ -88,7 +89,8 @@ def _insight(problem, words, sections):
 
 def _frequencies(problem, parts, normalise, digits, sections):
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
-    from vibcli.report.sections.data import equilibrium_data, frequencies_data, matrices_data
+    from vibcli.report import keys
+    from vibcli.report.sections.spectrum import EQUILIBRIUM, MATRICES, frequencies_data
 
     try:
         return frequencies_data(problem, normalise, digits)
@@ -98,7 +100,7 @@ def _frequencies(problem, parts, normalise, digits, sections):
             raise
         found = dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
         if isinstance(error, Inertless):
-            found |= {"equilibrium": equilibrium_data(problem), "matrices": matrices_data(problem)}
+            found |= keys.data([EQUILIBRIUM, MATRICES], problem)
         return found
 
 
@@ -137,7 +139,7 @@ def report(problem: "Problem", sections: Sequence[str], normalise: str = "first"
 
 
 def _digits(made, problem, digits):
-    from vibcli.report.sections.data import frequencies_data
+    from vibcli.report.sections.spectrum import frequencies_data
 
     _require_numbers(problem)
     found = frequencies_data(problem, digits=digits)

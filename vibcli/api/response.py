@@ -9,7 +9,7 @@ from vibcli.api.values import given_expression
 from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report.sections.requested_signals import curves_asked, trees_asked
-from vibcli.report.sections.response_data import unknown
+from vibcli.report.sections.response import unknown
 from vibcli.report.sections.sampled_series import sampled
 from vibcli.report.wanted import Wanted
 

@@ -65,7 +65,7 @@ def _told_unknown(problem, case, data, wanted):
     """Is a part of the motion not known? Then it is said on stderr too."""
     if not (data.get("response") or {}).get("unknown"):
         return False
-    from vibcli.report.sections.response_data import unknown
+    from vibcli.report.sections.response import unknown
     from vibcli.report.wanted import Wanted
 
     show_refusal(unknown(problem, wanted or Wanted()), problem.spec.file + (f", case {case}" if case else ""))

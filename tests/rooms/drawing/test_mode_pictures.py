@@ -11,7 +11,7 @@ from vibcli.drawing import vibration
 from vibcli.drawing.canvas.primitives import Polygon, Polyline
 from vibcli.drawing.layout import compose, plane
 from vibcli.drawing.symbols import mode_shape
-from vibcli.report.sections.data import modes_data
+from vibcli.report.sections.spectrum import frequencies_data
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml"),
@@ -40,7 +40,7 @@ def against(told, shown):
 def checked(found):
     """How many modes of a scene were drawn; AssertionError where a picture contradicts the table."""
     stage, count = compose.Scenery(found.scene), 0
-    for mode, row in zip(found.modal.modes, modes_data(found, found.modal.modes), strict=True):
+    for mode, row in zip(found.modal.modes, frequencies_data(found)["modes"], strict=True):
         shape = {name: complex(*value) if isinstance(value, list) else value for name, value in row["shape"].items()}
         if mode.rigid or any(isinstance(value, complex) for value in shape.values()):
             continue

@@ -13,7 +13,7 @@ from support.scenes import problem_of
 from vibcli.notation.plain import plain
 from vibcli.notation.scene_language import language
 from vibcli.report.document import EVERYTHING, Report
-from vibcli.report.sections.data import equations_data
+from vibcli.report.sections.equations_of_motion import equation_rows
 from vibcli.report.sections.symbolic_modes import turned
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
@@ -112,7 +112,7 @@ def test_reports_are_read_back(path):
             report.add(name)
         lines = printed.of_documents([report.document()])
         assert all(printed.compared(parts, values) for parts in lines if len(parts) > 1)
-        for entry in equations_data(found) if found.system.loose.q else ():
+        for entry in equation_rows(found) if found.loose.q else ():
             printed.compared_texts(entry["text"], entry["latex"], values)
             printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)
 

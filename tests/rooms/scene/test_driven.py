@@ -9,7 +9,7 @@ from support.scenes import problem, problem_of, value
 from vibcli.analyses.time_integration.integrate import simulate
 from vibcli.base.errors import PhysicsError
 from vibcli.cli import run
-from vibcli.report.sections.data import numeric_drive
+from vibcli.report.sections.numeric_equations import numeric_drive
 from vibcli.symbolic import normal_form
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.syntax import NameRef

@@ -4,6 +4,7 @@ from vibcli.notation.numbers import figure, quantity
 from vibcli.notation.scene_language import language
 from vibcli.reader.sections.choose import BALANCE, LIMIT
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.keys import Key
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import literals_in
 
@@ -83,20 +84,23 @@ def _with_units(condition):
     return any(literal.units for side in condition.sides for literal in literals_in(side.tree))
 
 
-def chosen_data(problem):
-    """[{parameter, condition, values, closed_forms, residuals, limit_points, counts_for}], of lists an entry to each
-    solution."""
-    chosen = problem.choice
-    found = []
-    for name, condition in chosen.conditions.items():
-        forms = [solution.forms[name] for solution in chosen.solutions]
-        texts = [None if form is None else language(form) for form in forms]
-        values = [solution.values[name] for solution in chosen.solutions]
-        found.append({"parameter": name, "condition": condition,
-                      "values": [text if value is None else float(value)
-                                 for value, text in zip(values, texts, strict=True)],
-                      "closed_forms": texts, "residuals": [solution.residual for solution in chosen.solutions],
-                      "limit_points": [solution.fold for solution in chosen.solutions],
-                      "counts_for": [[_told(condition) for condition in solution.counts]
-                                     for solution in chosen.solutions]})
-    return found
+def _chosen(problem):
+    """What the keys tell of each parameter."""
+    solutions = problem.choice.solutions
+    for name, condition in problem.choice.conditions.items():
+        forms = [solution.forms[name] for solution in solutions]
+        values = [form if solution.values[name] is None else float(solution.values[name])
+                  for solution, form in zip(solutions, forms, strict=True)]
+        yield CHOSEN.row(name, condition, values, forms, [solution.residual for solution in solutions],
+                         [solution.fold for solution in solutions],
+                         [list(map(_told, solution.counts)) for solution in solutions])
+
+
+CHOSEN = Key("chosen", "only where the scene chooses: a list, one entry to each chosen parameter", _chosen, each=(
+    Key("parameter", "its name"),
+    Key("condition", "the condition as written"),
+    Key("values", "its value in each solution, ascending; all else is of the first"),
+    Key("closed_forms", "the same as expressions of the language of scenes, null where none was found"),
+    Key("residuals", "what is left of the conditions after substitution, relative to their terms"),
+    Key("limit_points", "is it a limit point (fold), where the equilibrium and an unstable one vanish?"),
+    Key("counts_for", "in letters: the conditions under which each is a solution, none where it always is")))

@@ -2,11 +2,14 @@
 
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
-from vibcli.notation.equation_sides import sides
+from vibcli.notation.equation_sides import equation, sides
+from vibcli.notation.latex import latex
+from vibcli.notation.scene_language import language
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section, separated
-from vibcli.report.sections.data import numeric_drive, numeric_row
+from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
+from vibcli.report.sections.numeric_equations import linear_row, numeric_drive, numeric_row
 from vibcli.report.sections.too_long import brief
 
 ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
@@ -105,3 +108,47 @@ def _sum(row):
         else:
             parts += [sign + ("" if abs(value) == 1 else f"{abs(value):.6g}·"), node]
     return parts or ["0"]
+
+
+ENERGY = Key("energies", "as expressions of the language of scenes, in solve and equations",
+             lambda problem: problem.symbolic.energies, of=(
+    Key("T", "kinetic energy"),
+    Key("V", "potential energy, without constants"),
+    Key("Phi", "dissipation function; 0 where nothing damps")))
+
+
+def equation_rows(problem):
+    """What the keys below tell of each coordinate."""
+    equations, loose = problem.symbolic.equations, problem.system.loose
+    for i, name in enumerate(equations.names):
+        text, tex, missing = None, None, None
+        if name in problem.scene.coordinates and not equations.refusal:
+            row = problem.scene.coordinates.index(name)
+            text, tex = linear_row(problem, equations, row)
+            missing = equations.left_out.get(row)
+        full = [equation(loose, equations.full[i], write) if equations.full else None for write in (language, latex)]
+        yield EQUATIONS.row(name, *full, text, tex, missing)
+
+
+EQUATIONS = Key("equations", "a list, one entry to each coordinate", equation_rows, each=(
+    Key("coordinate", "the coordinate"),
+    Key("text", "the full equation of motion in the language of scenes; null where there is none"),
+    Key("latex", "the same in LaTeX"),
+    Key("linear_text", "the equation of small oscillations, the coordinates counted from equilibrium"),
+    Key("linear_latex", "the same in LaTeX"),
+    Key("left_out", "what its left side lacks, products of the coordinates and of loads in time or driven "
+        "displacements, as text; null where there are none")))
+
+
+def _matrices(problem):
+    """{name: rows} of numbers or of expressions, None where it is absent."""
+    symbolic, indices = problem.numeric.has_free_symbols, range(len(problem.scene.coordinates))
+    zero, matrices = ("0", problem.symbolic.matrices if problem.symbolic.linearisable else [{}] * 4) if symbolic else (
+        0.0, problem.configuration.linear_system.matrices())
+    return MATRICES.row(*([[matrix.get((i, j), zero) for j in indices] for i in indices] if matrix else None
+                          for matrix in matrices))
+
+
+MATRICES = Key("matrices", "of M q'' + (C + G) q' + K q = 0: lists of rows, null where absent", _matrices, of=(
+    Key("M", "mass matrix"), Key("C", "damping matrix, symmetric"), Key("G", "gyroscopic matrix, skew"),
+    Key("K", "stiffness matrix")))

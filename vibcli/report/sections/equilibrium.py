@@ -1,10 +1,12 @@
 """The equilibrium that is reached from the drawn position."""
 
-from math import isfinite
+from math import inf, isfinite
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
+from vibcli.notation.scene_language import language
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
 
@@ -125,3 +127,55 @@ def _slack(problem):
 
     return [paragraph(f"{signal} = {figure(value)} N would be a push: the rope goes slack", hang=None)
             for signal, value in slack(problem.configuration.reactions)]
+
+
+def _data(problem):
+    if problem.numeric.has_free_symbols:
+        from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+
+        return EQUILIBRIUM.row(equilibrium_in_letters(problem.symbolic), problem.scene.dependent, *[None] * 5)
+    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
+    from vibcli.quantities.equilibrium import is_stable
+
+    found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)
+    values, moved = ({name: of[name] for name in problem.scene.coordinates} if of else of
+                     for of in (found.values, found.from_start))
+    return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, is_stable(problem), found.residual,
+                           condition, bifurcation_warning(condition))
+
+
+EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn position, or nearest to the place that "
+                  "`equilibrium:` names", _data, of=(
+    Key("coordinates", "{name: value}"),
+    Key("dependent", "{name: value} of the coordinates that constraints tie to the others, as functions of them where "
+        "symbols have no value"),
+    Key("from_start", "{name: how far it lies from the start that `equilibrium:` names}; null where none is named and "
+        "in letters"),
+    Key("stable", "true or false (motion that costs no energy counts as stable); null where symbols leave it open"),
+    Key("residual", "what is left of the forces, relative to the sum of the magnitudes of their terms"),
+    Key("condition", "by which factor a relative change of the data grows in a frequency squared; null in letters, and "
+        "where nothing has inertia"),
+    Key("warning", "a sentence where the equilibrium is near a bifurcation, else null")))
+
+
+def _sticking(problem):
+    from vibcli.mechanics.equilibrium.dry_friction import span
+
+    found, table = problem.system.sticking, problem.scene.table
+    told = []
+    for row in found.rows:
+        if row.within is not None:
+            told.append(f"abs({language(row.b)}) <= {language(row.within)}")
+            continue
+        told.append(language(table.sum((row.b, ONE), *((a * sigma, ONE) for sigma, a in row.held.items()))) + " = 0")
+        told += [f"abs({language(sigma)}) <= {language(found.bounds[sigma])}" for sigma in row.held]
+    ends = None if problem.numeric.has_free_symbols else span(problem.configuration, found)
+    return STICKING.row(list(dict.fromkeys(told)), *(end if isfinite(end) else None for end in (
+        (inf, inf) if ends is None else (ends.low, ends.high))))
+
+
+STICKING = Key("sticking", "where dry friction holds the scene at rest, in solve and equations; absent where none does",
+               _sticking, of=(
+    Key("conditions", "equations and inequalities of the coordinates as texts, sigma_1 … being shares of friction"),
+    Key("from", "of one coordinate in numbers: the least of a stretch of such places; null where there is no end"),
+    Key("to", "the greatest")))

@@ -1,10 +1,11 @@
-"""Shares, sensitivities and estimates: what `solve` prints only where it is asked for."""
+"""Shares, sensitivities and estimates, as sections of a report and as data: only where they are asked for."""
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
+from vibcli.language.parameters import require_values
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, TableBlock, Words, maths, paragraph, section, separated
-from vibcli.report.sections.insight_data import logarithmic, require_numbers
+from vibcli.report.keys import Key, data
 
 COLUMNS, ROWS = 8, 40       # of a table; the rest is in the JSON
 NOTHING = 1e-9              # per cent
@@ -19,6 +20,19 @@ def _grid(title, columns, write, *told):
     left += [f"{len(names) - ROWS} more rows"] * (len(names) > ROWS)
     return section(title, TableBlock(("", *(head for head, _ in shown)), tuple(rows)),
                    paragraph(f"… {' and '.join(left)}: see --json", hang=None) if left else None, *told) if rows else ()
+
+
+def insight_data(problem, words):
+    """{word: what it found} of those that are asked for."""
+    for word in words:
+        require_numbers(problem, word)
+    return data([key for key in INSIGHT.of if key.name in words], problem)
+
+
+def require_numbers(problem, word):
+    """Refuse a scene with symbols."""
+    if problem.numeric.has_free_symbols:
+        require_values(problem.scene.parameters, f"`{word}`")
 
 
 # shares
@@ -54,6 +68,20 @@ def _damped_head(mode):
     return f"mode {mode.index}" + (f" (λ = {figure(float(mode.eigenvalue.real), digits=4)})" if real else "")
 
 
+SHARES = Key("shares", "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",
+             lambda problem: problem.modal.shares, of=(
+    Key("modes", "a list, one entry to each mode", lambda found: [
+        {"index": i, "potential": found.potential[i], "kinetic": found.kinetic[i]} for i in found.kinetic], each=(
+            Key("index", "number of the mode"),
+            Key("potential", "{name of a spring, `tension of` it, `the weights` or `written out`: share}; empty of a "
+                "rigid mode"),
+            Key("kinetic", "{name of a body, or `written out`: share}"))),
+    Key("damped", "a list, one entry to each eigenvalue; null where nothing damps",
+        lambda found: found.dissipation, each=(
+            Key("index", "number of the damped mode", lambda one: one[0].index),
+            Key("dissipation", "{name of a damper: its share of the energy that is lost}", lambda one: one[1])))))
+
+
 # sensitivities
 
 
@@ -77,6 +105,11 @@ def sensitivities(problem, _):
     elif remarks:
         tables[-1] = tables[-1]._replace(blocks=(*tables[-1].blocks, *remarks))
     yield from tables
+
+
+def logarithmic(value, rate, omega):
+    """(p/ω) ∂ω/∂p; None where there is no derivative."""
+    return None if rate is None else value * rate / omega
 
 
 def _one_of_each(damped):
@@ -109,6 +142,40 @@ def _remarks(found):
         yield found.remark[0].upper() + found.remark[1:] + "."
 
 
+def _sensitivities(problem):
+    found = problem.modal.sensitivities
+    omega = {mode.index: float(mode.omega) for mode in problem.modal.modes if mode.omega}
+    entries = []
+    for name, value in found.values.items():
+        modes = [(i, rate, logarithmic(value, rate, omega[i])) for i, rate in found.omega.get(name, {}).items()]
+        damped = None if found.damped is None or name in found.refused else [
+            (one.mode.index, one.eigenvalue[name], one.zeta and one.zeta[name])
+            for one in found.damped if one.eigenvalue]
+        entries.append(PARAMETERS.row(name, value, modes, damped, found.refused.get(name)))
+    return SENSITIVITIES.row(entries, found.coinciding, found.remark)
+
+
+PARAMETERS = Key("parameters", "a list, one entry to each parameter", each=(
+    Key("parameter", "its name"),
+    Key("value", "its value p"),
+    Key("modes", "a list, one entry to each mode that oscillates", each=(
+        Key("index", "number of the mode", lambda one: one[0]),
+        Key("omega", "derivative of omega by p; null of gyroscopic modes that coincide", lambda one: one[1]),
+        Key("logarithmic", "that derivative times p/omega", lambda one: one[2]))),
+    Key("damped", "a list, one entry to each simple eigenvalue; null where nothing damps", each=(
+        Key("index", "number of the damped mode", lambda one: one[0]),
+        Key("eigenvalue", "[re, im] of the derivative of the eigenvalue by p",
+            lambda one: [one[1].real, one[1].imag]),
+        Key("zeta", "derivative of zeta by p; null where there is no zeta", lambda one: one[2]))),
+    Key("refusal", "why there is no derivative by p, or null")))
+SENSITIVITIES = Key("sensitivities", "exact derivatives by the parameters that no others define, the shift of the "
+                    "equilibrium included", _sensitivities, of=(
+    PARAMETERS,
+    Key("coinciding", "lists of the modes whose frequencies coincide: their derivatives are those of the frequencies "
+        "in ascending order as p grows"),
+    Key("refusal", "why there are none of the damped modes, or null")))
+
+
 # estimates
 
 
@@ -137,3 +204,21 @@ def _off(value, exact):
     off = 100 * (value / exact - 1)
     return "0 %" if abs(off) < NOTHING else f"{off:+.2g} %".replace("-", "−")
 
+
+
+def _estimates(problem):
+    try:
+        found = problem.modal.estimates
+    except PhysicsError as error:
+        return ESTIMATES.row(*[None] * 5, error.message)
+    return ESTIMATES.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, None)
+
+
+ESTIMATES = Key("estimates", "of the lowest natural frequency; null each where the bounds do not hold", _estimates, of=(
+    Key("omega", "its exact value"),
+    Key("rayleigh", "Rayleigh's quotient of the static deflection, an upper bound of omega"),
+    Key("dunkerley", "Dunkerley's lower bound of omega"),
+    Key("deflection", "{coordinate: static deflection}, the largest being 1"),
+    Key("alone", "{name of a body: omega with its inertia alone}, from which Dunkerley's bound is made"),
+    Key("refusal", "why the bounds do not hold, or null")))
+INSIGHT = Key("insight", "only where `find` or --insight asks for it", of=(SHARES, SENSITIVITIES, ESTIMATES))

@@ -1,15 +1,18 @@
-"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes."""
+"""The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes; and
+as data."""
 
 from math import inf
 
-from vibcli.base.errors import NotInLetters
+from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import let_go
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
 from vibcli.report.blocks import Name, TableBlock, line, maths, paragraph, section
+from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
+from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 from vibcli.symbolic.syntax import NameRef
 
 MOST_EVENTS, MOST_LINES = 40, 16
@@ -36,7 +39,6 @@ def response(problem, report):
         yield from _integration(motion.trajectory())
     elif motion.KIND == "small":
         from vibcli.report.sections.formulas import formulas, free_vibration
-        from vibcli.report.sections.steady_state import steady_state
 
         yield from free_vibration(problem, asked)
         yield from formulas(asked)
@@ -88,7 +90,6 @@ def value_at(problem, one, t, digits=None):
         return supported(float(one.signal.values(np.array([float(t)]))[0]), one.signal.error(float(t)), 12)
     import mpmath
 
-    from vibcli.base.errors import PhysicsError
     from vibcli.results.high_precision_response import precise_value
 
     if problem.response.KIND != "small":
@@ -168,3 +169,80 @@ def _extremes(asked, until):
         rows.append((f"{one.label} [{one.unit}]".replace(" []", ""), *cells))
     yield from section(f"Extremes for 0 ≤ t ≤ {figure(until)} s",
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
+
+
+def unknown(problem, wanted):
+    """The refusal of the part of a motion that is asked for and not known, else None."""
+    motion = problem.response
+    latest = latest_asked(motion, wanted) if motion.KIND == "full" else 0.0
+    return motion.trajectory().unknown(latest) if latest and known_until(motion, wanted) < latest else None
+
+
+def response_data(problem, wanted):
+    """A motion in time as data, as far as it is known."""
+    motion, asked = problem.response, signals_asked(problem, wanted.signals)
+    places, speeds = motion.start
+    known = known_until(motion, wanted) if motion.KIND == "full" else inf
+    instants = [_values(problem, one, wanted, known) for one in asked]
+    alone = motion.KIND == "prescribed" and wanted.at and not motion.ends
+    end = None if alone else min(known, motion.until)
+    ends = [(one, (None, None), (None, None)) for one in asked] if alone else extremes(asked, end)
+    found = [SIGNALS.row(one.text, one.unit, most, late, least, early,
+                         None if alone else _steady(motion, one.signal, wanted.phase), values)
+             for (one, (late, most), (early, least)), values in zip(ends, instants, strict=True)]
+    missing = None if alone else unknown(problem, wanted)
+    return data((*KNOWN, UNKNOWN), {
+        "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
+        "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
+        "unknown": missing and missing.message})
+
+
+def _values(problem, one, wanted, known):
+    """[(t, value)] at the instants asked for; with --digits as texts; None beyond what is known."""
+    def value(t):
+        import numpy as np
+
+        if float(t) > known:
+            return None
+        if wanted.digits is not None:
+            return value_at(problem, one, t, wanted.digits)
+        return if_fixed(lambda: float(one.signal.values(np.array([float(t)]))[0]))
+
+    return [(t, value(t)) for _, t in wanted.at]
+
+
+def _steady(motion, signal, convention):
+    """[(Ω, X, phase)] of the steady state; None where there is none."""
+    if not motion.drive or not hasattr(signal, "output"):
+        return None
+    try:
+        return [(Omega, X, phase_in(convention, X)) for Omega, X in harmonics_of(signal)]
+    except PhysicsError:
+        return None
+
+
+SIGNALS = Key("signals", "a list, one entry to each signal", each=(
+    Key("signal", "the signal as written"),
+    Key("unit", "its unit"),
+    Key("max", "its largest value for 0 ≤ t ≤ until; null of a force that statics alone does not fix at all of these "
+        "instants"),
+    Key("argmax", "the instant of that, in s"),
+    Key("min", "its smallest value; null as above"),
+    Key("argmin", "the instant of that, in s"),
+    Key("steady", "a list of the harmonics of the steady state, of a periodic load the first; null where there is none",
+        each=(
+            Key("Omega", "angular frequency of a harmonic", lambda one: one[0]),
+            Key("amplitude", "its amplitude X", lambda one: abs(one[1])),
+            Key("phase", "its θ in X sin(Omega t − θ), or as --phase says", lambda one: one[2]))),
+    Key("at", "a list, one entry to each --at; empty without", each=(
+        Key("t", "the instant, in s", lambda one: float(one[0])),
+        Key("value", "the value then, null where it is not known; with --digits a decimal", lambda one: one[1])))))
+KNOWN = (
+    Key("until", "its end, in s, as far as it is known; null where a motion that is all prescribed is asked for at "
+        "instants alone"),
+    Key("initial", "{coordinate, or velocity x': value at t = 0}"), SIGNALS,
+    Key("balance", "what the energies of an integrated motion fail to balance by, relative to the largest; null of "
+        "small oscillations"))
+UNKNOWN = Key("unknown", "null, or why the motion is known up to `until` alone, though more was asked for")
+MOTION = Key("response", "of `vibcli response`, and where `find` asks: the motion in time; null where symbols have no "
+             "value", of=(UNKNOWN, *KNOWN))

@@ -6,6 +6,7 @@ from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
 from vibcli.report import blocks
 from vibcli.report.blocks import TableBlock, Words, line, section
+from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.too_long import brief
 
@@ -70,3 +71,8 @@ def reactions(problem, _):
                            TableBlock(("force", "value"), tuple(rows)))
     yield from section("Reactions along a motion", blocks.equations(
         line(Words(signal), " = ", brief(node)) for signal, node in along_the_motion(problem.numeric).items()))
+
+
+REACTIONS = Key("reactions", "{signal: force or moment in equilibrium}, with `find: [reactions]`; null where statics "
+                "leaves it open", lambda problem: {
+                    reaction.signal: reaction.value for reaction in problem.configuration.reactions})

@@ -7,7 +7,7 @@ from support.scenes import problem, problem_of
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.quantities.expression import measure
-from vibcli.report.sections.closed_forms import closed_data
+from vibcli.report.sections.spectrum import frequencies_data
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import lower
@@ -47,7 +47,7 @@ TEXT = """
 @pytest.mark.parametrize("c", [4.0, 20.0, 60.0])
 def test_letters_and_numbers_agree_where_they_say_so(c):
     """m = 2, k = 50: ζ = c/20. What --json gives in letters, put into numbers; ω_d where its condition holds."""
-    mode, = closed_data(problem(TEXT.format("", "", "")))["damped"]
+    mode, = frequencies_data(problem(TEXT.format("", "", "")))["damped"]
     numeric, values = problem(TEXT.format("2 kg", "50 N/m", f"{c} N*s/m")), {"m": 2.0, "k": 50.0, "c": c}
     table = numeric.scene.table
 
