@@ -115,6 +115,17 @@ def test_the_last_instant_of_a_full_motion_has_a_value(ask, capsys, tmp_path, un
     assert float(printed) == pytest.approx(data["at"][0]["value"], rel=1e-9)
 
 
+def test_small_motions_are_told_beyond_the_end_at_which_they_are_looked_at(ask, capsys, tmp_path):
+    text = ("parameters: {m: 2 kg, k: 800 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
+            "springs: {s: {k: k, between: [ground, b]}}\ninitial: {x: 0.1 m}\n")
+    data, = ask(text, "response", "--until", "1", "--at", "30")["response"]["signals"]
+    assert data["at"] == [{"t": 30.0, "value": pytest.approx(0.1 * math.cos(600), rel=1e-9)}]
+    path = tmp_path / "scene.yaml"
+    path.write_text(text)
+    assert run(["response", str(path), "--until", "1", "--at", "30"]) == 0
+    assert "−0.099" in capsys.readouterr().out.split("Values")[1]
+
+
 def test_values_at_instants(ask):
     data, = ask(SCENE + "initial: {y': 0.1 m/s}\n", "response", "--of", "x + y", "--at", "0.5", "--at", "80 ms",
                 "--until", "0.1")["response"]["signals"]

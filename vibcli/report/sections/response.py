@@ -50,26 +50,38 @@ def response(problem, report):
 
         yield from section("As a plot", plot("response", "The motion in time", response_figure(
             problem, sampled(problem, report.wanted))))
-    if motion.KIND == "prescribed" and report.wanted.at and not motion.ends:
-        yield from _at_instants(problem, asked, report.wanted, inf)
-        return
-    known = known_until(motion, report.wanted) if motion.KIND == "full" else motion.until
+    known = known_until(motion, report.wanted)
     yield from _at_instants(problem, asked, report.wanted, known)
-    yield from _extremes(asked, min(known, motion.until))
-    latest = latest_asked(motion, report.wanted)
-    if known < latest:
-        raise motion.trajectory().unknown(latest)
+    if not at_instants_alone(motion, report.wanted):
+        yield from _extremes(asked, min(known, motion.until))
+    missing = unknown(problem, report.wanted)
+    if missing is not None:
+        raise missing
 
 
-def latest_asked(motion, wanted):
-    """The last instant that is asked for [s]."""
-    return max([motion.until, *(float(t) for _, t in wanted.at)])
+def at_instants_alone(motion, wanted):
+    """Is it a motion without an end, that is prescribed, of which instants are asked for?"""
+    return motion.KIND == "prescribed" and wanted.at and not motion.ends
 
 
 def known_until(motion, wanted):
-    """Up to when a full motion is known, of what is asked for [s]."""
-    latest = latest_asked(motion, wanted)
+    """Up to when a motion is known, of what is asked for [s]: any other than one that is integrated at all times."""
+    if motion.KIND != "full":
+        return inf
+    latest = _latest(motion, wanted)
     return min(latest, motion.trajectory(latest).end)
+
+
+def unknown(problem, wanted):
+    """The refusal of the part of a motion that is asked for and not known, else None."""
+    motion, known = problem.response, known_until(problem.response, wanted)
+    late = known < inf and known < _latest(motion, wanted)
+    return motion.trajectory().unknown(_latest(motion, wanted)) if late else None
+
+
+def _latest(motion, wanted):
+    """The last instant that is asked for [s]."""
+    return max([motion.until, *(float(t) for _, t in wanted.at)])
 
 
 def _at_instants(problem, asked, wanted, known):
@@ -171,26 +183,19 @@ def _extremes(asked, until):
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
 
 
-def unknown(problem, wanted):
-    """The refusal of the part of a motion that is asked for and not known, else None."""
-    motion = problem.response
-    latest = latest_asked(motion, wanted) if motion.KIND == "full" else 0.0
-    return motion.trajectory().unknown(latest) if latest and known_until(motion, wanted) < latest else None
-
-
 def response_data(problem, wanted):
     """A motion in time as data, as far as it is known."""
     motion, asked = problem.response, signals_asked(problem, wanted.signals)
     places, speeds = motion.start
-    known = known_until(motion, wanted) if motion.KIND == "full" else inf
+    known = known_until(motion, wanted)
     instants = [_values(problem, one, wanted, known) for one in asked]
-    alone = motion.KIND == "prescribed" and wanted.at and not motion.ends
+    alone = at_instants_alone(motion, wanted)
     end = None if alone else min(known, motion.until)
     ends = [(one, (None, None), (None, None)) for one in asked] if alone else extremes(asked, end)
     found = [SIGNALS.row(one.text, one.unit, most, late, least, early,
                          None if alone else _steady(motion, one.signal, wanted.phase), values)
              for (one, (late, most), (early, least)), values in zip(ends, instants, strict=True)]
-    missing = None if alone else unknown(problem, wanted)
+    missing = unknown(problem, wanted)
     return data((*KNOWN, UNKNOWN), {
         "until": end, "initial": {} if alone else {**places, **{name + "'": v for name, v in speeds.items()}},
         "signals": found, "balance": motion.trajectory().balance.error if motion.KIND == "full" else None,
