@@ -7,7 +7,7 @@ coefficients (a shaken pivot) are refused by name.
 """
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
+from vibcli.mechanics.linearisation import at_position, residual_terms
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.delta_functions import at_impulses
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -17,6 +17,7 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
+MATRICES = ("M", "C", "G", "drag")
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
 
 
@@ -52,38 +53,45 @@ def steady(scene, form):
     """The Linearisation without its excitation; that of a scene without time is returned as it is."""
     if not scene.timed:
         return form
-    time, table = scene.time.mask, scene.table
-    found = Linearisation()
-    found.n, found.table = form.n, table
-    residual, stiffness = {}, {}
-    found.springs = []
+    time, residual, stiffness = scene.time.mask, {}, {}
+    springs, curved = _still_springs(form, time, stiffness), []
+    for force, curvature, row in form.curved:
+        if any(node.mask & time for node in (*row.values(), *curvature.values())):
+            _gather(residual, {i: force * slope for i, slope in row.items()})
+            _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
+        else:
+            curved.append((without_time(scene, force), curvature, row))
+    parts = _still_parts(scene, form.residual, residual), _still_parts(scene, form.K, stiffness)
+    start = {scene.time: scene.table.zero}
+    return form._replace(
+        springs=springs, curved=curved, residual=parts[0], K=parts[1], inertias=_at(form.inertias, start),
+        dampers=_at(form.dampers, start), **{kind: _entries_at(getattr(form, kind), start) for kind in MATRICES})
+
+
+def _still_springs(form, time, stiffness):
+    """The springs whose rows do not depend on the time; what the others add to K goes to {(i, j): [terms]}."""
+    found = []
     for weight, row in form.springs:
         if any(node.mask & time for node in (weight, *row.values())):
             for i, x in row.items():
                 for j, y in row.items():
                     stiffness.setdefault((i, j), []).append(weight * x * y)
         else:
-            found.springs.append((weight, row))
-    found.curved = []
-    for force, curvature, row in form.curved:
-        if any(node.mask & time for node in (*row.values(), *curvature.values())):
-            _gather(residual, {i: force * slope for i, slope in row.items()})
-            _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
-        else:
-            found.curved.append((without_time(scene, force), curvature, row))
-    found.residual, found.K = [], []
-    for parts, kept, bucket in ((form.residual, found.residual, residual), (form.K, found.K, stiffness)):
-        for part in parts:
-            kept.append({key: node for key, node in part.items() if not node.mask & time})
-            _gather(bucket, {key: node for key, node in part.items() if node.mask & time})
-    found.residual.append(_summed(scene, residual))
-    found.K.append(_summed(scene, stiffness))
-    start = {scene.time: table.zero}
-    found.inertias, found.dampers = (_at(form.inertias, start), _at(form.dampers, start))
-    for kind in ("M", "C", "G", "drag"):
-        entries = getattr(form, kind)
-        setattr(found, kind, dict(zip(entries, substitute(list(entries.values()), start), strict=True)))
+            found.append((weight, row))
     return found
+
+
+def _still_parts(scene, parts, bucket):
+    """The parts {key: expression} without the time, and what is left where those with it are added up."""
+    time, found = scene.time.mask, []
+    for part in parts:
+        found.append({key: node for key, node in part.items() if not node.mask & time})
+        _gather(bucket, {key: node for key, node in part.items() if node.mask & time})
+    return [*found, _summed(scene, bucket)]
+
+
+def _entries_at(entries, start):
+    return dict(zip(entries, substitute(list(entries.values()), start), strict=True))
 
 
 def _gather(bucket, entries):

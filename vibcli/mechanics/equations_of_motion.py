@@ -5,6 +5,8 @@ From the scalar functions s(q, t) of the scene, with s̈ = Σ sⱼ q̈ⱼ + b:
     M = Σ w ∇s ∇sᵀ        h = Σ w b ∇s + ∂V/∂q + ∂Φ/∂q̇ − Q        G̈ = Σ Gⱼ q̈ⱼ + γ = 0
 """
 
+from typing import NamedTuple
+
 from vibcli.mechanics.energies import dissipation, potential
 from vibcli.mechanics.lagrange import gyroscopic
 from vibcli.symbolic.derivatives import gradient
@@ -15,11 +17,17 @@ from vibcli.symbolic.rationals import ONE
 SIMPLIFIED = 4          # coordinates up to which a shorter form of each entry is looked for
 
 
-class Dynamics:
+class Dynamics(NamedTuple):
     """M: {(i, j): node}, i ≤ j; h: a node for each coordinate; slopes {(k, i): ∂Gₖ/∂qᵢ}, bends γₖ, gaps Gₖ and their
     rates; names: of the constraints."""
 
-    __slots__ = ("M", "bends", "gaps", "h", "names", "rates", "slopes")
+    M: dict
+    h: list
+    names: list
+    gaps: list
+    rates: list
+    slopes: dict
+    bends: list
 
     def nodes(self):
         """All expressions that the accelerations are made of."""
@@ -28,21 +36,18 @@ class Dynamics:
 
 def dynamics(scene, redundant=()):
     """The Dynamics of a scene; `redundant`: names of constraints which follow from the others."""
-    found = Dynamics()
     M, h = _from_terms(scene)
     if len(scene.q) <= SIMPLIFIED and not scene.laws:
         shorter = {pair: textbook(node) for pair, node in M.items()}, [textbook(node) for node in h]
         M, h = min((M, h), shorter, key=lambda form: len(reachable([*form[0].values(), *form[1]])))
-    found.M, found.h = {pair: node for pair, node in M.items() if not node.is_zero}, h
     ties = [] if scene.dependent else [tie for tie in scene.constraints if tie.name not in redundant]
     number = {q: i for i, q in enumerate(scene.q)}
-    found.names = [tie.name for tie in ties]
-    found.gaps = [tie.node for tie in ties]
-    found.rates = [scene.rate(node) for node in found.gaps]
-    found.slopes = {(k, number[q]): slope for k, node in enumerate(found.gaps)
-                    for q, slope in gradient(node).items() if q in number}
-    found.bends = [drift(scene, node) for node in found.rates]
-    return found
+    gaps = [tie.node for tie in ties]
+    rates = [scene.rate(node) for node in gaps]
+    slopes = {(k, number[q]): slope for k, node in enumerate(gaps) for q, slope in gradient(node).items()
+              if q in number}
+    return Dynamics({pair: node for pair, node in M.items() if not node.is_zero}, h, [tie.name for tie in ties], gaps,
+                    rates, slopes, [drift(scene, node) for node in rates])
 
 
 def drift(scene, rate):

@@ -131,7 +131,8 @@ def rounded_elements(configuration):
     largest = max((abs(x) for x in exact.K_size.values()), default=0)
     if any(abs(x) < NOTHING * largest for x in exact.K.values()) or all(abs(x) < NOTHING for x in exact.K.values()):
         sharper = elements_to(configuration, 2 * ROUNDED)
-        exact.K = {pair: x for pair, x in exact.K.items() if abs(sharper.K.get(pair, 0)) > NOTHING * abs(x)}
+        exact = exact.with_parts(K={pair: x for pair, x in exact.K.items()
+                                    if abs(sharper.K.get(pair, 0)) > NOTHING * abs(x)})
     return OscillatorElements(
         exact.n, _rows(exact.inertias), _rows(exact.springs), _rows(exact.dampers), M=_floats(exact.M),
         C=_floats(exact.C), G=_floats(exact.G), drag=_floats(exact.drag), K=_floats(exact.K),

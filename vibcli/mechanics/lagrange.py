@@ -4,6 +4,9 @@ The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K 
 in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
 """
 
+from types import MappingProxyType
+from typing import NamedTuple
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, rate
 from vibcli.symbolic.derivatives import gradient
@@ -13,15 +16,26 @@ from vibcli.symbolic.rationals import HALF, ONE
 LETTERS = 16        # most coordinates for which equations are written in letters
 
 
-class EquationsOfMotion:
+class EquationsOfMotion(NamedTuple):
     """full: left sides of the equations of motion, `names` their coordinates; `multipliers` {symbol: the constraint's
     name} and `conditions`, the left sides of the constraints, where loops are closed; M, C, G, K: matrices
     {(i, j): expression or float} of the small oscillations, their entries in letters or in numbers (`in_letters`);
     linear: left sides of their equations, drive: {i: Q(t)} of their right sides, left_out: {i: products
     that their left sides lack}; refusal: the PhysicsError of a scene that has no equilibrium, or None."""
 
-    __slots__ = ("C", "G", "K", "M", "conditions", "drive", "full", "in_letters", "left_out", "linear", "multipliers",
-                 "names", "refusal")
+    names: list
+    full: list
+    multipliers: dict
+    conditions: list
+    refusal: object = None
+    drive: dict = MappingProxyType({})
+    left_out: dict = MappingProxyType({})
+    in_letters: bool = False
+    M: dict = MappingProxyType({})
+    C: dict = MappingProxyType({})
+    G: dict = MappingProxyType({})
+    K: dict = MappingProxyType({})
+    linear: tuple = ()
 
 
 def equation_of(scene, i, T=None, V=None, Phi=None):
@@ -47,16 +61,18 @@ def full_equations(scene):
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
 
 
-def _with_multipliers(scene, found):
-    """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, and the conditions G = 0 of a loose scene."""
+def _with_multipliers(scene, full):
+    """Lagrange's equations of the first kind, … + Σ λ ∂G/∂q = 0, of a scene whose equations without constraints are
+    `full`, the multipliers {symbol: the constraint's name} and the conditions G = 0."""
     nodes = [textbook(constraint.node) for constraint in scene.constraints]
-    found.conditions = [_primitive(node) for node in nodes]
+    conditions = [_primitive(node) for node in nodes]
     symbols = [scene.table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
-    found.multipliers = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
-    slopes = [gradient(node) for node in nodes]
-    for i, q in enumerate(scene.q):
+    names = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
+    slopes, found = [gradient(node) for node in nodes], []
+    for left, q in zip(full, scene.q, strict=True):
         ties = [(textbook(slope[q]) * symbol, ONE) for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
-        found.full[i] = scene.table.sum((found.full[i], ONE), *ties)
+        found.append(scene.table.sum((left, ONE), *ties))
+    return found, names, conditions
 
 
 def _primitive(node):
@@ -68,30 +84,32 @@ def _primitive(node):
 
 
 def equations(symbolic):
-    """The Equations of a problem; without an equilibrium only the full ones, and the refusal of the others."""
-    found = EquationsOfMotion()
+    """The EquationsOfMotion of a scene; without an equilibrium only the full ones, and the refusal of the others."""
     scene, loose = symbolic.scene, symbolic.system.loose
-    found.names, found.multipliers, found.conditions, found.drive = list(loose.coordinates), {}, [], {}
-    found.left_out = {}
-    found.full = full_equations(loose) if len(loose.q) <= LETTERS else []
-    if loose is not scene and found.full:
-        _with_multipliers(loose, found)
-    found.M, found.C, found.G, found.K = [{}] * 4
-    found.in_letters, found.linear, found.refusal = False, [], None
+    full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []
+    if loose is not scene and full:
+        full, multipliers, conditions = _with_multipliers(loose, full)
+    found = EquationsOfMotion(list(loose.coordinates), full, multipliers, conditions)
     try:
         _require_slope(symbolic.configuration)
         if scene.timed:
-            found.drive = symbolic.excitation
-            found.left_out = symbolic.left_out
-        found.in_letters = len(scene.q) <= LETTERS and symbolic.linearisable
-        if found.in_letters:
-            found.M, found.C, found.G, found.K = symbolic.matrices
-            found.linear = [_left_side(scene, found, i) for i in range(len(scene.q))]
-        elif not symbolic.numeric.has_free_symbols:
-            found.M, found.C, found.G, found.K = symbolic.configuration.linear_system.matrices()
+            found = found._replace(drive=symbolic.excitation)
+            found = found._replace(left_out=symbolic.left_out)
+        return found._replace(**_small(symbolic))
     except PhysicsError as error:
-        found.in_letters, found.refusal = False, error
-    return found
+        return found._replace(refusal=error)
+
+
+def _small(symbolic):
+    """The matrices of the small oscillations, and in letters the left sides of their equations."""
+    scene = symbolic.scene
+    if len(scene.q) <= LETTERS and symbolic.linearisable:
+        matrices = dict(zip("MCGK", symbolic.matrices, strict=True))
+        linear = [_left_side(scene, matrices, i) for i in range(len(scene.q))]
+        return {**matrices, "in_letters": True, "linear": linear}
+    if symbolic.numeric.has_free_symbols:
+        return {}
+    return dict(zip("MCGK", symbolic.configuration.linear_system.matrices(), strict=True))
 
 
 def _require_slope(configuration):
@@ -103,9 +121,9 @@ def _require_slope(configuration):
         require_smooth(configuration)
 
 
-def _left_side(scene, found, i):
+def _left_side(scene, matrices, i):
     terms = []
-    for matrices, symbols in (((found.M,), scene.a), ((found.C, found.G), scene.v), ((found.K,), scene.q)):
+    for kinds, symbols in (("M", scene.a), ("CG", scene.v), ("K", scene.q)):
         for j, symbol in enumerate(symbols):
-            terms += [(matrix[i, j] * symbol, ONE) for matrix in matrices if (i, j) in matrix]
+            terms += [(matrices[kind][i, j] * symbol, ONE) for kind in kinds if (i, j) in matrices[kind]]
     return scene.table.sum(*terms)

@@ -1,16 +1,29 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
+from typing import NamedTuple
+
 from vibcli.symbolic.derivatives import substitute
 
 
-class Linearisation:
+class Linearisation(NamedTuple):
     """The expressions of all rows and weights, in the coordinates or with the drawn position substituted.
 
     inertias, springs, dampers: [(weight, {i: ∂s/∂qᵢ})]; curved: [(force, {(i, j): ∂²s/∂qᵢ∂qⱼ}, {i: ∂s/∂qᵢ})], the force
     being that along s; M, C, G, K: {(i, j): expression}, K as a list of terms; residual: {i: [expressions]}.
     """
 
-    __slots__ = ("C", "G", "K", "M", "curved", "dampers", "drag", "inertias", "n", "residual", "springs", "table")
+    n: int
+    table: object
+    inertias: list
+    springs: list
+    dampers: list
+    curved: list
+    M: dict
+    C: dict
+    G: dict
+    drag: dict
+    K: list
+    residual: list
 
 
 def at_position(form, values):
@@ -26,21 +39,18 @@ def at_position(form, values):
 
 def each(form, change):
     """A Linearisation with `change` applied to every expression in a fixed order."""
-    found = Linearisation()
-    found.n, found.table = form.n, form.table
-
     def entries(mapping):
         changed = {key: change(node) for key, node in mapping.items()}
         return {key: node for key, node in changed.items() if not node.is_zero}
 
-    for kind in ("inertias", "springs", "dampers"):
-        setattr(found, kind, [(change(weight), entries(row)) for weight, row in getattr(form, kind)])
-    found.curved = [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved]
-    for kind in ("M", "C", "G", "drag"):
-        setattr(found, kind, entries(getattr(form, kind)))
-    found.K = [entries(part) for part in form.K]
-    found.residual = [entries(part) for part in form.residual]
-    return found
+    def rows(terms):
+        return [(change(weight), entries(row)) for weight, row in terms]
+
+    return Linearisation(
+        form.n, form.table, rows(form.inertias), rows(form.springs), rows(form.dampers),
+        [(change(force), entries(curvature), entries(row)) for force, curvature, row in form.curved],
+        *map(entries, (form.M, form.C, form.G, form.drag)), list(map(entries, form.K)),
+        list(map(entries, form.residual)))
 
 
 def residual_terms(form):

@@ -24,21 +24,17 @@ def linearise(scene, still=False):
     """The Linearisation of a scene as functions of the coordinates; `still`: without any excitation, so that what
     depends on the time turns or drifts with a carrier."""
     number = {node: i for i, node in enumerate(scene.q)}
-    found = Linearisation()
-    found.n, found.table, found.drag = len(scene.q), scene.table, {}
     inertias = scene.at_still("inertias") if still else scene.inertias
-    found.inertias = [(term.weight, _row(term.s, number)) for term in inertias]
     dampers = scene.at_still("dampers")
-    found.dampers = [(term.weight, _row(term.s, number)) for term in dampers]
-    found.springs, found.curved = [], []
+    moving, damping, springs, curved = _rows(inertias, number), _rows(dampers, number), [], []
     for term in scene.at_still("springs"):
         row = _row(term.s, number)
-        found.springs.append((term.weight, row))
-        found.curved.append((term.force(scene), _curvature(row, number), row))
+        springs.append((term.weight, row))
+        curved.append((term.force(scene), _curvature(row, number), row))
     for term in scene.weights:
         row = _row(term.s, number)
-        found.curved.append((term.weight, _curvature(row, number), row))
-    _written_out(scene, found, number)
+        curved.append((term.weight, _curvature(row, number), row))
+    found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number))
     slips, turning = {}, {}
     for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
@@ -107,6 +103,10 @@ def _split(found, slips, skew_parts):
                     matrix[pair] = matrix.get(pair, zero) + node
 
 
+def _rows(terms, number):
+    return [(term.weight, _row(term.s, number)) for term in terms]
+
+
 def _row(s, number):
     return {number[q]: slope for q, slope in gradient(s).items() if q in number}
 
@@ -115,44 +115,45 @@ def _curvature(row, number):
     return {(i, number[q]): second for i, slope in row.items() for q, second in gradient(slope).items() if q in number}
 
 
-def _written_out(scene, found, number):
-    """What `energies` and `matrices` add."""
+def _written_out(scene, number):
+    """What `energies` and `matrices` add: M, C, G, no drag, K, the residual."""
     speeds = {node: i for i, node in enumerate(scene.v)}
     rest = dict.fromkeys(scene.v, scene.table.zero)
     T, V, Phi = (scene.energies[key] for key in ("T", "V", "Phi"))
     momentum = {speeds[v]: p for v, p in gradient(T).items() if v in speeds}
     force = {speeds[v]: p for v, p in gradient(Phi).items() if v in speeds}
-    found.M = _at_rest(_blocks(momentum, speeds), rest)
-    found.C = _at_rest(_blocks(force, speeds), rest)
+    M = _at_rest(_blocks(momentum, speeds), rest)
+    C = _at_rest(_blocks(force, speeds), rest)
     slips = _at_rest(_blocks(momentum, number), rest)
-    found.G = {pair: slips.get(pair, scene.table.zero) - slips.get(pair[::-1], scene.table.zero)
-               for pair in set(slips) | {(j, i) for i, j in slips}}
-    found.G = {pair: node for pair, node in found.G.items() if not node.is_zero}
+    G = {pair: slips.get(pair, scene.table.zero) - slips.get(pair[::-1], scene.table.zero)
+         for pair in set(slips) | {(j, i) for i, j in slips}}
+    G = {pair: node for pair, node in G.items() if not node.is_zero}
     slope_V = {number[q]: s for q, s in gradient(V).items() if q in number}
     slope_T = {number[q]: s for q, s in gradient(T).items() if q in number}
-    found.K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
-    found.residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
+    K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
+    residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
     drag = [force]
     if scene.timed:
         drag.append({i: gradient(p)[scene.time] for i, p in momentum.items() if scene.time in gradient(p)})
         for pair, node in _at_rest(_blocks(drag[1], speeds), rest).items():
-            found.C[pair] = found.C.get(pair, scene.table.zero) + node
-    found.K += [_at_rest(_blocks(part, number), rest) for part in drag]
-    found.residual += [_at_rest(part, rest) for part in drag]
+            C[pair] = C.get(pair, scene.table.zero) + node
+    K += [_at_rest(_blocks(part, number), rest) for part in drag]
+    residual += [_at_rest(part, rest) for part in drag]
     for key, rows in scene.matrices.items():
-        _outright(scene, found, key, rows)
+        _outright(scene, (M, C, G, K, residual), key, rows)
+    return M, C, G, {}, K, residual
 
 
-def _outright(scene, found, key, rows):
-    """Adds a matrix that the scene gives outright: M, K, or C = sym C + G."""
+def _outright(scene, parts, key, rows):
+    """Adds to M, C, G, K and the residual a matrix that the scene gives outright: M, K, or C = sym C + G."""
+    M, C, G, K, residual = parts
     pairs = [(i, j) for i in range(len(rows)) for j in range(len(rows))]
     if key == "K":
-        found.K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
-        found.residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=False)))
-                               for i, row in enumerate(rows)})
+        K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
+        residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=False)))
+                         for i, row in enumerate(rows)})
         return
-    parts = [(found.M if key == "M" else found.C, 1)] + [(found.G, -1)] * (key == "C")
-    for matrix, sign in parts:
+    for matrix, sign in [(M if key == "M" else C, 1)] + [(G, -1)] * (key == "C"):
         for i, j in pairs:
             half = (rows[i][j] + sign * rows[j][i]) / 2
             if not half.is_zero:

@@ -66,7 +66,7 @@ def settled(symbolic):
     for q in scene.q:
         if _stays(found.reached, q.name):
             found.put(q, SymbolicSolution(scene.drawn[q]))
-    conditions = [scene.table.sum(*((term, ONE) for term in terms)) 
+    conditions = [scene.table.sum(*((term, ONE) for term in terms))
                   for terms in residual_terms(symbolic.system.linearisation)]
     while len(found.values) < len(scene.q):
         open_ones = [q for q in scene.q if q not in found.values]
