@@ -31,7 +31,7 @@ def numeric_problems(path):
     for one in (scene, *(scene.case(name) for name in scene.spec.cases)):
         try:
             numeric = next(iter(Instances(one)), None)
-            found = numeric is not None and 0 < len(numeric.scene.q) <= MOST and numeric.equilibrium is not None
+            found = numeric is not None and 0 < len(numeric.scene.q) <= MOST and numeric.configuration.equilibrium
         except (PhysicsError, SpecError):
             continue
         if found:

@@ -1,5 +1,7 @@
 """A Linearisation in numbers of any arithmetic: element data, residual, and the sizes of what they were summed from."""
 
+from typing import NamedTuple
+
 from vibcli.mechanics.factored_system import OscillatorElements
 from vibcli.mechanics.linearisation import each
 from vibcli.symbolic.evaluation import evaluate, evaluate_rational
@@ -7,13 +9,12 @@ from vibcli.symbolic.evaluation import evaluate, evaluate_rational
 ALIKE = 2.0**-46
 
 
-class Numbers:
+class Numbers(NamedTuple):
     """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
 
-    __slots__ = ("elements", "residual", "residual_size")
-
-    def __init__(self, elements, residual, residual_size):
-        self.elements, self.residual, self.residual_size = elements, residual, residual_size
+    elements: OscillatorElements
+    residual: list
+    residual_size: list
 
 
 def in_numbers(form, arithmetic, values, rational=None):

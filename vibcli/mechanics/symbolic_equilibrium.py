@@ -8,13 +8,14 @@ some speed) the position that depends on letters is preferred.
 
 import math
 from itertools import islice
+from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.language.parameter_samples import given_values
 from vibcli.mechanics.linearisation import nodes_of, residual_terms
 from vibcli.symbolic.angle_addition import opened, openings
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.equations.one_unknown import SymbolicSolution, solutions
+from vibcli.symbolic.equations.one_unknown import solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
@@ -23,20 +24,21 @@ from vibcli.symbolic.rationals import ONE
 ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
 
-class Settled:
+class Settled(NamedTuple):
     """values: {coordinate symbol: expression}; calls: {sin q or cos q: expression} of those that are angles; reached:
     modes at random values of the letters that reach this equilibrium; named: is it the place that `equilibrium:`
     names?"""
 
-    __slots__ = ("calls", "named", "reached", "values")
+    values: dict
+    calls: dict
+    reached: list
+    named: bool = False
 
-    def __init__(self):
-        self.values, self.calls, self.reached, self.named = {}, {}, [], False
-
-    def put(self, q, solution):
-        self.values[q] = solution.value
-        if solution.sine is not None:
-            self.calls |= {q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
+    def with_solution(self, q, solution, reached):
+        """The same with one coordinate more; `reached`: those that still reach it."""
+        calls = {} if solution.sine is None else {
+            q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
+        return Settled({**self.values, q: solution.value}, {**self.calls, **calls}, reached)
 
     def at(self, nodes):
         """The nodes with what is known put in."""
@@ -53,19 +55,13 @@ class Settled:
 
 def settled(symbolic):
     """The Settled equilibrium of a nonlinear scene, None where it is not found."""
-    scene, found, tried = symbolic.scene, Settled(), _Tried(symbolic)
-    found.reached = tried.first(LEAST) if scene.loops is None else []
-    if len(found.reached) < LEAST:
+    scene, tried, start = symbolic.scene, _Tried(symbolic), symbolic.start
+    reached = tried.first(LEAST) if scene.loops is None else []
+    if len(reached) < LEAST:
         return None
-    start = symbolic.start
     if start is not None and all(map(_at_start, tried.first(ENOUGH))):
-        for q in scene.q:
-            found.put(q, SymbolicSolution(start[q]))
-        found.reached, found.named = tried.first(ENOUGH), True
-        return found
-    for q in scene.q:
-        if _stays(found.reached, q.name):
-            found.put(q, SymbolicSolution(scene.drawn[q]))
+        return Settled({q: start[q] for q in scene.q}, {}, tried.first(ENOUGH), named=True)
+    found = Settled({q: scene.drawn[q] for q in scene.q if _stays(reached, q.name)}, {}, reached)
     conditions = [scene.table.sum(*((term, ONE) for term in terms))
                   for terms in residual_terms(symbolic.system.linearisation)]
     while len(found.values) < len(scene.q):
@@ -73,9 +69,8 @@ def settled(symbolic):
         step = _step([textbook(node) for node in found.at(conditions)], open_ones, tried)
         if step is None:
             return None
-        q, solution, found.reached = step
+        found = found.with_solution(*step)
         tried.keep(found.reached)
-        found.put(q, solution)
     scene.table.resample(found.reached[0].numeric.floats)
     return found
 

@@ -142,8 +142,8 @@ class SmallMotion(Response):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.transient.linear_response import linear_motion
 
-        found = self.problem.modal.named(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
-                                         modes=self.modes, work=self.problem.work)
+        found = self.problem.modal.solved(linear_motion, *self.matrices, self.forcing(direct), *self.deviations,
+                                          modes=self.modes, work=self.problem.work)
         check_start(self.problem, found)
         return found
 

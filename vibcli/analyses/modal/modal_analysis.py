@@ -2,7 +2,6 @@
 
 from functools import cached_property
 
-from vibcli.base.errors import PhysicsError
 from vibcli.base.stage import Stage
 
 MOST = 10_000       # steps of a million products
@@ -30,7 +29,7 @@ class ModalAnalysis:
         elements = self.configuration.linear_system
         if elements.massless and only_damped(elements):
             return []
-        return self.named(natural_modes, elements, *self.configuration.sources)
+        return self.solved(natural_modes, elements, *self.configuration.sources)
 
     @cached_property
     def zero_modes(self):
@@ -50,7 +49,7 @@ class ModalAnalysis:
             return None
         from vibcli.analyses.modal.modes import damped_modes
 
-        return self.named(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
+        return self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
 
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
@@ -58,18 +57,10 @@ class ModalAnalysis:
 
         return normalised(mode.shape, how, weights(self.configuration.linear_system))
 
-    def named(self, solve, *args, **options):
-        """Solve for modes, and give a physical refusal the name of its coordinate."""
-        try:
-            with self.work.task("the search for the modes", MOST):
-                return solve(*args, **options)
-        except PhysicsError as error:
-            index = getattr(error, "coordinate", None)
-            if index is not None:
-                name = self.scene.coordinates[index]
-                error.message = error.message.format(coordinate=name).replace(f"coordinate {index + 1}", f"'{name}'")
-                error.where = error.where or self.spec.coordinates[name].where
-            raise
+    def solved(self, solve, *args, **options):
+        """What solves for modes, as a task."""
+        with self.work.task("the search for the modes", MOST):
+            return solve(*args, **options)
 
     def to_digits(self, digits):
         """(modes, damped modes) recomputed to so many correct digits."""
@@ -80,22 +71,22 @@ class ModalAnalysis:
             from vibcli.mechanics.high_precision import Degenerate
 
             raise Degenerate
-        modes = self.named(natural_modes, elements, *sources, digits=digits) if self.modes else []
-        return modes, self.named(damped_modes, elements, lambda: modes, *sources, digits=digits)
+        modes = self.solved(natural_modes, elements, *sources, digits=digits) if self.modes else []
+        return modes, self.solved(damped_modes, elements, lambda: modes, *sources, digits=digits)
 
     @cached_property
     def sharp_modes(self):
         """The modes to the digits that shares and derivatives need."""
         from vibcli.analyses.modal.modes_precise import sharp_modes
 
-        return self.named(sharp_modes, self.configuration)
+        return self.solved(sharp_modes, self.configuration)
 
     @cached_property
     def sharp_damped(self):
         """The damped modes to as many digits; asked for only where something damps."""
         from vibcli.analyses.modal.modes_precise import sharp_damped
 
-        return self.named(sharp_damped, self.configuration, lambda: self.sharp_modes)
+        return self.solved(sharp_damped, self.configuration, lambda: self.sharp_modes)
 
     @Stage
     def shares(self):

@@ -41,6 +41,11 @@ class Found:
             raise TooMuch
         return True
 
+    def meet(self, place):
+        """Keep the zero at which a search from a further start ended."""
+        self.add(place)
+        self.met += 1
+
     def holds(self, place):
         """Is a zero one of these?"""
         return any(self.same(place, other) for other in self.isolated) or any(

@@ -61,7 +61,7 @@ def find_equilibrium(numeric, start):
     step, size = (search.step, search.first_radius) if conservative else (search.drift, search.first_drift)
     steps = 0
     while not search.flat(numbers):
-        search.blocked = search.undefined = False
+        search.forget()
         steps += 1
         if search.far(q):
             raise unbounded(search, q)
@@ -93,6 +93,10 @@ class EnergyDescent:
         self.met = [0.0] * len(self.names)
         self.here, self.blocked, self.undefined = dict(start), False, False
 
+    def forget(self):
+        """Begin a step: nothing has stood in its way."""
+        self.blocked = self.undefined = False
+
     def vector(self, values):
         return self.np.array([values[name] for name in self.names], dtype=float)
 
@@ -123,7 +127,8 @@ class EnergyDescent:
                             "equilibrium starts", "draw the scene elsewhere, or start elsewhere with `equilibrium:`")
         self.here = position
         bend = stiffness @ (self.np.abs(q) + KNOWN * self.scale)
-        numbers.residual_size = [size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)]
+        numbers = numbers._replace(
+            residual_size=[size + float(b) for size, b in zip(numbers.residual_size, bend, strict=True)])
         self.met = list(map(max, self.met, numbers.residual_size))
         return numbers
 

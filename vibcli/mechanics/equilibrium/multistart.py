@@ -31,8 +31,7 @@ def _plain(forces, found, starts):
         tried.append(z)
         place = zero_from(forces, z, found.box)
         if place is not None:
-            found.add(place)
-            found.met += 1
+            found.meet(place)
         w = found.count
         if len(tried) >= least and (found.met >= 2 * w * w + 3 * w + 2 if w else len(tried) >= 4 * least):
             return tried

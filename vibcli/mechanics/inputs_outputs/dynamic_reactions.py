@@ -47,8 +47,7 @@ class MovingReactions:
         inverse = _left_inverse(G[:, real])
         multipliers = [combined((-float(x), residual[i]) for x, i in zip(line, real, strict=True) if x)
                        for line in inverse]
-        for row, value in zip(multipliers, static, strict=True):
-            row.constant = float(value)
+        multipliers = [row._replace(constant=float(value)) for row, value in zip(multipliers, static, strict=True)]
         found = {}
         for k, constraint in enumerate(scene.constraints):
             sign, row = 1.0 if constraint.form in LENGTHENING else -1.0, multipliers[k]

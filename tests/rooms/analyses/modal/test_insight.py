@@ -212,8 +212,8 @@ def test_scaling_of_units():
     """Other units of mass and time: Σ over masses and stiffnesses is 0, over stiffnesses and g ½."""
     values, rest = SCENES["rod on a sagging mass, preload and damper"]
     numeric = scene(values, rest)
-    found = numeric.sensitivities
-    for mode in numeric.modes:
+    found = numeric.modal.sensitivities
+    for mode in numeric.modal.modes:
         logs = {name: found.values[name] * found.omega[name][mode.index] / float(mode.omega) for name in values}
         assert sum(logs[name] for name in ("m", "k", "N", "kt", "J")) == pytest.approx(0, abs=1e-14)
         assert sum(logs[name] for name in ("k", "N", "kt", "g")) == pytest.approx(0.5, rel=1e-13)

@@ -51,8 +51,8 @@ springs: {{a: {{k: k, between: [ground, p]}}, b: {{k: {}, between: [ground, q]}}
 @pytest.mark.parametrize("second", ["k", "k + K"])
 def test_uncoupled_coordinates_move_alone(second):
     found = problem(TWO.format(second)).closed_forms
-    assert [[part.coefficient for part in mode.shape] for mode in found.modal.modes] == [[1, 0], [0, 1]]
-    assert all(mode.pattern is None for mode in found.modal.modes)
+    assert [[part.coefficient for part in mode.shape] for mode in found.modes] == [[1, 0], [0, 1]]
+    assert all(mode.pattern is None for mode in found.modes)
 
 
 def test_letters_are_drawn_where_the_scene_is_stable():
@@ -90,8 +90,8 @@ def test_shapes_in_letters_are_those_in_numbers(stem):
     sample = {name: Fraction(found.scene.sample[name]) for name in found.scene.parameters.free}
     numeric = found.with_values(sample)
     forms = found.closed_forms.modes
-    assert len(forms) == len(numeric.modes)
-    for form, mode in zip(forms, numeric.modes, strict=True):
+    assert len(forms) == len(numeric.modal.modes)
+    for form, mode in zip(forms, numeric.modal.modes, strict=True):
         omega, *shape = evaluate([form.omega, *form.shape], Floats, found.scene.sample)
         assert omega == pytest.approx(mode.omega, rel=1e-9, abs=1e-6)
-        assert shape == pytest.approx(numeric.shape(mode), rel=1e-7, abs=1e-7)
+        assert shape == pytest.approx(numeric.modal.shape(mode), rel=1e-7, abs=1e-7)
