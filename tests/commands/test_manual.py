@@ -211,7 +211,6 @@ def test_the_key_page_shows_a_scene_with_the_key():
 
 def test_tables_of_texts_match_what_runs():
     assert set(topics.FUNCTIONS) == set(FUNCTIONS)
-    assert set(topics.FIND) == set(FIND)
 
 
 def test_json_keys_are_those_that_are_printed(capsys):

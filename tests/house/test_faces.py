@@ -6,7 +6,8 @@ from importlib import import_module
 import pytest
 
 from house.measure import PACKAGE
-from vibcli import elements, quantities
+from vibcli import analyses, elements, quantities
+from vibcli.api.reports import FOUND_BY
 from vibcli.cli import COMMANDS
 from vibcli.drawing.symbols import SYMBOLS
 from vibcli.language import sections as of_language
@@ -14,8 +15,8 @@ from vibcli.reader import sections as of_questions
 from vibcli.report import formats
 from vibcli.report import sections as of_report
 
-FACES = ("drawing/symbols", "elements", "language/sections", "quantities", "reader/sections", "report/formats",
-         "report/sections")
+FACES = ("analyses", "drawing/symbols", "elements", "language/sections", "quantities", "reader/sections",
+         "report/formats", "report/sections")
 
 
 def defines(path, name):
@@ -45,6 +46,11 @@ def test_elements_are_the_files_that_define_one():
     files = (PACKAGE / "elements").glob("*.py")
     assert {path.stem for path in files if defines(path, "ELEMENT")} == set(elements.ELEMENTS)
     assert all(is_a_line(about) for _, about in elements.ELEMENTS.values())
+
+
+def test_every_word_of_find_is_answered_by_sections():
+    assert set(analyses.FIND) == set(FOUND_BY)
+    assert {section for found in FOUND_BY.values() for section in found} <= set(of_report.SECTIONS)
 
 
 def test_symbols_are_the_files_of_their_folder():

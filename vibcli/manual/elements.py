@@ -5,6 +5,7 @@ from vibcli.language.named_elements import Lazy
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
+from vibcli.quantities.questions import FIND
 from vibcli.reader.read import SECTIONS
 
 
@@ -129,7 +130,7 @@ def section_page(catalogue, section):
         page = element_page(catalogue, inner)
         return page if inner == section else blocks(head, [page])
     if section == "find":
-        return blocks(head, about, table(topics.FIND.items()), ["More: `vibcli explain request`."],
+        return blocks(head, about, table(FIND.items()), ["More: `vibcli explain request`."],
                       _scene(scenes.using(catalogue, section)))
     if section == "cases":
         about = [line for text in topics.CASES for line in paragraph(text)]

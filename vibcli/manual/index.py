@@ -7,6 +7,7 @@ from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
 from vibcli.quantities import FAMILIES
+from vibcli.quantities.questions import FIND
 from vibcli.reader.read import INSTEAD, SECTIONS
 from vibcli.report.json_keys import KEYS
 from vibcli.symbolic.parser import plain_name
@@ -28,7 +29,7 @@ class Index:
             self._add(f"{word}.{key}", "key", elements.key_page, word, key)
             if key not in self.catalogue.elements or word not in ("body", "request"):
                 self._add(key, "key", elements.key_page, word, key)
-        subjects_of = (("find", subjects.find_page, topics.FIND), ("quantity", subjects.quantity_page, FAMILIES),
+        subjects_of = (("find", subjects.find_page, FIND), ("quantity", subjects.quantity_page, FAMILIES),
                        ("shape", subjects.shape_page, NEEDS), ("function", subjects.function_page, topics.FUNCTIONS),
                        ("unit", subjects.unit_page, UNITS), ("missing", subjects.missing_page, INSTEAD))
         for kind, function, words in subjects_of:

@@ -10,6 +10,7 @@ from vibcli.notation.scene_language import language
 from vibcli.quantities import FAMILIES, quantity
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import named
+from vibcli.quantities.questions import FIND
 from vibcli.reader.read import INSTEAD
 from vibcli.report import json_keys
 from vibcli.symbolic.expression import Table
@@ -132,7 +133,7 @@ def _more(head):
 
 
 def find_page(catalogue, word):
-    return blocks([f"{word} — a word of `find`"], table([("prints", topics.FIND[word])]),
+    return blocks([f"{word} — a word of `find`"], table([("prints", FIND[word])]),
                   ["All words of `find`: vibcli explain find"])
 
 

@@ -41,30 +41,6 @@ FUNCTIONS = {
                 "`F0*sawtooth(Omega*t)`. Of expressions of the time alone",
 }
 
-FIND = {
-    "equations": "energies and equations of motion, in full and for small oscillations",
-    "energies": "kinetic and potential energy and the dissipation function",
-    "equilibrium": "the position of rest that is reached from the drawn one, or is nearest to the place that "
-                   "`equilibrium:` names, and whether it is stable",
-    "equilibria": "`{equilibria: all}`: all positions of equilibrium that are found within bounds, each stable or not; "
-                  "it is told whether it is proved that there are no others, or that one is missing",
-    "frequencies": "natural frequencies and periods of the system without its dampers",
-    "modes": "mode shapes",
-    "damping": "eigenvalues, damping ratios and damped frequencies, where something damps",
-    "virtual_work": "the generalised forces of weights, springs and steady loads, δA = Σ Q δq",
-    "reactions": "forces in equilibrium: of ropes, links, gears and other constraints, and of supports on bodies",
-    "response": "the motion in time: where it starts, its free part, its steady state, its extremes; "
-                "`{response: {of: [x, s.force], until: 2 s}}` says which signals, and until when",
-    "frequency_response": "amplitude and phase over the frequency, resonances and antiresonances; "
-                          "`{frequency_response: {of: [x], to: drive}}` says of what, and to which input",
-    "shares": "whose energy each mode has: of each spring, the tensions and the weights in the potential energy, of "
-              "each body in the kinetic energy, of each damper in what is lost; in numbers, only where it is asked for",
-    "sensitivities": "what each frequency and damping ratio depends on: exact derivatives by each parameter, the shift "
-                     "of the equilibrium included; in numbers, only where it is asked for",
-    "estimates": "bounds of the lowest natural frequency by Rayleigh and Dunkerley beside its exact value; in numbers, "
-                 "only where it is asked for",
-}
-
 COMPARED = [
     ("numbers", "A written number allows half a unit of its last digit, never more than 0.5 %; one of fewer "
      "than three digits is exact. `{value: 21.9 rad/s, rtol: 0.5 %}` sets the tolerance."),
