@@ -1,6 +1,5 @@
 """Which keys of a body go together: sizes with their shape, a motion with a place, an inertia with what turns."""
 
-from vibcli.base.units import parse_unit
 from vibcli.elements.shapes import NEEDS
 from vibcli.language.reader import article
 
@@ -14,7 +13,7 @@ def part(record, reader):
     """A part of a body: its density is per length of a rod, ring or arch, per area of the rest."""
     shape = record.get("shape", "particle")
     if "density" in record:
-        reader.measured(record, "density", parse_unit("kg/m" if shape in SLENDER else "kg/m^2").dimension)
+        reader.measured(record, "density", "kg/m" if shape in SLENDER else "kg/m^2")
         if shape == "particle":
             reader.report(record.place("density"), "a particle has no area or length", "give its mass, or its shape")
     missing = [key for key in NEEDS[shape] if key not in record]

@@ -1,6 +1,5 @@
 """Whether a spring or damper acts between rotations, and what that makes of its other keys."""
 
-from vibcli.base import units
 from vibcli.language.fields import Choice, Kind, OneOf, Quantity
 from vibcli.language.reader import Expression
 
@@ -27,16 +26,15 @@ def settle_torsion(record, reader, forces, local, rate):
     """The dimensions of what is a force, or of torsion a moment; `forces`: such keys, the law included, in which
     `local` is the deflection, or its rate."""
     torsion = "torsion" in record
-    length = units.NONE if torsion else units.LENGTH
+    length, force = ("rad", "N*m") if torsion else ("m", "N")
     for key in ("stretch", "gap"):
         if key in record:
             reader.measured(record, key, length)
     for key in forces:
         if isinstance(record.get(key), Expression):
-            unit = "N*m" if torsion else "N"
-            reader.measured(record, key, units.parse_unit(unit).dimension, unit)
+            reader.measured(record, key, force, said=True)
     if "law" in record:
-        reader.local_names[record["law"].scalar] = local, units.times(length, units.TIME, -1) if rate else length
+        reader.name_within(record["law"], local, f"{length}/s" if rate else length)
     said = [key for key in ("law", "friction") if key in record]
     if record.get("torsion") is True and not said:
         reader.report(record.place("torsion"), "`torsion: true` stands beside what says how large the moment is",

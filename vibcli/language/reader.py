@@ -2,6 +2,7 @@
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic
+from vibcli.base.units import parse_unit
 from vibcli.language.document.document import Mapping, Sequence
 from vibcli.symbolic.parser import plain_name
 from vibcli.symbolic.syntax import parts_of
@@ -40,13 +41,18 @@ class Reader:
         """A part of the scene could not be read."""
         self.sound = False
 
-    def measured(self, record, key, dimension, unit=None):
-        """An expression of a record is of this dimension, which its other keys determine."""
+    def measured(self, record, key, unit, said=False):
+        """An expression of a record has the dimension of a unit, as its other keys determine; `said`: in which it is
+        asked for."""
         old = record[key]
-        record[key] = Expression(old.scalar, old.tree, unit or old.unit, dimension)
+        record[key] = Expression(old.scalar, old.tree, unit if said else old.unit, parse_unit(unit).dimension)
         for kept in (self.expressions, self.motions, self.loads):
             if old.scalar in kept:
                 kept[old.scalar] = record[key]
+
+    def name_within(self, expression, name, unit):
+        """A name that is good in an expression alone, and the unit of what it stands for."""
+        self.local_names[expression.scalar] = name, parse_unit(unit).dimension
 
     def columns_of(self, scene, name, read):
         """What `read(scene, name)` gives, once for a file however many cases use it."""

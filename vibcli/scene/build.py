@@ -5,6 +5,7 @@ from functools import partial
 from vibcli.base.errors import SpecError
 from vibcli.scene.builder import Builder
 from vibcli.scene.constraints import closed
+from vibcli.scene.contents import TERMS
 from vibcli.scene.energy_terms import AppliedLoad
 from vibcli.scene.scene import Drives, Scene, Setting, Variant
 from vibcli.symbolic.derivatives import gradient
@@ -79,8 +80,9 @@ def _driven(scene):
     if any(map(scene.oscillates, scene.driven)):
         held = {symbol: zero if scene.oscillates(symbol) else node for symbol, node in scene.driven.items()}
         still = scene.replaced(held, coordinates=scene.kinematics.apart(), drives=drives)
+    shaken = {kind: getattr(scene, kind) for kind in TERMS if kind != "constraints"}
     moved = scene.replaced(scene.driven, still=still)
-    return moved.with_parts(contents=moved.contents._replace(shaken=scene.contents.terms))
+    return moved.with_parts(contents=moved.contents._replace(shaken=shaken))
 
 
 def _inputs(scene, drives):

@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
-DRIVEN = TERMS[:-1]     # kept as functions of driven displacements, too
 
 
 class Contents(NamedTuple):
@@ -38,11 +37,6 @@ class Contents(NamedTuple):
         kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values()]
         places = [node for _, place in self.points.values() for node in place]
         return [*(node for kind in kinds for part in kind for node in part.nodes), *places, *self.energies.values()]
-
-    @property
-    def terms(self):
-        """{kind: terms and laws}."""
-        return {kind: getattr(self, kind) for kind in DRIVEN}
 
     @property
     def depends_on(self):

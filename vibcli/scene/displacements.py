@@ -72,11 +72,6 @@ class Displacements:
         angle, = substitute([body.frame.angle], dict.fromkeys(self.released, self.table.zero))
         return bool(angle.mask)
 
-    @property
-    def supports(self):
-        """The coordinates by which supports give way, drives apart."""
-        return [q for q in self.released if ".reaction." in q.name]
-
     def _released(self, name):
         self.released.append(self.coordinates.further(name))
         return self.released[-1]

@@ -7,7 +7,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 class Places:
     """The frames, circles, places and turns of `bodies` and of the points of a scene.
 
-    `points`: {name: (drawn, present)} of those that are known; `driven(record, drawn)`: where a point is that moves.
+    `points`: {name: (drawn, present)} of those that are known, to which a scene that is built adds;
+    `driven(record, drawn)`: where in it a point is that moves.
     """
 
     __slots__ = ("bodies", "driven", "geometry", "ground", "points", "report", "spec", "table")
@@ -70,7 +71,9 @@ class Places:
                 return self.ground.drawn, self.ground.drawn, self.ground
             return body.centre, body.frame.point(*body.centre), body.frame
         record = self.spec.get("points")[name.text]
-        drawn, present = self.points[name.text] = self.points.get(name.text) or self._located(record)
+        drawn, present = self.points.get(name.text) or self._located(record)
+        if self.driven is not None:
+            self.points[name.text] = drawn, present
         return drawn, present, self.carrier(record, "body")
 
     def _located(self, record):

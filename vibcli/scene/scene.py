@@ -86,9 +86,7 @@ class Scene:
     def _expressions(self, coordinates):
         """Coordinates, and what may be asked of them and of expressions."""
         self.kinematics, self.report = coordinates, self.setting.reports.report
-        self.table, self.time, self.coordinates = coordinates.table, coordinates.time, coordinates.names
-        self.q, self.v, self.a, self.speeds, self.drawn = (coordinates.q, coordinates.v, coordinates.a,
-                                                           coordinates.speeds, coordinates.drawn)
+        self.table, self.time, self.coordinates, self.q, self.v, self.a, self.speeds, _, self.drawn, _ = coordinates
         self.symbol, self.rate, self.at_drawn = coordinates.symbol, coordinates.rate, coordinates.at_drawn
         expressions = Expressions(coordinates, self.parameters, self.sample, self.setting.reports)
         self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
@@ -98,12 +96,9 @@ class Scene:
 
     def _contents(self, contents):
         """Bodies, points and terms, and what may be asked of them."""
-        self.gravity, self.bodies, self.points = contents.gravity, contents.bodies, contents.points
+        (self.gravity, self.bodies, self.points, self.inertias, self.springs, self.dampers, self.weights, self.forces,
+         self.laws, self.constraints, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
         self.surfaces = self.spec.sections.get("surfaces") or {}
-        self.inertias, self.springs, self.dampers, self.weights, self.forces, self.laws = (
-            contents.inertias, contents.springs, contents.dampers, contents.weights, contents.forces, contents.laws)
-        self.constraints, self.energies, self.matrices = contents.constraints, contents.energies, contents.matrices
-        self.static_preloads, self.shaken = contents.static_preloads, contents.shaken
         places = Places(self.spec, self._geometry, self.bodies, self.points)
         self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
         self.extent, self.unit_of = places.extent, places.unit_of
