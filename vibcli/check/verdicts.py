@@ -7,6 +7,7 @@ checked at several sets of random values of its symbols.
 
 import math
 import re
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.check.instances import Instances
@@ -14,20 +15,24 @@ from vibcli.quantities.expression import lowered, measure, value_of
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import OF_STATE, quantity_of
 from vibcli.results.random_states import at_states, states
-from vibcli.symbolic.semantics import quantities_in, whole_literal
-from vibcli.symbolic.syntax import QuantityRef
+
+if TYPE_CHECKING:
+    from vibcli.reader.sections.answer import Answer
 
 EXACT, WIDEST, SMALL, ROUNDING, EPSILON = 1e-9, 0.005, 1e-12, 1e-13, 2.0**-52
 
 
-class Verdict:
-    """One answer compared: expected and found (numbers or None), whether they agree, and a remark."""
+class Verdict(NamedTuple):
+    """One answer compared: expected and found (numbers or None), whether they agree, and a remark; the refusal of a
+    scene that has no such answer."""
 
-    __slots__ = ("agrees", "answer", "case", "expected", "found", "refusal", "remark")
-
-    def __init__(self, answer, agrees, expected=None, found=None, remark=None, case=None):
-        self.answer, self.agrees, self.expected, self.found = answer, agrees, expected, found
-        self.remark, self.case, self.refusal = remark, case, None
+    answer: "Answer"
+    agrees: bool
+    expected: float | bool | None = None
+    found: float | bool | None = None
+    remark: str | None = None
+    case: str | None = None
+    refusal: PhysicsError | None = None
 
 
 def check(problem):
@@ -49,14 +54,13 @@ def _verdict(instances, answer, case):
             found = _compare(instance, answer)
         except PhysicsError as error:
             if verdict is None:
-                verdict = Verdict(answer, False, remark="no such answer: " + error.message)
-                verdict.refusal = error.told(answer.asked.where)
+                verdict = Verdict(answer, False, remark="no such answer: " + error.message,
+                                  refusal=error.told(answer.asked.where))
             continue
         verdict, compared = found, compared + 1
         if not verdict.agrees or compared == instances.wanted:
             break
-    verdict.case = case
-    return verdict
+    return verdict._replace(case=case)
 
 
 def _worst(wanted, found, groups, rounding=0.0):
@@ -71,8 +75,8 @@ def _worst(wanted, found, groups, rounding=0.0):
 
 def _compare(problem, answer):
     tree = answer.asked.tree
-    head = tree.head if isinstance(tree, QuantityRef) else None
     quantity = quantity_of(problem.spec, tree)
+    head = None if quantity is None else tree.head
     if quantity is not None and quantity.kind == OF_STATE:
         return (_compare_equation if head in ("equation", "motion") else _compare_energy)(problem, answer, head)
     if head == "stable":
@@ -110,7 +114,7 @@ def _tolerance(problem, answer, expected):
             raise SpecError([Diagnostic(answer.rtol.where, f"the tolerance is {rtol:.6g}, expected 0 to 1",
                                         "write for example rtol: 0.5 %")])
         return (rtol * abs(expected), 0) if expected else (rounding, 0)
-    literal = whole_literal(answer.expected.tree)
+    literal = answer.expected.parts.whole
     if literal is None:
         return rounding, 4
     written = re.match(r"\s*[-+]?\s*(\d*)\.?(\d*)(?:[eE]([-+]?\d+))?", answer.expected.text)
@@ -128,7 +132,7 @@ def _small(problem, answer):
     quantity = quantity_of(problem.spec, tree)
     if quantity is not None and quantity.size is not None:
         return (EXACT if tree.args else SMALL) * quantity.size(problem, tree)
-    return SMALL * max((float(abs(measure(problem, part)[0])) for part in quantities_in(tree)), default=0.0)
+    return SMALL * max((float(abs(measure(problem, part)[0])) for part in answer.asked.parts.quantities), default=0.0)
 
 
 def _expected_node(problem, expression):

@@ -86,13 +86,6 @@ def _generalised_force(problem, tree):
     return generalised_force_at_rest(problem.system, coordinate_number(problem, tree.indices[0]))
 
 
-def is_stable(problem):
-    """Does nothing grow about the equilibrium? Motion that costs no energy counts as stable."""
-    from vibcli.analyses.modal.stability import stability
-
-    return stability(problem.modal).stable
-
-
 QUANTITIES = {
     "equilibrium": Declaration(
         "a coordinate or signal in equilibrium", None, _equilibrium, ("signal",), several=True, size=_size,
@@ -103,8 +96,8 @@ QUANTITIES = {
         kind=OF_STATE, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
             spec, coordinate_name(spec, tree.indices[0]))),
     "stable": Declaration(
-        "`true` where the equilibrium is stable", "1", lambda problem, tree, args: (is_stable(problem), 0.0),
-        several=True, kind=COUNT),
+        "`true` where the equilibrium is stable", "1",
+        lambda problem, tree, args: (problem.modal.stability.stable, 0.0), several=True, kind=COUNT),
     "equilibria": Declaration(
         "number of equilibria found within the bounds that `find` gives, or default ones; a line of neutral ones "
         "counts once", "1", lambda problem, tree, args: (count(problem), 0.0), kind=COUNT),

@@ -51,6 +51,13 @@ class ModalAnalysis:
 
         return self.solved(damped_modes, elements, lambda: self.modes, *self.configuration.sources)
 
+    @cached_property
+    def stability(self):
+        """The Stability of the equilibrium."""
+        from vibcli.analyses.modal.stability import stability
+
+        return stability(self)
+
     def shape(self, mode, how="first"):
         """The shape of a mode in the normalisation asked for, as a list of numbers."""
         from vibcli.analyses.modal.normalisation import normalised, weights

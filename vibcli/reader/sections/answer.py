@@ -1,5 +1,7 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
+from typing import NamedTuple
+
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
@@ -28,13 +30,12 @@ _EQUATION = Element("equation", "An expected equation of motion, up to a non-zer
                     short="value")
 
 
-class Answer:
-    """One expected answer: the tree asked for, the expected expression, and a tolerance expression or None."""
+class Answer(NamedTuple):
+    """One expected answer: the quantity asked for, the expected expression, and the tolerance."""
 
-    __slots__ = ("asked", "expected", "rtol")
-
-    def __init__(self, asked, expected, rtol):
-        self.asked, self.expected, self.rtol = asked, expected, rtol
+    asked: Expression
+    expected: Expression
+    rtol: Expression | None
 
 
 class Answers(Kind):

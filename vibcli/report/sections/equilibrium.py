@@ -26,12 +26,12 @@ def equilibrium(problem, _):
 
 
 def _in_numbers(problem):
-    from vibcli.analyses.modal.stability import WORDS, stability
+    from vibcli.analyses.modal.stability import WORDS
     from vibcli.report.sections.equilibria import equilibrium_warning
 
     found = problem.configuration.equilibrium
     try:
-        stable = WORDS[stability(problem.modal).kind]
+        stable = WORDS[problem.modal.stability.kind]
     except Kinked:
         stable = "a kink: no small oscillations about it"
     dependent = problem.configuration.dependent_values
@@ -135,13 +135,12 @@ def _data(problem):
 
         return EQUILIBRIUM.row(equilibrium_in_letters(problem.symbolic), problem.scene.dependent, *[None] * 5)
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
-    from vibcli.quantities.equilibrium import is_stable
 
     found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)
     values, moved = ({name: of[name] for name in problem.scene.coordinates} if of else of
                      for of in (found.values, found.from_start))
-    return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, is_stable(problem), found.residual,
-                           condition, bifurcation_warning(condition))
+    return EQUILIBRIUM.row(values, problem.configuration.dependent_values, moved, problem.modal.stability.stable,
+                           found.residual, condition, bifurcation_warning(condition))
 
 
 EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn position, or nearest to the place that "

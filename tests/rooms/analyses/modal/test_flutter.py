@@ -12,9 +12,9 @@ from support.spectra import compared, relative, unit_masses
 
 from vibcli.analyses.modal.damped import damped
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
+from vibcli.analyses.modal.stability import stability
 from vibcli.analyses.modal.undamped import Mode
 from vibcli.mechanics.factored_system import OscillatorElements
-from vibcli.quantities.equilibrium import is_stable
 from vibcli.report.sections.mode_tables import damped_row, mode_row, repeated
 
 ULP = 2.0 ** -53
@@ -108,27 +108,26 @@ def test_dampers_that_push():
         assert sorted((-x.real, x.imag) for x in others) == sorted((x.real, x.imag) for x in values)
 
 
-def problem(elements, zero=()):
+def is_stable(elements):
     modes = natural_modes(elements)
-    return SimpleNamespace(elements=elements, modes=modes, damped=damped_modes(elements, lambda: modes),
-                           zero_modes=dict(enumerate(zero)))
+    return stability(SimpleNamespace(configuration=SimpleNamespace(linear_system=elements), modes=modes, zero_modes={},
+                                     damped=damped_modes(elements, lambda: modes))).stable
 
 
 def test_stable_is_what_does_not_grow():
-    assert is_stable(problem(ziegler(2.0))) and not is_stable(problem(ziegler(2.1)))
-    assert is_stable(problem(ziegler(1.4, 0.01))) and not is_stable(problem(ziegler(1.5, 0.01)))
-    assert not is_stable(problem(ziegler(7.0))) and not is_stable(problem(ziegler(1.0, dead=True)))
+    assert is_stable(ziegler(2.0)) and not is_stable(ziegler(2.1))
+    assert is_stable(ziegler(1.4, 0.01)) and not is_stable(ziegler(1.5, 0.01))
+    assert not is_stable(ziegler(7.0)) and not is_stable(ziegler(1.0, dead=True))
     one, stiff = [(1.0, {0: 1.0})], [(4.0, {0: 1.0})]
-    assert not is_stable(problem(OscillatorElements(1, one, stiff, [(-0.1, {0: 1.0})])))
-    assert not is_stable(problem(OscillatorElements(1, one, stiff, C={(0, 0): -0.1})))
-    assert is_stable(problem(OscillatorElements(1, one, stiff, [(0.1, {0: 1.0})])))
+    assert not is_stable(OscillatorElements(1, one, stiff, [(-0.1, {0: 1.0})]))
+    assert not is_stable(OscillatorElements(1, one, stiff, C={(0, 0): -0.1}))
+    assert is_stable(OscillatorElements(1, one, stiff, [(0.1, {0: 1.0})]))
     held = {"K": {(0, 0): -1.0, (1, 1): -1.0}, "G": {(0, 1): 3.0, (1, 0): -3.0}}
-    assert is_stable(problem(OscillatorElements(2, unit_masses(2), **held)))
-    assert not is_stable(problem(OscillatorElements(2, unit_masses(2), dampers=[(0.1, {0: 1.0}), (0.1, {1: 1.0})],
-                                                    **held)))
+    assert is_stable(OscillatorElements(2, unit_masses(2), **held))
+    assert not is_stable(OscillatorElements(2, unit_masses(2), dampers=[(0.1, {0: 1.0}), (0.1, {1: 1.0})], **held))
     rotor = {(0, 0): 1.0, (1, 1): 1.0, (0, 1): 0.1, (1, 0): -0.1}     # internal damping turns with the shaft
     for c, stands in ((0.09, False), (0.11, True)):
-        assert is_stable(problem(OscillatorElements(2, unit_masses(2), K=rotor, C={(0, 0): c, (1, 1): c}))) == stands
+        assert is_stable(OscillatorElements(2, unit_masses(2), K=rotor, C={(0, 0): c, (1, 1): c})) == stands
 
 
 def test_rows_of_the_report():

@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 from support.scenes import problem, problem_of
 
-from vibcli.quantities.equilibrium import is_stable
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 PROBLEMS = Path(__file__).parents[4] / "problems"
@@ -18,14 +17,14 @@ QUARTIC = "parameters: {{m: 1 kg, a: 3 N/m^3}}\ncoordinates: [x]\nenergies: {{T:
 def test_terms_beyond_the_linear_ones_decide(V, kind, stable):
     found = problem(QUARTIC.format(V))
     assert found.modal.zero_modes == {1: kind}
-    assert is_stable(found) is stable
+    assert found.modal.stability.stable is stable
 
 
 def test_a_rigid_motion_costs_no_energy():
     found = problem("parameters: {m: 1 kg, k: 2 N/m}\nbodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}\n"
                     "springs: {s: {k: k, between: [a, b]}}")
     assert found.modal.zero_modes == {1: "free"}
-    assert is_stable(found)
+    assert found.modal.stability.stable
 
 
 def test_lateral_springs_hold_without_a_linear_force():
