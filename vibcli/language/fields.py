@@ -5,6 +5,7 @@ declared keys; reading one gives a Record. Expressions are parsed here and kept 
 and whether their dimensions fit is settled by the reader, once all names are known.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 from vibcli.base import units
@@ -231,18 +232,23 @@ class Field(NamedTuple):
     required: bool = False
 
 
-class Element(Kind):
+class Element(NamedTuple):
     """A mapping with declared keys. `short` is the key that a bare value stands for (`slide: x` is `{by: x}`);
     `exclusive` lists groups of keys of which at most one may stand, `needs` groups of which at least one must.
     `settle(record, reader)` sets dimensions that depend on the other keys, and reports keys that do not go together;
     `instead` says what to write for a key that is missed here; `signals` are those of what joins two ends, {part:
     (its unit, that of torsion)}."""
 
-    def __init__(self, name, about, fields, short=None, exclusive=(), needs=(), settle=None, example=None,
-                 instead=None, signals=None):
-        self.name, self.about, self.fields, self.short = name, about, fields, short
-        self.exclusive, self.needs, self.settle, self.example = exclusive, needs, settle, example
-        self.instead, self.signals = instead or {}, signals or {}
+    name: str
+    about: str
+    fields: dict[str, Field]
+    short: str | None = None
+    exclusive: tuple = ()
+    needs: tuple = ()
+    settle: Callable | None = None
+    example: str | None = None
+    instead: dict[str, str] = {}
+    signals: dict[str, tuple[str, str]] = {}
 
     @property
     def wants(self):

@@ -76,19 +76,11 @@ class Expression:
     """A parsed expression with its place, its Parts, and the unit and dimension that its field wants (None: settled
     elsewhere)."""
 
-    __slots__ = ("dimension", "parts", "scalar", "tree", "unit")
+    __slots__ = ("dimension", "parts", "scalar", "text", "tree", "unit", "where")
 
     def __init__(self, scalar, tree, unit=None, dimension=None):
-        self.scalar, self.tree, self.unit, self.dimension = scalar, tree, unit, dimension
-        self.parts = parts_of(tree)
-
-    @property
-    def text(self):
-        return self.scalar.text
-
-    @property
-    def where(self):
-        return self.scalar.where
+        self.scalar, self.text, self.where = scalar, scalar.text, scalar.where
+        self.tree, self.parts, self.unit, self.dimension = tree, parts_of(tree), unit, dimension
 
 
 class Reference:

@@ -93,9 +93,7 @@ class Floats:
         except (ValueError, OverflowError, ZeroDivisionError):
             return math.nan
 
-    @staticmethod
-    def isfinite(value):
-        return math.isfinite(value)
+    isfinite = staticmethod(math.isfinite)
 
     @staticmethod
     def record(name, samples):

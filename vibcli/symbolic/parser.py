@@ -7,6 +7,7 @@ Nothing is ever evaluated as code.
 
 import re
 from fractions import Fraction
+from operator import methodcaller
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.unit_suggestions import TAKEN, unit_meant
@@ -25,6 +26,7 @@ VALUE = "value"         # the head of x(2 s), and of what is written like a func
 GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΦΨΩϕϑϵ", (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
     "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega phi theta epsilon").split(), strict=True))
+plain_name = methodcaller("translate", str.maketrans(GREEK))      # a name with Greek letters spelt out: φ1 is phi1
 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _WHOLE = re.compile(r"[0-9]{1,15}")
@@ -45,11 +47,6 @@ class ExpressionError(Exception):
     def __init__(self, offset, width, message, hint=None):
         super().__init__(message)
         self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
-
-
-def plain_name(text):
-    """A name with Greek letters spelt out: φ1 is phi1."""
-    return text if text.isascii() else "".join(GREEK.get(letter, letter) for letter in text)
 
 
 def parse(text, equation=None):

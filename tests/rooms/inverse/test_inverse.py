@@ -11,6 +11,7 @@ from vibcli.check.verdicts import check
 from vibcli.cli import run
 from vibcli.inverse import search, settled
 from vibcli.inverse.admissible_ranges import admissible, natural_scale
+from vibcli.language.document.nodes import Scalar
 from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
 from vibcli.quantities.expression import value_of
@@ -69,7 +70,7 @@ def forms(found, name):
 
 def measured(found, text):
     """The value of an expression of quantities in a settled problem."""
-    return value_of(found, Expression(None, parse(text), None, None))[0]
+    return value_of(found, Expression(Scalar(text, None), parse(text)))[0]
 
 
 def holds(found):
