@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from vibcli.elements import ELEMENTS, body_checks, rim
 from vibcli.elements.shapes import LAWS, NEEDS
-from vibcli.language.fields import Choice, Element, Field, Flag, Many, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Choice, Flag, Many, Quantity
 from vibcli.language.named_elements import Lazy, load
 from vibcli.language.named_place import DRAWN
 

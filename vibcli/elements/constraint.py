@@ -6,7 +6,8 @@
 """
 
 from vibcli.elements import rope
-from vibcli.language.fields import BODY, PLACE, Element, EquationField, Field, Flag, Many, NameOf, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, PLACE, EquationField, Flag, Many, NameOf, Quantity
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
 

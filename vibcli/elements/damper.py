@@ -1,7 +1,8 @@
 """Dampers between two ends: Φ = ½ c ḋ², the integral of a law, or R |ḋ| of dry friction, d being their distance."""
 
 from vibcli.elements.torsion import Torsion, settle_torsion
-from vibcli.language.fields import ENDS, Element, Field, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import ENDS, Quantity
 from vibcli.symbolic.rationals import HALF
 
 

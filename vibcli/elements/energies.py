@@ -1,6 +1,7 @@
 """Energies written out: what no element says."""
 
-from vibcli.language.fields import Element, Field, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Quantity
 
 ELEMENT = Element(
     "set of energies",

@@ -4,7 +4,8 @@ A force with a `carrier` keeps its direction in that body (a follower force). An
 acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 """
 
-from vibcli.language.fields import BODY, Element, Field, Load, NameOf, OneOf, Quantity, vector
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
 
 _AT = OneOf("the name of a point or body (name a place under `points`)",
             scalar=NameOf("the name of a point or body", "points", "bodies"))

@@ -1,6 +1,7 @@
 """Matrices given outright: M q̈ + C q̇ + K q = 0, the rows in the order of the coordinates."""
 
-from vibcli.language.fields import Element, Field, Many, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Many, Quantity
 
 _MATRIX = Many(Many(Quantity(), 1, 2000, "a row of entries"), 1, 2000, "a list of rows [[…], […]]")
 ELEMENT = Element(

@@ -1,7 +1,8 @@
 """General plane motion: displacement of the mass centre and rotation, each a coordinate or an expression."""
 
 from vibcli.language.document.document import Sequence
-from vibcli.language.fields import BODY, Element, Field, Kind, MotionField
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Kind, MotionField
 
 _LENGTH, _ANGLE = MotionField("m"), MotionField("rad")
 

@@ -1,6 +1,7 @@
 """Rotation about a pin, which may be carried by another body."""
 
-from vibcli.language.fields import BODY, PLACE, Element, Field, Flag, MotionField
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, PLACE, Flag, MotionField
 
 ELEMENT = Element(
     "pin",

@@ -1,6 +1,7 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
-from vibcli.language.fields import BODY, Element, Field, Many, MotionField
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Many, MotionField
 from vibcli.language.named_place import DRAWN
 
 ELEMENT = Element(

@@ -6,7 +6,8 @@ On a circle of radius R, the line of centres turning by ψ: ρ ψ = σ r θ, wit
 The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the fixed frame.
 """
 
-from vibcli.language.fields import Element, Field, MotionField, NameOf, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import MotionField, NameOf, Quantity
 
 ELEMENT = Element(
     "roll",

@@ -14,7 +14,8 @@ all sides as an eyelet does.
 from itertools import pairwise
 from typing import NamedTuple
 
-from vibcli.language.fields import PLACE, Element, Field, Many, NameOf, OneOf, Quantity, vector
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import PLACE, Many, NameOf, OneOf, Quantity, vector
 from vibcli.symbolic.normal_form import root_of_square, textbook
 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}

@@ -1,6 +1,7 @@
 """Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
-from vibcli.language.fields import BODY, Element, Field, MotionField, NameOf, vector
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, MotionField, NameOf, vector
 
 ELEMENT = Element(
     "slide",

@@ -6,7 +6,8 @@ beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0)
 """
 
 from vibcli.elements.torsion import Torsion, settle_torsion
-from vibcli.language.fields import ENDS, Choice, Element, Field, Kind, OneOf, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import ENDS, Choice, Kind, OneOf, Quantity
 from vibcli.symbolic.rationals import HALF
 
 

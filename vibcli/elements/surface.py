@@ -1,6 +1,7 @@
 """Surfaces that bodies roll or slide on: lines, circles and curves, fixed or carried by a body."""
 
-from vibcli.language.fields import BODY, Choice, Element, Field, Many, NewName, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import BODY, Choice, Many, NewName, Quantity
 from vibcli.language.named_place import DRAWN
 
 

@@ -1,6 +1,6 @@
 """Whether a spring or damper acts between rotations, and what that makes of its other keys."""
 
-from vibcli.language.fields import Choice, Kind, OneOf, Quantity
+from vibcli.language.kinds import Choice, Kind, OneOf, Quantity
 from vibcli.language.reader import Expression
 
 

@@ -1,6 +1,6 @@
 """A body fixed rigidly to another one."""
 
-from vibcli.language.fields import BODY
+from vibcli.language.kinds import BODY
 
 ELEMENT = BODY
 ABOUT = "The body is carried rigidly by another one: `weld: rod`."

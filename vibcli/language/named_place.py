@@ -1,7 +1,7 @@
 """Where something is drawn: a place [x, y], or the name of a point that is drawn there."""
 
 from vibcli.language.document.document import Scalar
-from vibcli.language.fields import NameOf, OneOf, vector
+from vibcli.language.kinds import NameOf, OneOf, vector
 from vibcli.symbolic.parser import plain_name
 
 

@@ -2,7 +2,8 @@
 
 from vibcli.language import sections
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Element, Many, OneOf
+from vibcli.language.fields import Element
+from vibcli.language.kinds import Many, OneOf
 from vibcli.language.named_elements import Lazy, Named, load
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS

@@ -1,6 +1,7 @@
 """Pages of elements, their keys, and sections."""
 
-from vibcli.language.fields import Element, EquationField, Load, Many, MotionField, OneOf
+from vibcli.language.fields import Element
+from vibcli.language.kinds import EquationField, Load, Many, MotionField, OneOf
 from vibcli.language.named_elements import Lazy
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened

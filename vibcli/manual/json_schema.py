@@ -4,7 +4,8 @@ A YAML reader has types where scene files have text: whatever YAML may take a te
 value is null, and a case may hold any part of a scene.
 """
 
-from vibcli.language.fields import Element, Text
+from vibcli.language.fields import Element
+from vibcli.language.kinds import Text
 from vibcli.language.named_elements import Named
 from vibcli.manual.catalogue import Catalogue
 from vibcli.reader.read import SECTIONS

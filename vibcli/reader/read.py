@@ -10,7 +10,7 @@ from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.base.spelling import nearest
 from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.fields import Choice, Kind, Text
+from vibcli.language.kinds import Choice, Kind, Text
 from vibcli.language.named_elements import Lazy, Named
 from vibcli.language.reader import MOST_PROBLEMS, Reader, TooManyErrors
 from vibcli.language.record_calls import RESERVED, own

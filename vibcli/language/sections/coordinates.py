@@ -1,7 +1,8 @@
 """Generalised coordinates: their order, what each measures, and its value in the drawn position."""
 
 from vibcli.language.document.document import Mapping, Sequence
-from vibcli.language.fields import Element, Field, Kind, Quantity, Text
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Quantity, Text
 from vibcli.language.reader import Record, check_name
 
 ELEMENT = Element(

@@ -1,7 +1,7 @@
 """A starting place for the search of the equilibrium, where several exist."""
 
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Kind, NameOf, Quantity
+from vibcli.language.kinds import Kind, NameOf, Quantity
 from vibcli.language.named_elements import Named
 
 

@@ -1,6 +1,6 @@
 """Gravity: V = −m (gₓ x + g_y y) for every body that has a place."""
 
-from vibcli.language.fields import OneOf, Quantity, vector
+from vibcli.language.kinds import OneOf, Quantity, vector
 
 KIND = OneOf("an acceleration, or a vector [gx, gy]", scalar=Quantity("m/s^2"),
              sequence=vector("m/s^2", "an acceleration [gx, gy]"))

@@ -1,7 +1,7 @@
 """Where a motion starts: values of coordinates and velocities, or the equilibrium under a force that lets go."""
 
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Kind, NameOf, Quantity
+from vibcli.language.kinds import Kind, NameOf, Quantity
 from vibcli.language.reader import Record, Reference
 from vibcli.symbolic.parser import plain_name
 

@@ -3,7 +3,8 @@
 from vibcli.base.spelling import nearest
 from vibcli.base.units import UNITS
 from vibcli.language.document.document import Mapping, Scalar
-from vibcli.language.fields import Choice, Element, Field, Quantity, Text
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Choice, Quantity, Text
 from vibcli.language.reader import Record
 from vibcli.symbolic.parser import ExpressionError, parse
 from vibcli.symbolic.syntax import Number

@@ -7,7 +7,8 @@ from vibcli.base.errors import Diagnostic
 from vibcli.base.spelling import nearest
 from vibcli.language.data_columns import read_columns
 from vibcli.language.document.document import Scalar
-from vibcli.language.fields import Element, Field, Quantity, Text
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Quantity, Text
 from vibcli.language.sections.parameter import UNIT
 from vibcli.symbolic.parser import LARGEST, SMALLEST, parse
 from vibcli.symbolic.sampled_functions import Samples

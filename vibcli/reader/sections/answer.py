@@ -5,7 +5,8 @@ from typing import NamedTuple
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.document.document import Mapping
-from vibcli.language.fields import Element, Field, Kind, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL

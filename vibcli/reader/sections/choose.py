@@ -3,7 +3,8 @@
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Scalar, Sequence
-from vibcli.language.fields import Element, Field, Kind, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL

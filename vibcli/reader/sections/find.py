@@ -1,7 +1,8 @@
 """Questions of a scene: words, the search for all equilibria, motions in time and frequency responses."""
 
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Choice, Element, Field, Kind, Many, OneOf, Quantity
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity
 from vibcli.language.reader import Expression
 from vibcli.language.sections.equilibrium import ByCoordinate
 from vibcli.quantities.questions import FIND
