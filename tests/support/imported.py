@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from functools import cache
 
 HEAVY = ("numpy", "scipy", "sympy", "matplotlib", "mpmath")
 RUN = """
@@ -14,11 +15,12 @@ print(json.dumps([code, sorted(sys.modules)]), file=sys.stderr)
 """
 
 
+@cache
 def imported(*args):
     """(exit code, modules imported) of one command in a process of its own."""
     done = subprocess.run([sys.executable, "-c", RUN, *map(str, args)], capture_output=True, text=True, timeout=60)
     code, names = json.loads(done.stderr.splitlines()[-1])
-    return code, set(names)
+    return code, frozenset(names)
 
 
 def modules(*args):

@@ -40,8 +40,8 @@ def within(calls, work, otherwise):
     except CallsSpent as error:
         if error is not spent:
             raise
-        if task:
-            task.work.give_up_closed_form()
-        return otherwise
     finally:
         sys.settrace(outer)
+    if task:
+        task.work.give_up_closed_form()
+    return otherwise

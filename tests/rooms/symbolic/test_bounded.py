@@ -7,6 +7,7 @@ import threading
 import pytest
 from support.counting import calls
 
+from vibcli.base.work import Work
 from vibcli.symbolic.time_limit import within
 
 FEW, MANY = 100, 10**9
@@ -52,6 +53,13 @@ def test_the_outer_end_still_comes_after_an_inner_one():
     assert within(10 * FEW, work, "outer") == "outer"
     assert within(MANY, lambda: [within(FEW, forever, i) for i in range(3)], None) == [0, 1, 2]
     assert within(2 * FEW, lambda: [within(FEW, forever, i) for i in range(3)], "outer") == "outer"
+
+
+def test_what_is_given_up_is_noted_by_the_work_under_way():
+    work = Work()
+    with work.task("a closed form"):
+        assert within(FEW, forever, "given up") == "given up"
+    assert work.cut
 
 
 def test_errors_get_through():
