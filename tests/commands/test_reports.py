@@ -21,7 +21,7 @@ from vibcli.quantities.questions import INSIGHT, ON_REQUEST
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import TableBlock as Cells
 from vibcli.report.document import EVERYTHING, Report
-from vibcli.report.formats import html, markdown
+from vibcli.report.formats import asciidoc, html, markdown
 from vibcli.report.formats import latex as render_latex
 from vibcli.report.formats import text as render_text
 from vibcli.report.formats.formula import formula, pieces, rows, without_words
@@ -29,13 +29,13 @@ from vibcli.symbolic.expression import Table
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 SAMPLE = sorted(PROBLEMS.rglob("*.yaml"))[::9]
-FORMATS = ("markdown", "latex", "html")
+FORMATS = ("markdown", "latex", "asciidoc", "html")
 
 
 def render(documents, kind, place=None):
     if kind == "html":
         return html.render(documents)
-    return {"latex": render_latex, "markdown": markdown}[kind].render(documents, place)
+    return {"latex": render_latex, "markdown": markdown, "asciidoc": asciidoc}[kind].render(documents, place)
 
 
 def document(found, sections=EVERYTHING, **options):
@@ -130,7 +130,38 @@ def assert_markdown(text):
         assert len({len(re.findall(r"(?<!\\)\|", line)) for line in block.splitlines()}) == 1
 
 
-CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown}
+BLOCKS = {      # of AsciiDoc, each by the whole of it
+    "title": r"={1,5} \S.*(\n:stem: latexmath)?",
+    "display": r"\[stem\]\n\+{4}\n(?:[^+\n].*\n|\+ .*\n)+\+{4}",
+    "table": r"\[%autowidth,options=header\]\n\|===\n\|.*\n\n(?:\|.*\n)*\|===",
+    "list": r"\* .*(?:\n\* .*)*",
+    "picture": r"image::[\w.-]+\[\"[^\"\]]+\"\]",
+    "paragraph": r"(?:\{empty\}|\*Not found:\*|stem:\[|[^\W\d_]+[ ,;:]).*(?:\nstem:\[.*)*"}
+STEM = re.compile(r"stem:\[(?:[^\]\\]|\\.)+\]")
+
+
+def assert_asciidoc(text):
+    """Blocks of six kinds, apart by empty lines; titles that go one deeper at a time; tables of one width; outside of
+    formulas and of references to characters nothing that is markup."""
+    blocks = re.split(r"\n\n(?=\S)(?!\|)", text.rstrip("\n"))
+    kinds = [next((kind for kind, form in BLOCKS.items() if re.fullmatch(form, block)), block) for block in blocks]
+    assert set(kinds) <= set(BLOCKS) and kinds[0] == "title" and text.count(":stem: latexmath") == 1
+    levels = [len(block.split(" ")[0]) for block, kind in zip(blocks, kinds, strict=True) if kind == "title"]
+    assert levels[0] == 1 and all(1 < b <= a + 1 for a, b in pairwise(levels))
+    for block, kind in zip(blocks, kinds, strict=True):
+        if kind == "display":
+            assert block.count("{aligned}") in (0, 2) and block.count("{") == block.count("}")
+            continue
+        bare = STEM.sub("", block)
+        if kind == "table":
+            rows = [line for line in bare.split("\n")[2:-1] if line]
+            assert len({line.count("|") for line in rows}) == 1
+            bare = "\n".join(rows).replace("|", "")
+        bare = re.sub(r"(?m)&#\d+;|^\* |^=+ |\n:stem: latexmath|\{empty\}|^\*Not found:\*|^image::", "", bare)
+        assert not re.search(r"[*_`#^~+{<>&|\\@]|::|;;|://|\S\[(?!\")|\[\[|\(\(|--|\.\.\.|\(C\)", bare)
+
+
+CHECKS = {"html": assert_page, "latex": assert_latex, "markdown": assert_markdown, "asciidoc": assert_asciidoc}
 
 
 def test_the_sample_is_wide():
@@ -184,6 +215,25 @@ def test_hostile_words_in_markdown(hostile):
     assert_markdown(text)
     assert "](" not in text.replace(r"\](", "") and "&lt;script&gt;" in text
     assert not re.search(r"(?<!\\)`|www\.|\]\(|://|^(- <|\d\. |\+ |# #)", text.replace(r"\](", ""), re.MULTILINE)
+
+
+def test_hostile_words_in_asciidoc(hostile):
+    text = asciidoc.render([hostile], None)
+    assert_asciidoc(text)
+    assert "&#60;script&#62;" in text and "http:&#47;" not in text and "http&#58;//" in text
+
+
+@pytest.mark.parametrize("text, expected", [
+    ("k*x [N]", "k&#42;x [N]"), ("a -- b...", "a -&#45; b&#46;.."),
+    ("{x} <<y>> [[z]]", "&#123;x} &#60;&#60;y&#62;&#62; &#91;&#91;z]]"), ("t:: u;; v; w", "t&#58;: u;&#59; v; w"),
+    ("link:x[y]", "link:x&#91;y]"), ("(C) ((x))", "&#40;C) &#40;(x))")])
+def test_words_in_asciidoc(text, expected):
+    assert asciidoc.escaped(text) == expected
+
+
+@pytest.mark.parametrize("text", ["- a", "1. a", "a. b", "NOTE: a", ".a", "// a", "|===", "[a]", ":a: b", "i) a"])
+def test_no_line_of_asciidoc_begins_with_markup(text):
+    assert asciidoc.beginning(text) == "{empty}" + text
 
 
 @pytest.mark.parametrize("kind", [*FORMATS, "text"])
@@ -324,11 +374,11 @@ def scene(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("command", ["solve", "equations", "frequencies"])
-@pytest.mark.parametrize("name", ["r.txt", "r.md", "r.tex", "r.html"])
+@pytest.mark.parametrize("name", ["r.txt", "r.md", "r.tex", "r.adoc", "r.html"])
 def test_files_by_their_suffix(scene, capsys, command, name):
     assert run([command, scene, "-o", name]) == 0
     assert capsys.readouterr().out == ""
-    kind = {"md": "markdown", "tex": "latex", "txt": "text"}.get(name.split(".")[1], "html")
+    kind = {"md": "markdown", "tex": "latex", "txt": "text", "adoc": "asciidoc"}.get(name.split(".")[1], "html")
     assert run([command, scene, "--format", kind]) == 0
     text = Path(name).read_text()
     assert text == capsys.readouterr().out
@@ -378,6 +428,10 @@ def test_pictures_are_drawn_into_the_page_and_beside_the_others(scene):
     assert len(shown) == 3 and all(Path(name).read_bytes().startswith(b"%PDF") for name in shown)
     assert run(["solve", scene, "--pictures", "-o", "r.md"]) == 0
     shown = re.findall(r"!\[.*?\]\((.*?)\)", Path("r.md").read_text())
+    assert len(shown) == 3 and all(b"<svg" in Path(name).read_bytes() for name in shown)
+    assert run(["solve", scene, "--pictures", "--force", "-o", "r.adoc"]) == 0
+    assert_asciidoc(Path("r.adoc").read_text())
+    shown = re.findall(r"^image::(.*?)\[", Path("r.adoc").read_text(), re.MULTILINE)
     assert len(shown) == 3 and all(b"<svg" in Path(name).read_bytes() for name in shown)
 
 

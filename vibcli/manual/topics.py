@@ -9,6 +9,7 @@ from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.manual.time_and_work import PATIENCE, TIME
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import named
+from vibcli.report.formats import FORMATS
 
 EXIT_CODES = [
     ("0", "all well"),
@@ -251,7 +252,7 @@ TOPICS = {
     "exit": ("exit codes", None),
     "patience": ("long work: what is told of it, and where it is given up", PATIENCE),
     "pictures": ("figures of scenes, moving modes, plots of responses", PICTURES),
-    "reports": ("text, Markdown, LaTeX, HTML", REPORTS),
+    "reports": (", ".join(FORMATS), REPORTS),
     "data": ("responses as numbers for other programs", DATA),
     "json": ("the keys of --json", None),
     "python": ("scenes in Python: `import vibcli`", PYTHON),
