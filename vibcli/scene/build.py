@@ -61,7 +61,8 @@ def _assembled(builder, setting):
         scene = _driven(scene)
     if setting.variant.inputs:
         scene = scene.with_parts(contents=scene.contents._replace(forces=[*scene.forces, *_inputs(scene, drives)]))
-    scene = _with_laws(scene)
+    if scene.laws:
+        scene = _with_laws(scene)
     if scene.constraints and not setting.variant.multipliers:
         try:
             scene = closed(scene)
