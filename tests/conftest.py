@@ -1,5 +1,5 @@
 """Which tests are sweeps, that `make quick` leaves out: hostile and random scenes, and of the tests with a problem file
-each those of all but one file in a chapter; others are marked where they stand."""
+each those of all but one file in a chapter; what takes half a second is marked where it stands."""
 
 from pathlib import Path
 

@@ -41,6 +41,7 @@ def test_every_kind_of_file_has_hints():
     assert sum(hints) >= 0.75 * len(hints)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", BAD[::25], ids=lambda path: path.stem)
 def test_a_process_says_the_same(path):
     code, command, wanted = expected(path)

@@ -6,6 +6,7 @@ import re
 from functools import cache
 from pathlib import Path
 
+import pytest
 from support.wrong_scenes import BAD, expected
 
 import vibcli
@@ -48,6 +49,7 @@ OPTIONS = {command: options(command) | {"--help"} for command in COMMANDS}
 ANY = set().union(*OPTIONS.values(), options(None), {"--quick", "--only", "--sympy"})
 
 
+@pytest.mark.sweep
 def test_what_is_named_exists():
     for path, line, text in [(file, *found) for file in FILES for found in texts(file)]:
         for option in OPTION.findall(text):

@@ -297,6 +297,7 @@ initial: {p: 3 rad, r: 2 rad}
 """
 
 
+@pytest.mark.sweep
 def test_a_motion_that_is_known_in_part_is_given_as_far_as_it_is_known(tmp_path, capsys):
     path = tmp_path / "scene.yaml"
     path.write_text(CHAOS)

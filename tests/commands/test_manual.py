@@ -54,6 +54,7 @@ def answers_in(spec):
 # scenes
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", EXAMPLES + TEMPLATES, ids=stem)
 def test_scenes_agree_with_their_answers(path):
     problem = problem_of(path)
@@ -133,6 +134,7 @@ def pages():
     return {word: index.page(word) for word in index.entries}
 
 
+@pytest.mark.sweep
 def test_pages_are_narrow_and_whole(pages):
     for word, text in {**pages, "": overview()}.items():
         lines = text.split("\n")
@@ -200,6 +202,7 @@ def test_shapes_come_from_the_laws():
     assert "OC = 2*radius*sin(half_angle)/(3*half_angle)" in text
 
 
+@pytest.mark.sweep
 def test_the_key_page_shows_a_scene_with_the_key():
     catalogue, swept = Catalogue(), 0
     for word, key in catalogue.pairs():

@@ -264,6 +264,7 @@ print(json.dumps(found))
 """
 
 
+@pytest.mark.sweep
 def test_the_same_bytes_in_two_processes_and_again():
     first, second = run(DIGESTS), run("import matplotlib\nmatplotlib.rcParams['font.size'] = 30\n"
                                       "matplotlib.rcParams['svg.fonttype'] = 'none'\n" + DIGESTS)
@@ -311,6 +312,7 @@ def texts(name):
         return page, found
 
 
+@pytest.mark.sweep
 @EACH
 @pytest.mark.filterwarnings("ignore:Glyph")
 def test_nothing_is_cut_off_and_no_numbers_overlap(name):
@@ -346,6 +348,7 @@ def test_hostile_text_is_shown_as_it_is():
     assert any(text.startswith("日本語") for text in written)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("kind", "start"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")])
 def test_files_name_no_date_and_no_maker(kind, start):
     data = picture(FIGURES["hostile"], kind)

@@ -69,6 +69,7 @@ def rows_supported(found):
     return count
 
 
+@pytest.mark.sweep
 def test_tables_of_all_problems():
     counts = []
     for path in FILES[::2]:
@@ -139,6 +140,7 @@ def test_nearly_loose(k):
     assert abs(float(text) - lowest) <= 1.01 * 10.0 ** (1 - digits(text)) * lowest
 
 
+@pytest.mark.sweep
 def test_equilibria_of_all_problems():
     """Those that are searched for, against 30 digits: the last that is printed is wrong by one at most."""
     count = 0

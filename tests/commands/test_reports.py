@@ -408,6 +408,7 @@ def test_what_cannot_be_written_is_a_usage_error(scene, args):
     assert [path.name for path in Path().iterdir()] == [scene]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", FORMATS)
 def test_refusals_stand_in_the_report(scene, capsys, kind):
     Path("refused.yaml").write_text(REFUSED)

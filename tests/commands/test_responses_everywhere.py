@@ -69,6 +69,7 @@ def over_frequency(problem):
         assert not NO_NUMBER.findall(braille(frequency_figure(problem, curves, nyquist)).partition("\n")[2])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_numbers_or_a_refusal(path):
     outcomes = []

@@ -82,6 +82,7 @@ def _put(number, how, file):
     setattr(sys, name, os.fdopen(number, "w", closefd=False))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("command", COMMANDS)
 def test_each_command(call, command):
     args = [command, *CALLS.get(command, ["right.yaml"])]
@@ -100,6 +101,7 @@ def test_each_command(call, command):
         assert call(args, "file", how)[:2] == (0, out)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("args", "code"), [
     (["check", "wrong.yaml"], 1), (["solve"], 2), (["nonsense"], 2), (["solve", INVALID], 3), (["check", INVALID], 3),
     (["check", "refused.yaml"], 4), (["check", "wrong.yaml", "right.yaml", INVALID], 3), (["explain", "nonsense"], 2),

@@ -81,6 +81,7 @@ def test_every_command_that_reads_a_scene_has_patience(capsys):
         assert re.search(r"--patience N", capsys.readouterr().out), command
 
 
+@pytest.mark.sweep
 def test_a_motion_is_kept_up_to_where_it_has_come(scene, capsys, monkeypatch):
     file = scene(MOTION)
     assert run(["response", file, "--at", "2"]) == 0

@@ -116,6 +116,7 @@ def test_what_is_not_there_is_refused_by_name(args, capsys):
     assert not out and "None" not in err and "an error of its own" not in err
 
 
+@pytest.mark.sweep
 def test_without_a_home_nothing_is_said_of_caches(scene):
     there = {"HOME": "/dev/null/home", "XDG_CACHE_HOME": "/dev/null/c", "XDG_CONFIG_HOME": "/dev/null/d"}
     kept = {key: value for key, value in os.environ.items() if key != "MPLCONFIGDIR"}

@@ -135,12 +135,14 @@ def compared(path):
     return verdicts
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_answers_agree_with_the_derivation(path):
     differ = sorted({key for key, good in compared(path) if not good})
     assert not differ, f"{path}: {', '.join(differ)}"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_the_derivation_covers_exactly_the_answers(path):
     problem = scene(path)
@@ -181,6 +183,7 @@ def wrong_term(q, v=None, a=None):
     return place**2 if v is None else next(iter(v.values())) ** 2 + place
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_a_wrong_derivation_is_rejected(path):
     draw = draws(scene(path))[0]

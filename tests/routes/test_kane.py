@@ -151,6 +151,7 @@ def compared(pair, spoiled=None, share=0):
     return [agree(x, y) for x, y in zip(zip(*found, strict=True), zip(*exact, strict=True), strict=True)]
 
 
+@pytest.mark.sweep
 def test_the_spread():
     assert len(kane.ALL) >= 21
     assert {build.__name__ for build in kane.ALL} <= set(PROBLEMS)

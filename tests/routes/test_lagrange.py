@@ -100,6 +100,7 @@ def agree(found, exact, rtol=1e-12):
     return all(abs(x - y) <= rtol * size for x, y in zip(found, exact, strict=True))
 
 
+@pytest.mark.sweep
 def test_names(mechanism):
     assert mechanism.problem.scene.coordinates == list(mechanism.names)
     assert len(mechanisms.ALL) >= 8
@@ -115,6 +116,7 @@ def test_energies(mechanism):
     assert agree([x[1] - first for x, _ in pairs], [y[1] - theirs for _, y in pairs])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("form", ["as it comes", "textbook"])
 def test_full_equations(mechanism, form):
     scene = mechanism.problem.scene

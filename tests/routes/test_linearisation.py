@@ -67,6 +67,7 @@ def compare(one):
     COMPARED.append(one)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_matrices_are_the_slopes_of_the_full_equations(path):
     for one in numeric_problems(path):

@@ -364,6 +364,7 @@ def both(request):
     return compared(request.param)
 
 
+@pytest.mark.sweep
 def test_equations_of_motion(both):
     assert both.agrees(both.machine(), both.groups)
 

@@ -12,6 +12,7 @@ from vibcli.cli import run
 TRIALS = sorted(Path(__file__).parent.glob("*.yaml"))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", TRIALS, ids=lambda path: path.stem)
 def test_its_answers_agree(path, capsys):
     assert path.read_text(encoding="utf-8").startswith("# ")

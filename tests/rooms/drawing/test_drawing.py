@@ -100,6 +100,7 @@ def test_words_are_as_large_as_measured(path):
         assert min(box.x0, box.y0) >= 0 and box.x1 <= made.bbox.width and box.y1 <= made.bbox.height
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
 def test_the_same_bytes(kind):
     code = ("import sys, hashlib; sys.path.insert(0, 'tests')\nfrom support.scenes import problem_of\n"
@@ -454,6 +455,7 @@ print(json.dumps([code, sorted(sys.modules)]))
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("args", "unwanted"), [
     (["draw", "-o", "a.png"], ()), (["draw", "-o", "a.svg"], ()), (["draw", "--mode", "1", "-o", "b.png"], ()),
     (["animate", "-o", "a.html"], ("matplotlib.figure", "PIL")), (["animate", "-o", "a.gif"], ("matplotlib.figure",))],

@@ -53,6 +53,7 @@ def checked(found):
     return count
 
 
+@pytest.mark.sweep
 def test_pictures_agree_with_the_table():
     counts = []
     for path in FILES:

@@ -251,6 +251,7 @@ def frequencies(m1, m2, k1, k2):
     return math.sqrt((total - root) / 2), math.sqrt((total + root) / 2)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("route", ["letters", "search"])
 def test_two_springs_for_two_frequencies(route, monkeypatch):
     if route == "search":
@@ -361,6 +362,7 @@ def test_a_place_of_equilibrium():
     assert found.configuration.equilibrium.values["y"] == pytest.approx(-0.03, rel=1e-12)
 
 
+@pytest.mark.sweep
 def test_an_equilibrium_off_the_drawing():
     """The place of a nonlinear equilibrium, found by the scene itself."""
     text = scene(FALL, "m: 2 kg, L: 1 m, h: 0.5 m, g: 9.81 m/s^2, N: 0 N", "k: equilibrium[phi] = -10 deg")

@@ -37,6 +37,7 @@ def limit_load(b, h, k):
     return k * (length / shorter - 1) * y, h - y
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("b", "h", "k"), list(trusses()))
 def test_a_truss_snaps_at_its_limit_load(b, h, k):
     found = settled(problem(TRUSS.format(b=b, h=h, k=k, more="", choose="P: stability limit")))
@@ -48,6 +49,7 @@ def test_a_truss_snaps_at_its_limit_load(b, h, k):
     assert [mode.rigid for mode in found.modal.modes] == [True]
 
 
+@pytest.mark.sweep
 def test_a_stiffness_below_which_a_load_snaps():
     load, _ = limit_load(1.0, 0.3, 500.0)
     text = TRUSS.format(b=1, h=0.3, k="", more=f", P: {load!r} N", choose="k: stability limit").replace("k:  N/m, ", "")
@@ -55,6 +57,7 @@ def test_a_stiffness_below_which_a_load_snaps():
     assert [float(solution.values["k"]) for solution in found] == pytest.approx([500.0], rel=1e-9) and found[0].fold
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("potential", "end"), [("F0*sqrt(L^2 + x^2)", 10.0), ("F0*(x + L*exp(-x/L))", 10.0)])
 def test_what_runs_off_is_never_called_stable_for_all(potential, end):
     text = f"""

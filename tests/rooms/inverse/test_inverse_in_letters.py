@@ -68,6 +68,7 @@ def told_of(whole, solutions, given):
     return sorted(told), words
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("frame", "given", "choose"), SCENES, ids=[part[2] + part[1][:5] for part in SCENES])
 def test_solutions_in_letters_are_those_of_numbers(frame, given, choose):
     whole = problem(frame.format(parameters=given, choose=choose))

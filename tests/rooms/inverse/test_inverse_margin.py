@@ -122,6 +122,7 @@ def test_a_slow_divergence_is_told(sign):
     assert (value > 0) == (sign > 0) and 1e-8 < abs(value) / size < 1e-4
 
 
+@pytest.mark.sweep
 def test_motion_that_nothing_holds_is_left_out():
     """A chain of three that floats, its dampers positive, or one of them feeding energy in: the double root 0 of the
     free motion, which rounding splits, is no growth."""
@@ -152,6 +153,7 @@ def test_its_share_knows_no_unit():
         assert other / large == pytest.approx(value / size, rel=1e-6, abs=1e-9)
 
 
+@pytest.mark.sweep
 def test_its_sign_is_the_stability():
     seen = {True: 0, False: 0}
     for M, C, G, K in systems():

@@ -66,6 +66,7 @@ def collected(path):
     return [(name, *pair) for name in names for pair in measurable(problem)][::EVERY]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", PROBLEMS, ids=lambda path: path.stem)
 def test_the_value_is_found_again(path):
     problem = problem_of(path)

@@ -138,6 +138,7 @@ INITIAL
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("force", "holds"), [("5 N", True), ("8 N", True), ("-8 N", True), ("8.001 N", False),
                                               ("5 N + 9 N*step(t - 1 s)", True)])
 def test_a_motion_starts_as_drawn_where_friction_alone_holds_the_scene(force, holds, ask):

@@ -108,6 +108,7 @@ def test_lagrange_by_hand(name):
         assert driven == pytest.approx(0.1 * slope * float(mpmath.sin(W * t)), abs=1e-12)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", ["a bob", "a fixed force in a turning frame"])
 def test_full_equations_at_small_amplitudes(name):
     """(q(A) − q(−A))/2A of the full equations tends to the small motion X sin Ωt as A → 0."""

@@ -28,6 +28,7 @@ def at_rest(one):
     return found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_of_a_scene_at_rest(path):
     one = next(iter(Instances(problem_of(path))), None)

@@ -188,6 +188,7 @@ def parts_of(found, monkeypatch):
     return scenes
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", [*SCENES, *SHAKEN])
 def test_what_is_told_is_what_the_full_equation_has(name, tmp_path, capsys, monkeypatch):
     text, any_left = {**SCENES, **SHAKEN}[name]
@@ -225,6 +226,7 @@ def test_driven_displacements_in_letters():
     assert evaluate([found.symbolic.equations.left_out[0]], Floats, values)[0] == pytest.approx(-3 * 0.3 / (2 * 2))
 
 
+@pytest.mark.sweep
 def test_all_problems(monkeypatch):
     some = driven = 0
     for path in FILES:

@@ -34,6 +34,7 @@ def planted(seed):
     return function, [math.log(k / scales[0]), math.log(c / scales[1])]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("first", [42, 94])
 def test_a_planted_pair_is_found(first):
     """A spring and a damper by two places of a motion, of which several pairs give the same."""

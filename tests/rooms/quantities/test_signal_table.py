@@ -247,6 +247,7 @@ def hinted(hint):
     return re.findall(r"\b[a-z]+(?:\[1\])?\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)", hint or "")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
 def test_each_cell(row):
     kind = KINDS[row[0]]

@@ -54,6 +54,7 @@ def peaks(function, c, sense):
     return sense * y.max(), t[y.argmax()]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_extremes_are_those_of_dense_samples(name):
     one = scene(1, 1e5)
@@ -101,6 +102,7 @@ def test_bounds_hold_all_values_of_a_stretch():
         assert isinstance(whole, Composition)
 
 
+@pytest.mark.sweep
 def test_a_load_of_high_frequency():
     one = scene(1, 100, "    forces: {P: {at: b, force: 5 N*sin(1e4 rad/s*t)}}").response
     name, t = "x'*x''", np.linspace(0, 0.7, 2_000_001)
@@ -108,6 +110,7 @@ def test_a_load_of_high_frequency():
     assert signal.extreme(0.0, 100.0, 1)[1] >= signal.values(t).max() * (1 - 1e-12)
 
 
+@pytest.mark.sweep
 def test_the_first_of_equal_peaks_of_a_steady_state():
     text = "    forces: {P: {at: b, force: 5 N*square(7 rad/s*t)}}"
     for c in (0.5, 1, 3):
@@ -116,6 +119,7 @@ def test_the_first_of_equal_peaks_of_a_steady_state():
             assert 0 <= value(one, f"argmax(steady({name}))") < 2 * np.pi / 7
 
 
+@pytest.mark.sweep
 def test_a_touch_of_zero_counts_in_small_motions_as_in_full_ones():
     small, full = scene(1, 2), scene(1, 2, "    motion: full")
     for i in range(1, 6):
@@ -130,6 +134,7 @@ def test_what_changes_sign_only_by_jumps():
     assert value(one, "zero[1](sign(x))") == pytest.approx(value(one, "zero[1](x)"), abs=1e-12)
 
 
+@pytest.mark.sweep
 def test_samples_are_refined_until_they_resolve():
     def burst(t):
         return np.exp(-((t - 123.456) / 0.4) ** 2) * np.cos(900 * t) + np.sin(t / 3)

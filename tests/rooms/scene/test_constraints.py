@@ -397,6 +397,7 @@ def test_an_inversor_draws_a_straight_line():
         assert a * p.conjugate() == pytest.approx(40, rel=1e-11)
 
 
+@pytest.mark.sweep
 def test_lazy_tongs():
     """Ten cells of two bars whose ends are w = L cos θ and h = L sin θ apart: all turn by the same angle.
 

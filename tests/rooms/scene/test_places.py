@@ -117,6 +117,7 @@ WAYS = (beside_a_point, in_two_halves, backwards)
 LEAST = {"beside_a_point": MOST, "in_two_halves": 40, "backwards": 4}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("way", WAYS, ids=lambda way: way.__name__)
 def test_how_a_body_is_put_together_changes_nothing(way):
     swept = 0

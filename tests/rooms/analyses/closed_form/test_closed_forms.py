@@ -27,6 +27,7 @@ def printed(found):
     return [line.strip() for line in shown(section_lines(report.sections)).splitlines()]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", TEXTBOOK)
 def test_printed_as_in_a_textbook(name):
     scene, _, lines = TEXTBOOK[name]
@@ -111,6 +112,7 @@ class Forms:
                    for name, text in places.items())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", TEXTBOOK)
 def test_textbook_forms_at_other_values(name):
     found = Forms(TEXTBOOK[name][0])
@@ -130,6 +132,7 @@ FAMILIES = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", FAMILIES)
 def test_families_at_other_values(name):
     found = Forms(FAMILIES[name])
@@ -138,6 +141,7 @@ def test_families_at_other_values(name):
         assert agrees(found.data, draw)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", [name for name in FAMILIES if "chain" not in name])
 def test_regular_families_are_solved(name):
     found = Forms(FAMILIES[name])
@@ -162,6 +166,7 @@ def random_scene(seed):
     return "parameters: {" + ", ".join(f"{x}: {unit}" for x, unit in letters.items()) + "}\n" + "\n".join(lines) + "\n"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(24))
 def test_random_systems(seed):
     found = Forms(random_scene(seed))

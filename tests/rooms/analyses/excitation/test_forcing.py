@@ -95,6 +95,7 @@ IRREGULAR = {"square(t) + square(sqrt(2)*t)": "common multiple", "F*square(W*t +
              "(square(W*t) + F)*(sawtooth(b*t) + cos(sqrt(3)*t))*step(t - q)": "common multiple"}
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("text", IRREGULAR)
 def test_what_never_repeats_itself_is_known_up_to_any_instant(text):
     error, size = worst(text)

@@ -92,6 +92,7 @@ def bound(system, Omega):
                        + c @ np.abs(inverse) @ b + direct_part)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("n", [1, 2, 5, 12])
 def test_few_degrees_against_fifty_digits(kind, n):
@@ -103,6 +104,7 @@ def test_few_degrees_against_fifty_digits(kind, n):
     assert worst <= 1.0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kind", ["undamped", "proportional", "damped", "coupled", "gyroscopic"])
 def test_many_degrees_against_fifty_digits(kind):
     rng = np.random.default_rng(7)
@@ -215,6 +217,7 @@ def test_no_half_power_point_below_a_flat_peak():
         half_power(system, peak)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("method", "n"), [("direct", 3), ("many", 40)])
 def test_a_pole_on_the_grid_is_said(method, n):
     """Equal masses and springs between two walls: ω_k = 2√(k/m) sin(kπ/(2(n + 1)))."""
@@ -262,6 +265,7 @@ def test_antiresonances_interlace_with_resonances():
     assert not antiresonances(Transfer(np.diag(m), np.zeros((6, 6)), K, unit(6, 0), unit(6, 5)))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("n", [6, 30])
 def test_a_chain_driven_at_its_end_has_no_antiresonance_at_the_other(n):
     """Its numerator is a constant without damping, with dampers beside the springs a product of real zeros."""
@@ -272,6 +276,7 @@ def test_a_chain_driven_at_its_end_has_no_antiresonance_at_the_other(n):
         assert len(peaks(system)) == n
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("order", [0, 1, 2])
 def test_a_pole_without_damping_has_no_bound_however_narrow(order):
     for step in range(24):

@@ -80,6 +80,7 @@ def found(scene):
     return [(value, exact, bound) for value, exact, bound in pairs if exact]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", [particle, pendulum, cranks])
 def test_no_frequency_of_irrational_geometry_is_beyond_its_bound(family):
     beyond, ratios = [], []

@@ -34,6 +34,7 @@ def sampled(family, count, largest):
             yield elements
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", NATURAL)
 def test_every_mode_without_dampers_to_the_last_digit(family):
     kinds, swept = set(), 0
@@ -56,6 +57,7 @@ def test_up_to_twelve_coordinates():
             assert relative(mode, exact) <= mode.error <= 1.2e-16
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("follow", NATURAL[:3])
 def test_damped_pushed_and_spun_under_follower_forces(follow):
     swept = 0

@@ -69,6 +69,7 @@ def sampled(family, count, largest):
             yield elements
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("family", FAMILIES)
 def test_every_eigenvalue_to_the_last_digit_within_its_bound(family):
     ratios, swept = [], 0
@@ -88,6 +89,7 @@ def test_every_eigenvalue_to_the_last_digit_within_its_bound(family):
     assert statistics.median(ratios) <= 1e4
 
 
+@pytest.mark.sweep
 def test_anything_at_all():
     """Indefinite, gyroscopic, free and barely damped systems with every strength from 1e-20 to 1e20."""
     swept = 0
@@ -233,6 +235,7 @@ def infinite_removed(elements):
     return [shift + 1 / x for x in found if abs(x) > top * mpmath.mpf(10) ** -20]
 
 
+@pytest.mark.sweep
 def test_massless_nodes_between_springs_and_dampers():
     for seed in range(40):
         rng = random.Random(seed)

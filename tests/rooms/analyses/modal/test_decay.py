@@ -25,6 +25,7 @@ def damped(scene):
         return ()
 
 
+@pytest.mark.sweep
 def test_decay_is_zeta_omega_in_every_problem():
     """Of what has no ζ it is −Re λ."""
     seen = set()

@@ -29,6 +29,7 @@ def spun(rng, n):
     return kind(rng, n, ratio, size)
 
 
+@pytest.mark.sweep
 def test_conservative_gyroscopic_systems_are_settled_as_the_exact_spectrum_is():
     """Re λ exactly zero where it is, growth where there is, nothing lost (n to 12, G from 1e-6 to 1e6)."""
     kinds = []

@@ -120,6 +120,7 @@ def differences(values, rest, name):
                 for up, down in zip(high, low, strict=True)]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("which", SCENES)
 def test_sensitivities_are_the_differences_of_the_pipeline(which):
     values, rest = SCENES[which]

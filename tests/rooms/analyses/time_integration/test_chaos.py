@@ -62,6 +62,7 @@ def agrees(text, true):
     return abs(float(text) - float(true)) <= 2 * 10.0**-places
 
 
+@pytest.mark.sweep
 def test_every_printed_digit_of_a_chaotic_motion_is_true(scene, capsys):
     file = scene(FAR_UP)
     times = [option for t in (*TRUE, 30) for option in ("--at", str(t))]
@@ -82,6 +83,7 @@ def test_every_printed_digit_of_a_chaotic_motion_is_true(scene, capsys):
     assert f"Extremes for 0 ≤ t ≤ {known:.4g}"[:24] in out
 
 
+@pytest.mark.sweep
 def test_what_is_not_known_is_refused_by_name(scene, capsys):
     for answer, code, said in (("p(1 s): 0.383550863692", 0, ""), ("r(15 s): {value: 16.0048, rtol: 1e-5}", 0, ""),
                                ("p(15 s): -19.389408769", 4, "the answer has more digits"),
@@ -93,6 +95,7 @@ def test_what_is_not_known_is_refused_by_name(scene, capsys):
     assert run(["check", scene(within)]) == 0
 
 
+@pytest.mark.sweep
 def test_plots_and_files_end_where_the_motion_ends_to_be_known(scene, capsys, tmp_path):
     file = scene(FAR_UP)
     saved = [tmp_path / f"motion.{kind}" for kind in ("csv", "json", "svg")]
@@ -117,6 +120,7 @@ def test_a_start_at_an_unstable_place_is_known_until_its_last_digit_shows(scene,
                                   "find: [{response: {until: 30 s}}]\n")]) == 0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("text", "until"), [(FAR_UP, 18.0), (DUFFING, 120.0), (AT_THE_TOP, 9.0), (SPHERES, 40.0)],
                          ids=["double pendulum", "driven", "at the top", "two wells"])
 def test_a_third_solution_lies_within_the_error_that_is_stated(text, until):

@@ -24,6 +24,7 @@ ANGLES = {
 FROM_REST = [1e-6, 0.1, 0.3, 1.0, 2.0, 2.5, 3.0, 3.1, 3.14, 3.1415, 3.1415926]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("angle", ANGLES)
 def test_the_period_is_the_complete_elliptic_integral_in_any_coordinate(angle):
     scene, (forward, back) = problem(PENDULUM % angle), ANGLES[angle]
@@ -69,6 +70,7 @@ def test_a_well_with_a_top_on_one_side(start):
         assert abs(found / exact - 1) <= error <= 1e-14
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("amplitude", [0.1, 1.0, 3.0, 3.1, 3.14, 3.141])
 def test_from_forces_alone_the_error_is_known(amplitude):
     with mpmath.workdps(40):

@@ -29,6 +29,7 @@ def exact(soft, stiff, start, times):
                                     for j in range(2))) for t in times] for i in range(2)])
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(("springs", "start"), [(("1", "1e9"), ("0.1", "0.1")), (("1e9", "1"), ("0", "0.1"))])
 def test_two_masses_on_springs_of_one_and_of_a_milliard(springs, start):
     scene = problem(TWO % (*springs, *start))
@@ -45,6 +46,7 @@ def test_two_masses_on_springs_of_one_and_of_a_milliard(springs, start):
     assert found.balance.error < 1e-6
 
 
+@pytest.mark.sweep
 def test_a_fast_oscillation_that_matters_is_followed_or_the_motion_stopped():
     scene = problem(TWO % ("1", "1e9", "0.1", "0"))
     found = simulate(scene.configuration, 600.0, initial=scene.initial.given)

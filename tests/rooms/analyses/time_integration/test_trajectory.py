@@ -31,6 +31,7 @@ def pendulum_errors(amplitude, instants):
     return np.abs(angles - exact).max() / amplitude, found.balance.error
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("amplitude", [0.05, 1.0, 2.5])
 def test_a_pendulum_of_a_thousand_periods(amplitude):
     phase, energy = pendulum_errors(amplitude, [0.123, 77.7, 499.91, 999.63])
@@ -297,6 +298,7 @@ def test_a_stiff_van_der_pol_oscillator():
     assert found.at([2000.0])[0][0, 0] == pytest.approx(1.706167732170469, rel=1e-9)
 
 
+@pytest.mark.sweep
 def test_what_would_take_for_ever_is_refused_soon():
     scene = problem("parameters: {m: 1 kg, k: 1e12 N/m, k0: 4 N/m}\nbodies:\n  a: {mass: m, slide: x}\n"
                     "  b: {mass: m, slide: y}\nsprings:\n  s: {k: k0, between: [ground, a]}\n"

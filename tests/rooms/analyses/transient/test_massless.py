@@ -103,6 +103,7 @@ def exact(M, C, K, forces, q0, v0, t):
         return found
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("kinds", KINDS)
 @pytest.mark.parametrize("symmetric", [True, False])
 def test_free_and_forced_motion_against_matrix_exponentials(kinds, symmetric):

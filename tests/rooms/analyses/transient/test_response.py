@@ -30,6 +30,7 @@ LOADS = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("load", LOADS)
 def test_one_degree_to_a_few_roundings(load):
     """Gate A6: 4 eps max(1, ωt) of the envelope, the largest value so far; of the speed likewise with ωx."""
@@ -54,6 +55,7 @@ def test_one_degree_to_a_few_roundings(load):
 NAMES = [name for name, *_ in systems(np.random.default_rng(0))]
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("place", range(len(NAMES)), ids=NAMES)
 def test_several_degrees(place):
     """Gate A7: 1e-12 up to ωt = 1e3, then 4 eps ωt, ω the largest rate in the system."""
@@ -66,6 +68,7 @@ def test_several_degrees(place):
             assert error <= max(1e-12, 4 * EPS * fastest * t), (seed, t)
 
 
+@pytest.mark.sweep
 def test_the_measure_sees_a_wrong_response():
     rng = np.random.default_rng(1)
     _, M, C, K = systems(rng)[0]
@@ -74,6 +77,7 @@ def test_the_measure_sees_a_wrong_response():
     assert max(errors(motion, times, fastest)) > 1e-12
 
 
+@pytest.mark.sweep
 def test_derivatives_and_mixed_outputs():
     rng = np.random.default_rng(4)
     _, M, C, K = systems(rng)[0]
@@ -224,6 +228,7 @@ def test_what_is_not_finite_is_refused():
 
 # many segments
 
+@pytest.mark.sweep
 def test_a_record_of_many_pieces():
     rng = np.random.default_rng(3)
     n, count = 3, 60

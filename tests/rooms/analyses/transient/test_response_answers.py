@@ -67,6 +67,7 @@ def test_extremes_at_breaks_and_jumps():
     assert kink.extreme(q(0), 0.0, 3.0) == (1.0, 1.0)
 
 
+@pytest.mark.sweep
 def test_extremes_and_zeros_against_a_fine_grid():
     rng = np.random.default_rng(6)
     swept = 0
@@ -154,6 +155,7 @@ def test_rms_where_waves_turn_often_within_a_piece(speed):
         assert close(steady.rms(output), exact, 1e-12 * (1 + exact))
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("damped", [True, False])
 @pytest.mark.parametrize("since", [0.0, 0.5])
 def test_steady_state_of_periodic_loads(damped, since):
@@ -297,6 +299,7 @@ def test_many_digits():
         assert abs(critical - t * mpmath.exp(-3 * t)) < mpmath.mpf(10) ** -49
 
 
+@pytest.mark.sweep
 def test_a_long_chain():
     n = 24
     K = chain(np.linspace(1, 3, n))

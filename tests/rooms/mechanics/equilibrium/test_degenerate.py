@@ -67,6 +67,7 @@ def test_where_there_is_none(ask):
     assert code == 4 and "no equilibrium is found there" in err and "digits" not in err
 
 
+@pytest.mark.sweep
 def test_a_list_stands_where_the_drawn_position_leads_nowhere(ask):
     text = SCENE.replace("POTENTIAL", "(x + 3/2)^2/2 - (x + 3/2)^4/4") + (
         "find: {equilibria: all, within: {x: [-4, 4]}}\n")

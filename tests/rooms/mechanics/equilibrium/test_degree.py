@@ -85,6 +85,7 @@ def _solid(a, b, c):
     return float(2 * np.arctan2(top, below).sum())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("n", [1, 2, 3])
 def test_degrees_are_the_dense_ones(n, blind):
     proved = []
@@ -97,6 +98,7 @@ def test_degrees_are_the_dense_ones(n, blind):
     assert sum(found is not None for found in proved) >= 3
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("n", [2, 4])
 def test_degrees_are_sums_of_indices(n, blind):
     """V = Σ Pᵢ(uᵢ) with P′ = (u − a)(u − b)(u − c), or (u − a)(u − b): the u are triangular in the coordinates."""
@@ -152,6 +154,7 @@ def dropping(monkeypatch, number):
     monkeypatch.setattr(all_equilibria, "_search", lost)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("V, within, number", [(WELLS, 2, 1), (HANGING, {"z": 2, "w": 2}, 1)])
 def test_what_was_missed_is_found_by_its_index(V, within, number, monkeypatch, short):
     every = [item.equilibrium.values for item in scene_of_potential(V, "xyzw", within).equilibria.items]
@@ -161,6 +164,7 @@ def test_what_was_missed_is_found_by_its_index(V, within, number, monkeypatch, s
     assert [item.equilibrium.values for item in found.items] == [pytest.approx(values, abs=1e-12) for values in every]
 
 
+@pytest.mark.sweep
 def test_what_is_missing_is_said(monkeypatch, short, tmp_path, capsys):
     """Where it is not found after all; the list is given, their number refused."""
     dropping(monkeypatch, 1)
@@ -181,6 +185,7 @@ def test_what_is_missing_is_said(monkeypatch, short, tmp_path, capsys):
         value(scene_of_potential(WELLS, "xyzw", 2), "equilibria")
 
 
+@pytest.mark.sweep
 def test_indices_that_agree_are_no_proof(short):
     found = scene_of_potential(WELLS, "xyzw", 2)
     assert found.equilibria.indices == (1, 1) and not found.equilibria.complete

@@ -166,6 +166,7 @@ def with_roots(roots):
         return rounded, sorted(float(root.real) for root in exact if abs(root.imag) < 1e-20)
 
 
+@pytest.mark.sweep
 def test_random_polynomials_with_close_pairs():
     """Nothing missed, nothing invented: up to nine roots of the force, two of them as near as 1e-4."""
     draw, compared, proofs = random.Random("polynomials"), 0, 0
@@ -263,6 +264,7 @@ bodies:
 """
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("third", [False, True])
 def test_pendulums_of_two_and_three_links(third):
     text = DOUBLE + ("  c: {mass: m, at: [0, -3*L], pin: {at: B, carrier: b, by: i}}\n" if third else "")
@@ -272,6 +274,7 @@ def test_pendulums_of_two_and_three_links(third):
     found_as(problem(text), [(place, UNSTABLE if any(place.values()) else STABLE) for place in hanging])
 
 
+@pytest.mark.sweep
 def test_himmelblau():
     """Himmelblau (1972), Applied Nonlinear Programming: four minima, one maximum, four saddles, as published."""
     minima = [(3, 2), (-2.805118, 3.131312), (-3.779310, -3.283186), (3.584428, -1.848126)]
@@ -294,6 +297,7 @@ def test_himmelblau():
     assert [sum(mode.growth_rate is not None for mode in about.modal.modes) for about in scene.about_each].count(2) == 1
 
 
+@pytest.mark.sweep
 def test_two_wells_in_each_of_two_turned_directions():
     """V = W(u) + W(v), W = (u² − 1)²/4, along axes turned by 0.3 rad, unequal masses: nine positions, four stable."""
     c, s = cos(0.3), sin(0.3)
@@ -304,6 +308,7 @@ def test_two_wells_in_each_of_two_turned_directions():
     found_as(scene, sorted(expected, key=lambda pair: [round(x, 9) for x in pair[0].values()]), 1e-11)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(6))
 def test_morse_count_on_a_torus(seed):
     """Random forces of two angles: Σ (−1)^(unstable modes) = 0, the Euler characteristic of the torus."""
@@ -316,6 +321,7 @@ def test_morse_count_on_a_torus(seed):
     assert sum(signs) == 0 and signs.count(1) >= 2
 
 
+@pytest.mark.sweep
 def test_small_basins_are_found():
     """A bar on two springs has six positions; one draws in a thousandth of random starts (8·10⁵ found no seventh)."""
     scene = problem("""
@@ -343,6 +349,7 @@ def test_a_free_cart_is_neutral_along_its_way():
     assert [item.free for item in scene.equilibria.items] == [[{"x": 1.0}]] * 2
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("V, count, free", [
     ("(x - y)^2 + (x - y)^4", 1, {"x": 1.0, "y": 1.0}), ("(x^2 + y^2 - 1)^2", 2, None),
     ("(x^2 + y^2 - 1)^2*((x - 3)^2 + y^2 - 1/4)^2", 5, None)])
@@ -469,6 +476,7 @@ def test_text_and_json(find, tmp_path, capsys):
     assert "equilibria" not in json.loads(capsys.readouterr().out)
 
 
+@pytest.mark.sweep
 def test_where_the_drawn_position_leads_nowhere_the_list_is_still_there():
     """V = −u⁴/4 + u²/2 falls for ever from u = 1.5, yet has three equilibria."""
     far = potential("(x + 3/2)^2/2 - (x + 3/2)^4/4", within=4)
@@ -477,6 +485,7 @@ def test_where_the_drawn_position_leads_nowhere_the_list_is_still_there():
     found_as(far, [({"x": -2.5}, UNSTABLE), ({"x": -1.5}, STABLE), ({"x": -0.5}, UNSTABLE)])
 
 
+@pytest.mark.sweep
 def test_the_search_is_the_same_at_every_run():
     first, second = (listed(potential("cos(x) + sin(y) + cos(x - y)", "xy", None), False) for _ in range(2))
     assert first == second

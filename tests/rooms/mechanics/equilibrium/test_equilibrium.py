@@ -23,6 +23,7 @@ def potential(V, coordinates, start=""):
                    f"energies:\n  T: J/2*({T})\n  V: E*({V})\n")
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("V, start, expected", [
     ("450*y^2 + ((x + 0.001)^2 - 1)^2/4", "", {"x": 0.999, "y": 0.0}),
     ("450*y^2 + (x - 1)^4 + x", "", {"x": 1 - 0.25 ** (1 / 3), "y": 0.0}),

@@ -33,6 +33,7 @@ def integral(roots, variable):
     return " + ".join(f"({c})*({variable})^{top + 1 - i}/{top + 1 - i}" for i, c in enumerate(slopes))
 
 
+@pytest.mark.sweep
 def test_of_one_coordinate():
     draw = random.Random("nearest")
     for _ in range(20):
@@ -48,6 +49,7 @@ def test_of_one_coordinate():
         assert found.configuration.equilibrium.from_start["x"] == pytest.approx((best - start) / 8, abs=1e-11)
 
 
+@pytest.mark.sweep
 def test_of_two_coordinates():
     """V = P(x) + Q(x + y): x is a root of P′ and x + y one of Q′."""
     draw = random.Random("two")

@@ -15,6 +15,7 @@ SCENES = {
 }
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("command", ["solve", "equations", "frequencies"])
 @pytest.mark.parametrize("name", SCENES)
 def test_no_equilibrium_is_claimed(name, command, tmp_path, capsys):

@@ -84,6 +84,7 @@ def test_intervals_hold_all_values():
 BUMPS = "1/(1 + (x - 1)^2 + y^2) + 1/(1 + (x + 1)^2 + y^2) + (x^2 + y^2)/10"
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("within, count", [(2, 5), (5, 7)])
 def test_two_bumps_on_a_bowl(within, count):
     """Seven places within 5, of which many starts meet six; on y = 0 the zeros of the slope are ±2.2198,
@@ -115,6 +116,7 @@ def test_what_a_search_misses_is_found_or_not_called_complete(seed, monkeypatch)
         pytest.approx(place, abs=1e-9) for place in places]
 
 
+@pytest.mark.sweep
 def test_angles_that_go_round(monkeypatch):
     """cos x + cos 2y: 2·4 places on the torus, those on its seam once; cos x + cos y + cos z: eight."""
     blind(monkeypatch)
@@ -123,6 +125,7 @@ def test_angles_that_go_round(monkeypatch):
         assert found.complete and len(found.items) == count
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("V, names", [
     ("x^4", "x"), ("(x - 1/3)^3", "x"), ("x^2*(x - 1)^3", "x"), ("(x^2 + y^2 - 1)^2", "xy"), ("abs(x) - x^2/3", "x"),
     ("x^3/3 - 1e-40*x", "x"), ("x^2 + y^2 + z^2 + w^2 + x^4", "xyzw"), ("1/(x - 1/3)^2 - x", "x"),
