@@ -16,7 +16,7 @@ from vibcli.manual import words
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import named
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import whole_literal
+from vibcli.symbolic.syntax import whole_literal
 
 PACKAGE = Path(vibcli.__file__).parent
 FILES = sorted(path for path in PACKAGE.rglob("*.py") if "bench" not in path.parts)

@@ -19,9 +19,9 @@ from vibcli.report.sections.spectrum import frequencies_data
 from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
 from vibcli.symbolic.expression import Table
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, lower, names_in, quantities_in
-from vibcli.symbolic.syntax import Equation
+from vibcli.symbolic.syntax import Equation, ExpressionError
 
 ROOT = Path(__file__).parents[2]
 PATIENCE = 0.02     # of what is usual: a scene that takes long is refused, and what is said then is looked at

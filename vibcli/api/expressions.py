@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from vibcli.symbolic.expression import Node
+from vibcli.symbolic.node import Node
 
 if TYPE_CHECKING:
     from sympy import Eq, Expr

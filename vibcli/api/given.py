@@ -6,7 +6,8 @@ from vibcli.base.errors import Where
 from vibcli.base.spelling import nearest
 from vibcli.language.document.nodes import Mapping, Scalar
 from vibcli.language.reader import Expression
-from vibcli.symbolic.parser import ExpressionError, parse, plain_name
+from vibcli.symbolic.parser import parse, plain_name
+from vibcli.symbolic.syntax import ExpressionError
 
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
@@ -58,7 +59,8 @@ def size(text: str, unit: str, wants: str, exact: bool = False) -> object:
     from math import tau
 
     from vibcli.base.units import parse_unit
-    from vibcli.symbolic.semantics import literal_unit, whole_literal
+    from vibcli.symbolic.semantics import literal_unit
+    from vibcli.symbolic.syntax import whole_literal
 
     try:
         literal = whole_literal(parse(text))

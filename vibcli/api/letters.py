@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vibcli.analyses.closed_form.closed_forms import ClosedMode
     from vibcli.language.reader import Expression
     from vibcli.results.problem import Problem
-    from vibcli.symbolic.expression import Node
+    from vibcli.symbolic.node import Node
 
 OF_MODES = ("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "decay")
 GIVE_VALUES = "give the letters values: with_values(…), or --set"

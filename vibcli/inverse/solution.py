@@ -11,7 +11,8 @@ from vibcli.notation.scene_language import language
 from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.parser import LONGEST, ExpressionError, parse
+from vibcli.symbolic.parser import LONGEST, parse
+from vibcli.symbolic.syntax import ExpressionError
 
 DIGITS, READABLE, TRACE = 60, 70, 1e-20
 

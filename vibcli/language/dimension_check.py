@@ -6,7 +6,7 @@ from vibcli.base import units
 from vibcli.base.spelling import nearest
 from vibcli.language import unit_brackets
 from vibcli.language.record_calls import own
-from vibcli.symbolic.parser import FUNCTIONS, VALUE, ExpressionError
+from vibcli.symbolic.parser import FUNCTIONS, VALUE
 from vibcli.symbolic.semantics import (
     ALL_NUMBERS,
     ANY,
@@ -14,7 +14,7 @@ from vibcli.symbolic.semantics import (
     literal_unit,
     names_in,
 )
-from vibcli.symbolic.syntax import Equation, NameRef, Sum
+from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Sum
 
 TIMED = ("impulse", "square", "sawtooth")
 UNIT_DUE = "write the unit:"

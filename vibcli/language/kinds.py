@@ -11,7 +11,8 @@ from vibcli.base.spelling import near
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.reader import Expression, Reference, check_name
 from vibcli.language.record_calls import with_record_calls
-from vibcli.symbolic.parser import ExpressionError, parse, plain_name
+from vibcli.symbolic.parser import parse, plain_name
+from vibcli.symbolic.syntax import ExpressionError
 
 
 class Kind:

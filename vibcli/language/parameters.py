@@ -6,10 +6,11 @@ from vibcli.language.reader import Expression
 from vibcli.language.record_calls import with_record_calls
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.parser import LARGEST, RANGE, SMALLEST, ExpressionError, parse
+from vibcli.symbolic.literals import LARGEST, RANGE, SMALLEST
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rationals import bits
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import Call, Number, Power, Product, Sum, whole_literal
+from vibcli.symbolic.syntax import Call, ExpressionError, Number, Power, Product, Sum, whole_literal
 
 WIDEST = 4096       # bits
 

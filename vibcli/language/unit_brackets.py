@@ -4,8 +4,8 @@ import re
 from fractions import Fraction
 
 from vibcli.base.unit_table import UNITS
-from vibcli.symbolic.parser import ExpressionError, parse
-from vibcli.symbolic.semantics import whole_literal
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, whole_literal
 
 _BRACKET = re.compile(r"([*/·])?\s*\(([^()]*)\)(?:\s*(?:\^|\*\*)\s*(?:(-?\d+(?:\.\d+)?)|"
                       r"\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\)))?")

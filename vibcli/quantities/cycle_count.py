@@ -15,9 +15,9 @@ from vibcli.symbolic.cycles import (
     is_period,
     left_over,
 )
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
-from vibcli.symbolic.syntax import Equation, NameRef, Product
+from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Product
 
 
 def cycles(spec, text=""):

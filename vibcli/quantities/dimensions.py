@@ -3,8 +3,8 @@
 from vibcli.base import units
 from vibcli.quantities.quantity import SIGNAL, declared, is_choice
 from vibcli.quantities.signal_dimensions import output_dimension
-from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import DimensionCheck
+from vibcli.symbolic.syntax import ExpressionError
 
 
 def asked_dimension(spec, tree):

@@ -6,9 +6,8 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.quantity import ROUNDING, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import lower, quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 
 def measure(problem, tree):

@@ -3,7 +3,7 @@
 from vibcli.base.unit_table import UNITS
 from vibcli.quantities.cycle_count import count_of_unit, cycles, known_dimension
 from vibcli.symbolic.cycles import CYCLE, agree, fits_both, left_over
-from vibcli.symbolic.parser import ExpressionError
+from vibcli.symbolic.syntax import ExpressionError
 
 OF_CYCLES = frozenset(name for name, unit in UNITS.items() if unit.cycles)
 

@@ -12,9 +12,9 @@ from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, declared, is_choice, named, usage, usage_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.symbolic.cycles import RATE, left_over
-from vibcli.symbolic.parser import VALUE, ExpressionError
+from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS, literals_in, names_in, quantities_in
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef
 
 
 def can_be_asked(spec, reader, expression, tree, bare=False):

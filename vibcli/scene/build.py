@@ -9,7 +9,7 @@ from vibcli.scene.contents import TERMS
 from vibcli.scene.energy_terms import AppliedLoad
 from vibcli.scene.scene import Drives, Scene, Setting, Variant
 from vibcli.symbolic.derivatives import gradient
-from vibcli.symbolic.parser import ExpressionError
+from vibcli.symbolic.syntax import ExpressionError
 
 ATTEMPTS = 12
 

@@ -5,9 +5,8 @@ from vibcli.language.parameters import unusable
 from vibcli.language.reader import Expression
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
-from vibcli.symbolic.parser import ExpressionError
 from vibcli.symbolic.semantics import lower, names_in
-from vibcli.symbolic.syntax import Sum
+from vibcli.symbolic.syntax import ExpressionError, Sum
 
 
 class Expressions:

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
+from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.semantics import ANY, constant, literal_unit
-from vibcli.symbolic.syntax import NameRef, Number
+from vibcli.symbolic.syntax import ExpressionError, NameRef, Number
 
 CYCLE, PERIOD, RADIAN, PI = "cycle", "period", "radian", "pi"
 NEITHER = {}

@@ -2,8 +2,8 @@
 
 from fractions import Fraction
 
-from vibcli.symbolic.expression import Node
 from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.node import Node
 from vibcli.symbolic.rationals import HALF, ONE
 
 

@@ -10,13 +10,10 @@ from fractions import Fraction
 from operator import methodcaller
 
 from vibcli.base.diagnostics import quoted
-from vibcli.base.unit_suggestions import TAKEN, unit_meant
-from vibcli.base.units import UNITS
-from vibcli.symbolic.syntax import Call, Equation, NameRef, Number, Power, Product, QuantityRef, Sum, UnitPower
+from vibcli.symbolic.literals import literal
+from vibcli.symbolic.syntax import Call, Equation, ExpressionError, NameRef, Number, Power, Product, QuantityRef, Sum
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
-SMALLEST, LARGEST = 1e-60, 1e60
-RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
              "tanh": 1, "exp": 1, "log": 1, "sqrt": 1, "abs": 1, "sign": 1, "min": 2, "max": 2, "step": 1,
              "ramp": 1, "impulse": 1, "square": 1, "sawtooth": 1}
@@ -31,22 +28,10 @@ plain_name = methodcaller("translate", str.maketrans(GREEK))      # a name with 
 _NUMBER = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?")
 _WHOLE = re.compile(r"[0-9]{1,15}")
 _NAME = re.compile(r"[A-Za-z_α-ωΑ-Ωϕϑϵ][A-Za-z0-9_α-ωΑ-Ωϕϑϵ]*")
-_UNIT = re.compile(r"\s*([*/·])?\s*([A-Za-zµμ°%]+)(?:\s*(?:\^|\*\*)\s*(?:"
-                   r"(-?\d+(?:\.\d+)?)(?!\d)|\(\s*(-?\d+(?:\.\d+|\s*/\s*\d+)?)\s*\))|([²³⁴]))?(?![\w.(\[])")
 _PER_UNIT = re.compile(r"1\s*/\s*[A-Za-z]")
 _PART = re.compile(r"\.(?:[A-Za-z_][A-Za-z0-9_]*|[0-9]{1,3})")
 _INDEX = re.compile(r"\[([^][]{1,80})\]")
-_SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
-_POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
 _SPACE = re.compile(r"[ \t\n]*")
-
-
-class ExpressionError(Exception):
-    """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
-
-    def __init__(self, offset, width, message, hint=None):
-        super().__init__(message)
-        self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
 
 
 def parse(text, equation=None):
@@ -178,7 +163,9 @@ class _Parser:
         start = self.at
         number = _NUMBER.match(self.text, start)
         if number:
-            return self.number(number)
+            found = literal(self.text, number)
+            self.at = found.end
+            return found
         word = _NAME.match(self.text, start)
         if word:
             return self.applied(self.word(word, depth), start, depth)
@@ -220,51 +207,6 @@ class _Parser:
             if self.at >= len(self.text):
                 raise ExpressionError(start, 1, "this bracket is never closed", f"write '{bracket}' where it ends")
             self.fail_after()
-
-    def number(self, match):
-        start, self.at = match.start(), match.end()
-        text = match.group()
-        digits, _, exponent = text.lower().partition("e")
-        if len(digits) > 80 or len(exponent) > 4 or abs(int(exponent or 0)) > 60:
-            raise ExpressionError(start, len(text), "this number is out of range", RANGE)
-        chain = self.units(start)
-        return Number(start, self.at, Fraction(text), tuple(chain))
-
-    def units(self, start):
-        """The longest chain of units after a number."""
-        chain = []
-        while True:
-            match = _UNIT.match(self.text, self.at)
-            if not match or bool(match.group(1)) != bool(chain):
-                return chain
-            word = match.group(2).replace("μ", "µ")
-            if word not in UNITS:
-                if not chain:
-                    self.unknown_unit(match, start)
-                return chain
-            power = self.unit_power(match)
-            chain.append(UnitPower(word, -power if match.group(1) == "/" else power, match.start(2), match.end(2)))
-            self.at = match.end()
-            if _POWER_SIGN.match(self.text, self.at):
-                raise ExpressionError(match.start(2), len(word), f"the power of the unit '{word}' is no number",
-                                      f"write {word}^2 or {word}^(1/2), or brackets around what is raised")
-
-    def unit_power(self, match):
-        """The power of a unit: 2, -1, 0.5 or (3/2)."""
-        text = match.group(3) or match.group(4) or _SUPERSCRIPTS.get(match.group(5), "1")
-        above, _, below = text.partition("/")
-        if len(text) > 12 or (below and not int(below)) or abs(power := Fraction(above) / Fraction(below or 1)) > 12:
-            raise ExpressionError(match.start(2), match.end() - match.start(2), "this power is out of range",
-                                  "units have powers such as -2, 1/2 or 1.5, at most 12")
-        return int(power) if power.denominator == 1 else power
-
-    def unknown_unit(self, match, start):
-        word = match.group(2)
-        meant = None if word == "pi" else unit_meant(word)
-        product = f"a product is written with *: {self.text[start:self.at]}*{word}"
-        raise ExpressionError(match.start(2), len(word), f"'{word}' is not a unit",
-                              f"write {meant}; {product}" if word in TAKEN else
-                              f"did you mean '{meant}'?" if meant else product)
 
     def word(self, match, depth):
         start, self.at = match.start(), match.end()

@@ -6,9 +6,20 @@ from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
-from vibcli.symbolic.parser import FUNCTIONS, ExpressionError
+from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
-from vibcli.symbolic.syntax import Equation, NameRef, Number, Power, Product, QuantityRef, Sum, parts_of, whole_literal
+from vibcli.symbolic.syntax import (
+    Equation,
+    ExpressionError,
+    NameRef,
+    Number,
+    Power,
+    Product,
+    QuantityRef,
+    Sum,
+    parts_of,
+    whole_literal,
+)
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units

@@ -4,6 +4,14 @@ from fractions import Fraction
 from typing import NamedTuple
 
 
+class ExpressionError(Exception):
+    """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
+
+    def __init__(self, offset, width, message, hint=None):
+        super().__init__(message)
+        self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
+
+
 class UnitPower(NamedTuple):
     """One unit of a literal: `mm` and −2 of `3 N/mm^2`."""
 

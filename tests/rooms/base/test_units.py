@@ -13,10 +13,10 @@ from support.scenes import problem
 from vibcli.base.errors import SpecError
 from vibcli.base.units import UNITS, text
 from vibcli.quantities import FAMILIES
-from vibcli.symbolic.parser import FUNCTIONS, ExpressionError, parse
+from vibcli.symbolic.parser import FUNCTIONS, parse
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.semantics import literal_unit
-from vibcli.symbolic.syntax import Number
+from vibcli.symbolic.syntax import ExpressionError, Number
 
 M, L, T = "kg", "m", "s"
 FORCE, ENERGY, POWER, PRESSURE = "kg m s^-2", "kg m^2 s^-2", "kg m^2 s^-3", "kg m^-1 s^-2"

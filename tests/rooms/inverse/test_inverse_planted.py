@@ -13,7 +13,7 @@ from vibcli.language.reader import Expression, Record
 from vibcli.reader.sections import choose
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import whole_literal
+from vibcli.symbolic.syntax import whole_literal
 
 SLOW = ("bar_on_two_springs", "ladder_held_by_spring", "disc_on_three_tight_springs")     # some seconds each
 PROBLEMS = [path for path in sorted((Path(__file__).parents[3] / "problems").rglob("*.yaml")) if path.stem not in SLOW]

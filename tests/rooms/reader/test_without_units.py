@@ -13,8 +13,9 @@ from vibcli.check.verdicts import check
 from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import literal_unit, literals_in
+from vibcli.symbolic.syntax import ExpressionError
 
 ROOT = Path(__file__).parents[3]
 SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])

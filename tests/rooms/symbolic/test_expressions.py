@@ -12,10 +12,10 @@ from vibcli.symbolic.evaluation import Floats, Rationals, evaluate, evaluate_rat
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.rationals import BITS, bits
-from vibcli.symbolic.semantics import lower, whole_literal
-from vibcli.symbolic.syntax import Number
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import ExpressionError, Number, whole_literal
 
 
 @pytest.fixture

@@ -6,8 +6,8 @@ from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Quantity, Text
 from vibcli.language.reader import Record
-from vibcli.symbolic.parser import ExpressionError, parse
-from vibcli.symbolic.syntax import Number
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, Number
 
 
 class _Unit(Text):

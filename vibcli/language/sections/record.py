@@ -10,10 +10,11 @@ from vibcli.language.document.document import Scalar
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Quantity, Text
 from vibcli.language.sections.parameter import UNIT
-from vibcli.symbolic.parser import LARGEST, SMALLEST, parse
+from vibcli.symbolic.literals import LARGEST, SMALLEST
+from vibcli.symbolic.parser import parse
 from vibcli.symbolic.sampled_functions import Samples
-from vibcli.symbolic.semantics import literal_unit, whole_literal
-from vibcli.symbolic.syntax import Number
+from vibcli.symbolic.semantics import literal_unit
+from vibcli.symbolic.syntax import Number, whole_literal
 
 
 class _Column(Text):

@@ -10,8 +10,8 @@ from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL
-from vibcli.symbolic.parser import ExpressionError, parse
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
 ELEMENT = Element(
     "answer",

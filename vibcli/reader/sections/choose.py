@@ -8,7 +8,8 @@ from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import ALL
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError
 
 BALANCE, LIMIT = "equilibrium", "stability limit"
 

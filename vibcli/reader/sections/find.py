@@ -6,7 +6,8 @@ from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity
 from vibcli.language.reader import Expression
 from vibcli.language.sections.equilibrium import ByCoordinate
 from vibcli.quantities.questions import FIND
-from vibcli.symbolic.parser import ExpressionError, parse
+from vibcli.symbolic.parser import parse
+from vibcli.symbolic.syntax import ExpressionError
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
 

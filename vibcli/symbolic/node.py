@@ -1,0 +1,55 @@
+"""Nodes of expressions.
+
+A node is one of
+
+    number   an exact rational                     symbol   a parameter or a variable (coordinate, velocity)
+    sum      c₀ + Σ cᵢ·nodeᵢ                        product  c·Π nodeᵢ^eᵢ, rational cᵢ, c, eᵢ
+    call     a function of nodes                   pi
+"""
+
+from vibcli.symbolic.rationals import ONE
+
+
+class Node:
+    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on."""
+
+    __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
+
+    def keep_gradient(self, gradient):
+        """Keep {variable: derivative}, which is worked out once."""
+        self.gradient = gradient
+
+    def __add__(self, other):
+        return self.table.sum((self, ONE), (self.table.node(other), ONE))
+
+    def __sub__(self, other):
+        return self.table.sum((self, ONE), (self.table.node(other), -ONE))
+
+    def __mul__(self, other):
+        return self.table.product((self, ONE), (self.table.node(other), ONE))
+
+    def __truediv__(self, other):
+        return self.table.product((self, ONE), (self.table.node(other), -ONE))
+
+    def __pow__(self, exponent):
+        return self.table.power(self, exponent)
+
+    def __neg__(self):
+        return self.table.scaled(self, -ONE)
+
+    def __rsub__(self, other):
+        return self.table.node(other) - self
+
+    def __rtruediv__(self, other):
+        return self.table.node(other) / self
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    @property
+    def is_zero(self):
+        return self.op == "number" and not self.coefficient
+
+    def __repr__(self):
+        if self.op in ("sum", "product"):
+            return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
+        return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"
