@@ -1,8 +1,8 @@
 """Quantities that answers and conditions name, in the order of the manual: the file in which each is declared."""
 
 FAMILIES = {
-    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "zeta", "omega_d", "decay", "eigenvalue",
-                     "sensitivity", "rayleigh", "dunkerley"), "modal"),
+    **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass", "zeta", "omega_d", "decay",
+                     "eigenvalue", "sensitivity", "rayleigh", "dunkerley"), "modal"),
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
     **dict.fromkeys(("equation", "motion"), "energies"),
     **dict.fromkeys(("M", "C", "G", "K"), "matrices"),

@@ -5,6 +5,7 @@ from math import sqrt, tau
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
+from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration
 
 RATE = units.parse_unit("rad/s").dimension
@@ -71,6 +72,22 @@ def _shape(problem, tree, args):
     signal = coordinate_name(problem.spec, tree.indices[1]) or tree.indices[1]
     amplitude = _along(problem, problem.modal.shape(_mode(problem, tree)), signal)
     return complex(amplitude) if isinstance(amplitude, complex) and amplitude.imag else float(amplitude.real), 1e-11
+
+
+def _modal_mass(problem, tree, args):
+    from vibcli.mechanics.inner_products import inner
+
+    shape, elements = problem.modal.shape(_mode(problem, tree)), problem.configuration.linear_system
+    if any(isinstance(amplitude, complex) and amplitude.imag for amplitude in shape):
+        raise PhysicsError(f"the coordinates do not move in phase in mode {tree.indices[0]}: it has no modal mass",
+                           f"ask for mode[{tree.indices[0]}] of a coordinate")
+    return float(inner(elements.inertias, elements.M, shape, shape).real), 2e-11
+
+
+def _of_coordinates(spec, tree):
+    """Of an entry of M on its diagonal, where all coordinates measure the same."""
+    measured = [spec.dimensions.of(name) for name in spec.coordinates]
+    return entry_dimension("M", *measured[:1] * 2) if all(one == measured[0] for one in measured) else None
 
 
 def _along(problem, shape, signal):
@@ -197,6 +214,10 @@ QUANTITIES = {
     "mode": Declaration(
         "amplitude of a coordinate or signal in mode i, the first coordinate that moves being 1", None, _shape,
         ("mode", "signal"), size=_ten, kind=COMPLEX),
+    "modal_mass": Declaration(
+        "φᵀMφ of mode i, the first coordinate that moves being 1: a mass, or a moment of inertia", None, _modal_mass,
+        ("mode",), dimension=_of_coordinates, several=True,
+        symbolic=_of_one_degree(lambda m, c, k, omega, table: m)),
     "zeta": Declaration(
         "damping ratio of damped mode i, by ascending |λ|", "1", _zeta, ("mode",), size=_ten,
         symbolic=_of_one_degree(lambda m, c, k, omega, table: c / (2 * m * omega))),
