@@ -5,38 +5,14 @@ the zeros of the functions as they are between the points of a grid over a box (
 centre of the cube and those of a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
 """
 
-from itertools import chain, count, islice, product
+from itertools import chain, islice, product
+
+from vibcli.numerics.halton import halton
 
 GRID, BESIDE = 24, 0.25         # cells along a side of the box; how far beside its triangle such a zero may lie
 FACTORS = (-0.5, -0.2, 0.2, 0.5)
 STEPS, STARTS, IDLE, STEP, CLOSE = 40, 48, 16, 1e-7, 1e-6
 CONVERGED, LONGEST = 1e-13, 2.3
-
-
-def halton(dimensions, first=1):
-    """Points spread evenly over the unit cube, the same at every run, from that of a number on."""
-    bases = _primes(dimensions)
-    for number in count(first):
-        yield [_radical_inverse(number, base) for base in bases]
-
-
-def _radical_inverse(number, base):
-    """The digits of a number mirrored at the point."""
-    value, place = 0.0, 1.0 / base
-    while number:
-        number, digit = divmod(number, base)
-        value += digit * place
-        place /= base
-    return value
-
-
-def _primes(n):
-    found, candidate = [], 2
-    while len(found) < n:
-        if all(candidate % p for p in found):
-            found.append(candidate)
-        candidate += 1
-    return found
 
 
 def common_zeros(function, place, dimensions):

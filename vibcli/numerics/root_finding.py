@@ -182,6 +182,17 @@ def bracketed(function, a, fa, b, fb, jumps=False):
     return best
 
 
+def last_place(holds, low, high, most=200):
+    """(low, high) next to each other, or halved so often: between them a condition ceases to hold that holds at low and
+    not at high. Numbers may be floats or mpmath's."""
+    for _ in range(most):
+        middle = (low + high) / 2
+        if middle in (low, high):
+            break
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high
+
+
 def _dips(scan):
     """Three neighbours of one sign, the middle one nearest to zero; at an edge of the domain the last one twice."""
     points = sorted(scan.points.items())

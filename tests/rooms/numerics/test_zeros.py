@@ -8,7 +8,8 @@ from types import SimpleNamespace
 import pytest
 
 from vibcli.notation.scene_language import language
-from vibcli.numerics.newton_systems import common_zeros, halton
+from vibcli.numerics.halton import halton
+from vibcli.numerics.newton_systems import common_zeros
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 from vibcli.symbolic.equations.elimination import solve_equations
 from vibcli.symbolic.equations.trigonometric import _linear, angles

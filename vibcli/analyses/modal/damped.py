@@ -1,17 +1,28 @@
 """Damped free vibration: (λ² M + λ (C + G) + K) x = 0.
 
-Up to CERTIFIED coordinates in fixed point with a bound of every eigenvalue: modes without damping first,
-then the damping in them (quadratic.py), or directly where coordinates without inertia are damped or K is not
-symmetric (massless.py, circulatory.py). Larger systems in floats (damped_floating.py), enclosed too where their bound
-is above ENOUGH.
+In fixed point with a bound of every eigenvalue: modes without damping first, then the damping in them
+(damped_in_modal_coordinates.py), or directly where coordinates without inertia are damped or K is not symmetric
+(massless_coordinates.py, nonsymmetric.py). Larger systems (method.py) in floats (damped_large.py,
+nonsymmetric_large.py).
 """
 
 import math
 
+from vibcli.analyses.modal.method import (
+    ENCLOSED,
+    FIRST_ORDER,
+    FOLLOWER,
+    IN_DIGITS,
+    IN_FLOATS,
+    SQUARES,
+    choose,
+    damped_at_all,
+    dragged,
+    form_of,
+)
 from vibcli.analyses.modal.scaling import exponent
-from vibcli.analyses.modal.undamped import CERTIFIED, DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared
+from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared
 
-CERTIFIABLE = 80
 GOAL = 160
 WANTED = 60
 TRIES = 4
@@ -27,8 +38,7 @@ def damped(elements, precise=None, exact=None, digits=None):
     irrational); without either the floats are taken for exact. `digits`: this many correct digits, and
     numbers of mpmath.
     """
-    damps = any(c for c, _ in elements.dampers) or any(elements.C.values())
-    if not damps and not any(elements.G.values()) and not elements.circulatory:
+    if form_of(elements) == SQUARES:
         return None
     import numpy as np
 
@@ -42,17 +52,18 @@ def damped(elements, precise=None, exact=None, digits=None):
 
 
 def _damped(elements, precise, exact, digits):
-    if digits is not None:
+    arithmetic = choose(elements, digits).arithmetic
+    if arithmetic == IN_DIGITS:
         return damped_digits(elements, precise, exact, digits)
-    if elements.n > CERTIFIABLE and elements.circulatory:
+    if arithmetic == IN_FLOATS and elements.circulatory:
         from vibcli.analyses.modal.nonsymmetric_large import follower_floats
 
         return follower_floats(elements)
-    if elements.n > CERTIFIED and not elements.circulatory:
+    if arithmetic != ENCLOSED:
         from vibcli.analyses.modal.damped_large import damped_floats
 
         modes = damped_floats(elements)
-        if elements.n > CERTIFIABLE or max(mode.error for mode in modes) <= ENOUGH:
+        if arithmetic == IN_FLOATS or max(mode.error for mode in modes) <= ENOUGH:
             return modes
     from vibcli.analyses.modal.damped_modes import collected
     from vibcli.analyses.modal.mode_numbers import NearestFloats
@@ -116,27 +127,26 @@ class CertifiedEigenvalues:
     __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
 
     def __init__(self, elements, data, goal, wanted, unit):
-        from vibcli.analyses.modal import massless_coordinates
+        from vibcli.analyses.modal.massless_coordinates import MassiveSystem
         from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
 
-        follows, dragged = elements.circulatory, bool(massless_coordinates.dragged(elements))
-        self.undamped = not any(c for c, _ in elements.dampers) and not any(elements.C.values())
-        self.conservative = self.undamped and not follows
-        self.follower = self.undamped and follows and not any(elements.G.values())
-        self.scale, zeros = prepared(elements, dragged)
+        form, follows, held = form_of(elements), elements.circulatory, bool(dragged(elements))
+        self.undamped = not damped_at_all(elements)
+        self.conservative, self.follower = self.undamped and not follows, form == FOLLOWER
+        self.scale, zeros = prepared(elements, held)
         self.decided = zeros is not None
-        if dragged:
+        if held:
             double = undamped_rigid(elements, zeros, data)
             zeros = None if double is None else zeros + double
         strong, weak = depth(elements, self.scale)
         goal, deep = goal + strong + weak, goal - 50 + weak
         for _ in range(TRIES):
-            if self.follower:
+            if form == FOLLOWER:
                 from vibcli.analyses.modal.nonsymmetric import Follower
 
                 self.system = Follower(data, self.scale, None, goal, deep)
-            elif dragged or follows:
-                self.system = massless_coordinates.MassiveSystem(data, self.scale, zeros, goal, deep)
+            elif form == FIRST_ORDER:
+                self.system = MassiveSystem(data, self.scale, zeros, goal, deep)
             else:
                 self.system = self._modal(elements, data, goal, deep, zeros, unit)
             self.found = self.system.eigenvalues(wanted)

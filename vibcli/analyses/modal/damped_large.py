@@ -11,6 +11,7 @@ import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import turning
 from vibcli.analyses.modal.damped_modes import DampedMode
+from vibcli.analyses.modal.method import damped_at_all
 from vibcli.analyses.modal.mode_numbers import in_units
 from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
 from vibcli.analyses.modal.undamped import prepared
@@ -32,7 +33,7 @@ def damped_floats(elements):
     size = np.abs(modal.shapes.T) @ np.abs(c) @ np.abs(modal.shapes)
     c = modal.shapes.T @ c @ modal.shapes
     form = FirstOrder(modal, c, size)
-    damps = any(w for w, _ in elements.dampers) or any(elements.C.values())
+    damps = damped_at_all(elements)
     values, vectors, radius = form.general() if damps or (modal.values < 0).any() else form.conservative()
     if not damps:
         on_the_axis(values, radius)

@@ -14,6 +14,7 @@ import math
 import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, known, turning, vanishing
+from vibcli.analyses.modal.method import dragged
 from vibcli.analyses.modal.undamped_certified import condensed, inverted, reduced_by_mass, spread
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics import fixed_point as fx
@@ -21,13 +22,6 @@ from vibcli.numerics.general_eigenvalues import eigenvalues
 from vibcli.numerics.symmetric_eigenvalues import spectrum
 
 LOOSE = 1e-13       # of the largest stiffness: what springs do not hold
-
-
-def dragged(elements):
-    """The massless coordinates that a damper touches."""
-    touched = {i for c, row in elements.dampers if c for i, x in row.items() if x}
-    touched.update(i for at, x in turning(elements).items() if x for i in at)
-    return sorted(touched.intersection(elements.massless))
 
 
 def only_damped(elements):

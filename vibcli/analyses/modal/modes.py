@@ -6,6 +6,7 @@ while they oscillate. A rigid-body mode is one entry in both lists, though a mod
 zero twice.
 """
 
+from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
 from vibcli.mechanics.factored_system import summed
 
@@ -15,14 +16,12 @@ def natural_modes(elements, precise=None, exact=None, digits=None):
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
     """
-    if elements.drag:
-        return natural_modes(*_changed(lambda form: form.with_parts(drag=None), elements, precise, exact), digits)
-    turning, follows = any(elements.G.values()), elements.circulatory
-    if not turning and not follows:
+    sources = _changed(_still, elements, precise, exact)
+    if form_of(sources[0]) == SQUARES:
         return undamped(elements, precise=precise, digits=digits)
     from vibcli.analyses.modal.damped import damped
 
-    sources = _changed(lambda form: form.with_parts(dampers=(), C=None), elements, precise, exact)
+    turning, follows = any(elements.G.values()), elements.circulatory
     found = damped(*sources, digits)
     if turning and any(not mode.omega for mode in found):
         still = natural_modes(*_changed(lambda form: form.with_parts(G=None), *sources), digits)
@@ -34,7 +33,7 @@ def natural_modes(elements, precise=None, exact=None, digits=None):
 
 def damped_modes(elements, natural, precise=None, exact=None, digits=None):
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
-    if not any(c for c, _ in elements.dampers) and not any(elements.C.values()) and not any(elements.drag.values()):
+    if not damped_at_all(elements) and not any(elements.drag.values()):
         return None
     from vibcli.analyses.modal.damped import damped
 
@@ -43,6 +42,11 @@ def damped_modes(elements, natural, precise=None, exact=None, digits=None):
     found = damped(elements, precise=precise, exact=exact, digits=digits)
     still = natural() if any(not mode.omega for mode in found) else ()
     return _one_each(found, still) if still else found
+
+
+def _still(elements):
+    """The same elements without dampers and what else loads add to C."""
+    return elements.with_parts(dampers=(), C=None, drag=None)
 
 
 def _dragged(elements):

@@ -1,19 +1,17 @@
 """Undamped free vibration: natural frequencies and mode shapes of M q̈ + K q = 0.
 
-Up to CERTIFIED coordinates the eigenvalues are enclosed rigorously in fixed-point arithmetic
-(certified.py). Larger systems are solved in floats from the factors √k ∇s and √w ∇s with a bound of their
-rounding (floating.py); up to CERTIFIABLE coordinates they are enclosed too where that bound is above ENOUGH.
+The eigenvalues are enclosed rigorously in fixed-point arithmetic (undamped_certified.py); those of larger systems
+(method.py) are found in floats from the factors √k ∇s and √w ∇s with a bound of their rounding (undamped_large.py).
 """
 
 import math
 from typing import NamedTuple
 
+from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, choose
 from vibcli.analyses.modal.rigid_body_modes import rigid_count
 from vibcli.analyses.modal.scaling import mechanism, scaling
 from vibcli.base.errors import Inertless
 
-CERTIFIED = 40
-CERTIFIABLE = 120
 ENOUGH = 5e-13
 EXACT = -math.inf
 EVALUATED = -51.0
@@ -73,13 +71,14 @@ def undamped(elements, precise=None, digits=None):
 
 def _undamped(elements, precise, digits):
     scale, zeros = prepared(elements)
-    if digits is not None:
+    arithmetic = choose(elements, digits).arithmetic
+    if arithmetic == IN_DIGITS:
         return undamped_digits(elements, scale, zeros, precise, digits)
-    if elements.n > CERTIFIED:
+    if arithmetic != ENCLOSED:
         from vibcli.analyses.modal.undamped_large import approximate
 
         answer = approximate(elements, scale, zeros)
-        if elements.n > CERTIFIABLE or answer.errors.max() <= ENOUGH:
+        if arithmetic == IN_FLOATS or answer.errors.max() <= ENOUGH:
             return many_modes(answer, scale)
     from vibcli.analyses.modal.mode_numbers import NearestFloats
 

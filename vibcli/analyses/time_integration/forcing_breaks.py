@@ -9,6 +9,7 @@ import numpy as np
 from vibcli.analyses.excitation.decompose import forcing_of
 from vibcli.analyses.excitation.forcing import TooOften
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.root_finding import last_place
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -94,9 +95,7 @@ def _searched(scene, node, floats, until):
     values = turns(times)
     found = []
     for i in np.flatnonzero(values[1:] != values[:-1]):
-        low, high = times[i], times[i + 1]
-        for _ in range(ROUNDS):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if turns(np.array([middle]))[0] == values[i] else (low, middle)
-        found.append(float(high))
+        before = values[i]
+        end = last_place(lambda t, before=before: turns(np.array([t]))[0] == before, times[i], times[i + 1], ROUNDS)[1]
+        found.append(float(end))
     return found

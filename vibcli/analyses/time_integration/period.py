@@ -15,6 +15,7 @@ from vibcli.analyses.time_integration.high_precision_period import DIGITS, Energ
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
+from vibcli.numerics.root_finding import last_place
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.numeric_code import SWITCHED, Compiled
 
@@ -66,10 +67,7 @@ def _of_forces(slope, inertia, q, v):
 
 def _bottom(slope, left, right):
     """A place at which V stops falling, between two at which the motion turns round."""
-    for _ in range(200):
-        middle = (left + right) / 2
-        left, right = (left, middle) if float(slope(np.array([float(middle)]))[0]) >= 0 else (middle, right)
-    return middle
+    return last_place(lambda q: float(slope(np.array([float(q)]))[0]) < 0, left, right)[1]
 
 
 def _require_motion(slope, q, speed):
@@ -170,12 +168,7 @@ def _not_beyond_a_top(slope, low, trial, side):
 
     if climbs(trial) or not climbs(low):
         return trial
-    for _ in range(200):
-        middle = (low + trial) / 2
-        if middle in (low, trial):
-            break
-        low, trial = (middle, trial) if climbs(middle) else (low, middle)
-    return trial
+    return last_place(climbs, low, trial)[1]
 
 
 def _scale(slope, q, speed):

@@ -163,6 +163,8 @@ def _about(configuration, row, q):
 
 def _end(room, start, step):
     """Where room(x) first vanishes from the start on; infinite where it does not."""
+    from vibcli.numerics.root_finding import last_place
+
     low, high = start, start + step
     for _ in range(STEPS):
         value = room(high)
@@ -171,7 +173,4 @@ def _end(room, start, step):
         low, high = high, high + step
     else:
         return inf if step > 0 else -inf
-    for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if room(middle) >= 0 else (low, middle)
-    return low
+    return last_place(lambda x: room(x) >= 0, low, high, ROUNDS)[0]

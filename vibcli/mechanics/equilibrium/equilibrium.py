@@ -256,6 +256,8 @@ def _trust_step(values, slope, radius):
     """argmin slope·p + ½ Σ values p² within |p| ≤ radius, in the axes of the Hessian."""
     import numpy as np
 
+    from vibcli.numerics.root_finding import last_place
+
     least = values[0]
     tiny = _tiny(values)
 
@@ -269,7 +271,4 @@ def _trust_step(values, slope, radius):
             return p
     low = max(0.0, -least)
     high = low + float(np.linalg.norm(slope)) / radius + tiny
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if np.linalg.norm(at(middle)) > radius else (low, middle)
-    return at(high)
+    return at(last_place(lambda shift: np.linalg.norm(at(shift)) > radius, low, high, 80)[1])

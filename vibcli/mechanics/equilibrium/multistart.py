@@ -10,7 +10,7 @@ from itertools import islice, product
 import numpy as np
 
 from vibcli.mechanics.equilibrium.newton import zero_from
-from vibcli.numerics.newton_systems import halton
+from vibcli.numerics.halton import halton
 
 LEAST, GRID, DEFLATED, AVOIDED, START = 50, 4, 8, 20, 20
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from support import families
 
-from vibcli.analyses.modal import damped as damped_module
+from vibcli.analyses.modal import method
 from vibcli.analyses.modal.damped import damped
 from vibcli.analyses.modal.normalisation import normalised
 from vibcli.base.errors import PhysicsError
@@ -331,9 +331,9 @@ def test_what_has_no_eigenvalues_is_refused_with_its_cause():
 @pytest.mark.parametrize("family", FAMILIES)
 def test_many_coordinates_stay_within_their_bounds(family, monkeypatch):
     elements = family(random.Random(9), 41, 10.0, 1e-2)
-    monkeypatch.setattr(damped_module, "CERTIFIABLE", 0)
+    monkeypatch.setattr(method, "CERTIFIABLE", 0)
     modes = damped(elements)
-    monkeypatch.setattr(damped_module, "CERTIFIED", 100)
+    monkeypatch.setattr(method, "CERTIFIED", 100)
     exact = damped(elements)
     assert len(modes) == len(exact)
     values = np.array([mode.eigenvalue for mode in exact])

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from support import families
 
-from vibcli.analyses.modal import undamped as modal
+from vibcli.analyses.modal import method
 from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.undamped import undamped
 from vibcli.base.errors import PhysicsError
@@ -274,9 +274,9 @@ def refused(*args, **kwargs):
 
 def test_what_has_no_frequencies_is_refused_with_its_cause():
     one, tied = [(1.0, {0: 1.0})], [(1.0, {0: 1.0})]
-    assert refused(2, one, tied, massless=[1]).coordinate == 1
+    assert "coordinate 2" in str(refused(2, one, tied, massless=[1]))
     assert "mechanism" in str(refused(3, one, [*tied, (1.0, {1: 1.0, 2: -1.0})], massless=[1, 2]))
-    assert refused(2, one, [*tied, (1.0, {1: 1.0})]).coordinate == 1
+    assert "coordinate 2" in str(refused(2, one, [*tied, (1.0, {1: 1.0})]))
     assert "inertia" in str(refused(2, [(1.0, {0: 1.0, 1: 1.0})], [*tied, (1.0, {1: 1.0})]))
     assert "inertia" in str(refused(1, [], tied, massless=[0]))
     for bad in (math.nan, math.inf):
@@ -289,11 +289,11 @@ def test_what_has_no_frequencies_is_refused_with_its_cause():
 
 @pytest.mark.parametrize("family", families.UNDAMPED)
 def test_many_coordinates_stay_within_their_bounds(family, monkeypatch):
-    monkeypatch.setattr(modal, "CERTIFIABLE", 0)
+    monkeypatch.setattr(method, "CERTIFIABLE_SQUARES", 0)
     rng, ratios = random.Random(5), []
     elements = family(rng, 42, 1e4)
     modes = undamped(elements)
-    monkeypatch.setattr(modal, "CERTIFIED", 100)
+    monkeypatch.setattr(method, "CERTIFIED", 100)
     for mode, exact in zip(modes, undamped(elements), strict=True):
         assert mode.error == 1.0 or mode.rigid == exact.rigid
         if not mode.rigid:
@@ -341,7 +341,7 @@ def test_small_systems_import_neither_scipy_nor_mpmath():
 def test_large_stiff_systems_keep_their_soft_modes_by_lapack(monkeypatch):
     elements = families.chain(random.Random(8), 44, 1e18)
     exact = undamped_enclosed(elements, monkeypatch)
-    monkeypatch.setattr(modal, "CERTIFIABLE", 0)
+    monkeypatch.setattr(method, "CERTIFIABLE_SQUARES", 0)
     for columns in (factored_svd.JACOBI_UP_TO, 10):
         monkeypatch.setattr(factored_svd, "JACOBI_UP_TO", columns)
         for mode, other in zip(undamped(elements), exact, strict=True):
@@ -350,5 +350,5 @@ def test_large_stiff_systems_keep_their_soft_modes_by_lapack(monkeypatch):
 
 def undamped_enclosed(elements, monkeypatch):
     with monkeypatch.context() as patch:
-        patch.setattr(modal, "CERTIFIED", 100)
+        patch.setattr(method, "CERTIFIED", 100)
         return undamped(elements)
