@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters
 from vibcli.inverse.symbolic_response_conditions import response_of, size_of
-from vibcli.mechanics.virtual_work import generalised_force_at_rest
 from vibcli.quantities.expression import lowered
 from vibcli.quantities.matrices import coordinate_number
+from vibcli.quantities.quantity import declared
 from vibcli.symbolic.semantics import quantities_in
 from vibcli.symbolic.syntax import QuantityRef
 
@@ -36,9 +36,9 @@ def state_function(problem: "Problem", tree: QuantityRef) -> "Node":
     """T, V, Phi or Q[q], or the left side of an equation of motion, as a function of coordinates and velocities."""
     if tree.head in ("T", "V", "Phi"):
         return problem.symbolic.energies[tree.head]
-    i = coordinate_number(problem, tree.indices[0])
     if tree.head == "Q":
-        return generalised_force_at_rest(problem.system, i)
+        return declared(tree).symbolic(problem, tree)
+    i = coordinate_number(problem, tree.indices[0])
     equations, name = problem.symbolic.equations, problem.scene.coordinates[i]
     if tree.head == "motion" and equations.full:
         return equations.full[equations.names.index(name)]

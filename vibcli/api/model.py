@@ -111,9 +111,7 @@ class Model:
     def equilibrium(self) -> "dict[str, float] | dict[str, SymbolicExpression]":
         """{coordinate: its value in equilibrium}."""
         if self._problem.numeric.has_free_symbols:
-            from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
-            return {name: self._letters(node) for name, node in equilibrium_in_letters(self._problem.symbolic).items()}
+            return {name: self._letters(node) for name, node in self._problem.symbolic.equilibrium_position.items()}
         return {name: float(self._problem.configuration.equilibrium.values[name]) for name in self.coordinates}
 
     def __getitem__(self, quantity: str) -> "QuantityValue":

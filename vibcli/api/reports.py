@@ -153,14 +153,6 @@ def _digits(made, problem, digits):
     made.append(section(f"With {digits} digits", *(paragraph(line, hang=None) for line in lines)))
 
 
-def steps_for_digits(problem: "Problem", digits: int) -> float:
-    """About how many steps of a million products so many digits take, before anything is computed."""
-    from vibcli.numerics.precision import estimated_steps
-
-    damped = any(section in problem.spec.sections for section in ("dampers", "energies", "matrices"))
-    return estimated_steps(len(problem.spec.coordinates), digits, damped)
-
-
 def _require_numbers(problem):
     if problem.numeric.has_free_symbols:
         raise PhysicsError("--digits needs numbers, and this scene has symbols without value", "give them with --set")

@@ -173,9 +173,7 @@ def require_quick(problem, digits):
     """Refuse --digits where it would take long, by an estimate of the steps."""
     if digits is None:
         return
-    from vibcli.api.reports import steps_for_digits
-
-    steps, limit = steps_for_digits(problem, digits), MOST * problem.work.patience
+    steps, limit = problem.modal.steps_to_digits(digits), MOST * problem.work.patience
     if steps > limit:
         raise click.UsageError(f"--digits {digits} for {len(problem.scene.coordinates)} coordinates would take about "
                                f"{steps:.0f} steps of a million products each; the limit is {limit}: ask for fewer "

@@ -8,7 +8,6 @@ from vibcli.inverse.admissible_ranges import known
 from vibcli.language.document.document import Scalar
 from vibcli.language.reader import Expression
 from vibcli.notation.scene_language import language
-from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LONGEST, parse
@@ -69,7 +68,7 @@ def defined(problem, forms, sample=None):
         parameters[name] = old.with_values({**old, "value": value})
     spec = spec.with_parameters(parameters)._replace(
         sample={name: float(value) for name, value in (sample or {}).items()})
-    return Problem(spec, problem.numeric.given, problem.work)
+    return problem.with_spec(spec)
 
 
 def with_chosen(found, problem, solutions, draws=()):
@@ -79,7 +78,7 @@ def with_chosen(found, problem, solutions, draws=()):
 
 def choosing(problem, choices):
     """The problem with these to choose instead, {name: record}."""
-    return Problem(problem.spec._replace(choices=choices), problem.numeric.given, problem.work)
+    return problem.with_spec(problem.spec._replace(choices=choices))
 
 
 def in_numbers(problem, nodes):

@@ -6,13 +6,12 @@ from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
-from vibcli.notation.scene_language import language
 from vibcli.quantities import FAMILIES, quantity
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import named
 from vibcli.quantities.questions import FIND
 from vibcli.reader.read import INSTEAD
-from vibcli.report import json_keys
+from vibcli.report import json_keys, keys
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.normal_form import textbook
 
@@ -75,7 +74,7 @@ def shape_facts(word):
 
 
 def _text(node):
-    return language(textbook(node))
+    return keys.plain(textbook(node))
 
 
 def shape_page(catalogue, word):

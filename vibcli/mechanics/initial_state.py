@@ -6,7 +6,6 @@ from math import isfinite
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
 from vibcli.language.sections.initial import RELEASED
-from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
@@ -67,10 +66,10 @@ def start_in_letters(symbolic):
     record, (name,) = symbolic.spec.get("initial"), symbolic.scene.coordinates
     if record is None:
         return None
-    held = equilibrium_in_letters(symbolic.preloaded) if symbolic.preloaded is not None else {}
+    held = symbolic.preloaded.equilibrium_position if symbolic.preloaded is not None else {}
     if any(key != RELEASED and key.rstrip("'") != name for key in record):
         raise NotInLetters("this start is found in numbers", "give the parameters values with --set")
-    rest = equilibrium_in_letters(symbolic)[name]
+    rest = symbolic.equilibrium_position[name]
     place, speed = (symbolic.scene.lower(record[key]) if key in record else None for key in (name, name + "'"))
     if place is None:
         place = copied([held[name]], symbolic.scene.table)[0] if held else rest

@@ -56,10 +56,8 @@ class SymbolicSystem:
     def _require_held(self):
         """PhysicsError where a load drives what nothing holds, so that there is no equilibrium to oscillate about."""
         if self.numeric.has_free_symbols and self.system.is_linear and not self.balanced_as_drawn:
-            from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
             with suppress(NotInLetters):
-                equilibrium_in_letters(self)
+                self.equilibrium_position  # noqa: B018
 
     @cached_property
     def linearisable(self):
@@ -86,6 +84,13 @@ class SymbolicSystem:
 
         with self.work.task("the search for the equilibrium in letters"):
             return settled(self)
+
+    @cached_property
+    def equilibrium_position(self):
+        """{coordinate: expression} of the equilibrium; PhysicsError where there is none, or none in letters."""
+        from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
+
+        return equilibrium_in_letters(self)
 
     @cached_property
     def start(self):

@@ -46,7 +46,6 @@ def _equilibrium(problem, tree, args):
 def _in_letters(problem, tree):
     """A coordinate, place, turn, stretch or tension in equilibrium."""
     from vibcli.mechanics.inputs_outputs.displacements import displacement
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
     from vibcli.symbolic.derivatives import substitute
     from vibcli.symbolic.normal_form import textbook
 
@@ -57,7 +56,7 @@ def _in_letters(problem, tree):
         node = scene.force_of(name)
     if node is None:
         raise NotInLetters(f"'{text}' in equilibrium is found in numbers")
-    values, zero = equilibrium_in_letters(problem.symbolic), scene.table.zero
+    values, zero = problem.symbolic.equilibrium_position, scene.table.zero
     rest = dict.fromkeys((*scene.v, scene.time), zero) | {q: values[q.name] for q in scene.q}
     found, = substitute([node], rest)
     if found.mask:

@@ -49,6 +49,10 @@ class Problem:
         """The problem with one damper taken out."""
         dampers = {name: record for name, record in self.spec.get("dampers").items() if name != damper}
         spec = self.spec.with_sections(dampers=dampers)
+        return self.with_spec(spec)
+
+    def with_spec(self, spec):
+        """The scene of another Spec, with the same values and the same count of work."""
         return Problem(spec, self.numeric.given, self.work)
 
     def with_values(self, given):

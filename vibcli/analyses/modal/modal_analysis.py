@@ -69,6 +69,13 @@ class ModalAnalysis:
         with self.work.task("the search for the modes", MOST):
             return solve(*args, **options)
 
+    def steps_to_digits(self, digits):
+        """About how many steps of a million products so many digits take, before anything is computed."""
+        from vibcli.numerics.precision import estimated_steps
+
+        damped = any(section in self.spec.sections for section in ("dampers", "energies", "matrices"))
+        return estimated_steps(len(self.spec.coordinates), digits, damped)
+
     def to_digits(self, digits):
         """(modes, damped modes) recomputed to so many correct digits."""
         from vibcli.analyses.modal.modes import damped_modes, natural_modes

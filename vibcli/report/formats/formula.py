@@ -12,7 +12,8 @@ BREAK = re.compile(r"(?= [+−=<>] )")
 
 def formula(parts, write):
     """Mathematics as one text."""
-    return write.beside(*pieces(parts, write))
+    found = pieces(parts, write)
+    return found[0] if len(found) == 1 else write.beside(*found)
 
 
 def pieces(parts, write):

@@ -93,10 +93,9 @@ def _from_start(problem):
 
 
 def _in_letters(problem):
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
     from vibcli.report.sections.symbolic_modes import equilibrium_parts
 
-    parts = equilibrium_parts(equilibrium_in_letters(problem.symbolic))
+    parts = equilibrium_parts(problem.symbolic.equilibrium_position)
     settled = problem.symbolic.equilibrium
     drawn = problem.symbolic.balanced_as_drawn and problem.symbolic.start is None
     searched = settled is not None and problem.symbolic.start is not None and not settled.named
@@ -131,9 +130,7 @@ def _slack(problem):
 
 def _data(problem):
     if problem.numeric.has_free_symbols:
-        from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
-        return EQUILIBRIUM.row(equilibrium_in_letters(problem.symbolic), problem.scene.dependent, *[None] * 5)
+        return EQUILIBRIUM.row(problem.symbolic.equilibrium_position, problem.scene.dependent, *[None] * 5)
     from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
 
     found, condition = problem.configuration.equilibrium, stiffness_condition(problem.modal)

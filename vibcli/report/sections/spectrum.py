@@ -40,10 +40,9 @@ def _form(problem):
 
 
 def _frequencies_in_letters(problem):
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
     from vibcli.report.sections.symbolic_modes import damping_blocks, frequency_blocks
 
-    equilibrium_in_letters(problem.symbolic)  # refused where there is none
+    problem.symbolic.equilibrium_position  # noqa: B018, refused where there is none
     M, C, _, K = problem.symbolic.matrices
     if not M and not C:
         raise Inertless

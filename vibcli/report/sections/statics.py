@@ -35,11 +35,9 @@ def virtual_work(problem, report):
 
 def _balanced(problem):
     """Is there an equilibrium, as far as is known?"""
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
     try:
         if problem.numeric.has_free_symbols:
-            equilibrium_in_letters(problem.symbolic)
+            problem.symbolic.equilibrium_position  # noqa: B018
         else:
             problem.configuration.equilibrium  # noqa: B018
     except NotInLetters:

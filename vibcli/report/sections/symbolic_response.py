@@ -42,9 +42,7 @@ def _steady(problem, names):
 
 
 def _equilibrium(problem):
-    from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
-
-    values = {name: node for name, node in equilibrium_in_letters(problem.symbolic).items() if not node.is_zero}
+    values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
     if values:
         yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
 
