@@ -56,7 +56,7 @@ def too_long(file, size):
 
 
 def name_of(char):
-    """What a forbidden character is, for a message."""
+    """The kind and number of a forbidden character, for a message."""
     kinds = (("bidirectional", BIDI), ("invisible", INVISIBLE))
     kind = next((kind for kind, members in kinds if re.match(f"[{members}]", char)), "control")
     return f"the {kind} character U+{ord(char):04X}"

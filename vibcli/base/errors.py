@@ -85,7 +85,7 @@ class Inertless(PhysicsError):
 
 
 def defined_as_drawn(function, *args):
-    """What the function gives; a refusal where an expression divides by zero in the drawn position."""
+    """The result of a function; a refusal where an expression divides by zero in the drawn position."""
     try:
         return function(*args)
     except ZeroDivisionError:

@@ -10,7 +10,7 @@ class Costs(dict):
     inner = 0.0         # seconds of the stages within the one under way
 
     def measured(self, stage, compute):
-        """What a stage computes; its cost is kept."""
+        """The result of a stage; its cost is kept."""
         before, outer = perf_counter(), self.inner
         self.inner = 0.0
         value = compute()

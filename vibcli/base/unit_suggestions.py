@@ -1,4 +1,4 @@
-"""What is meant by a word that stands where a unit is due and is none: kgs, Nm, hours, t."""
+"""Units meant by words that stand where one is due and are none: kgs, Nm, hours, t."""
 
 from vibcli.base.units import UNITS
 

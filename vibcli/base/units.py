@@ -89,7 +89,7 @@ def _powered(base, exponent):
 
 
 def wanted(unit, dimension):
-    """What a field of this unit expects, in words for messages; `unit` None or unknown: by the dimension alone."""
+    """The words for what a field of this unit expects; `unit` None or unknown: by the dimension alone."""
     return _WANTED.get(unit) or name(dimension)
 
 

@@ -113,7 +113,7 @@ class Task:
             tell(outer.what, part if known else outer.steps / outer.limit, known)
 
     def refusal(self):
-        """What is said where the limit is reached."""
+        """The refusal where the limit is reached."""
         return PhysicsError(f"{self.what} is given up after {self.limit:.0f} steps", self.hint())
 
     def hint(self):
@@ -121,5 +121,5 @@ class Task:
 
 
 def longer(work):
-    """How a search for a closed form that was given up goes on."""
+    """The hint by which a search for a closed form that was given up goes on."""
     return f"--patience {10 * work.patience} lets computer algebra go on for ten times as long"

@@ -39,7 +39,7 @@ class Columns:
         return None if wrong else found
 
     def place(self, row, i):
-        """Where the cell of a row (from 0) and a column stands."""
+        """The place of the cell of a row (from 0) and a column."""
         line, text = self.rows[row]
         return self._cell(line, text, i)[0]
 
@@ -109,7 +109,7 @@ def read_columns(scene, name):
 
 
 def _outside(folder, path, name):
-    """What is wrong with a name that leads out of the folder of the scene."""
+    """The fault of a name that leads out of the folder of the scene."""
     parts = name.replace("\\", "/").split("/")
     if not name.strip() or "\0" in name or os.path.isabs(name) or name.startswith("\\") or ".." in parts or ":" in name:
         return (f"expected the name of a file beside the scene, found {quoted(name)}",

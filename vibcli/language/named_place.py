@@ -1,4 +1,4 @@
-"""Where something is drawn: a place [x, y], or the name of a point that is drawn there."""
+"""Places at which things are drawn: [x, y], or the name of a point that is drawn there."""
 
 from vibcli.language.document.document import Scalar
 from vibcli.language.kinds import NameOf, OneOf, vector

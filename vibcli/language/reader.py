@@ -55,7 +55,7 @@ class Reader:
         self.local_names[expression.scalar] = name, parse_unit(unit).dimension
 
     def columns_of(self, scene, name, read):
-        """What `read(scene, name)` gives, once for a file however many cases use it."""
+        """The columns of a file, by `read(scene, name)` once however many cases use it."""
         if (scene, name) not in self.files:
             self.files[scene, name] = read(scene, name)
         return self.files[scene, name]

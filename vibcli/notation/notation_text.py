@@ -46,7 +46,7 @@ def _one(text, at, write):
 
 
 def _argument(text, at, write):
-    """What stands in the brackets that open at a place, or the one piece there."""
+    """The content of the brackets that open at a place, or the one piece there."""
     end = _closing(text, at)
     if end is not None:
         return read(text[at + 1:end], write), end + 1

@@ -1,4 +1,4 @@
-"""How a root stands in a product: √(2·X)/2 is √(X/2), √X/L is √(X/L²) where X is a quotient, √3/√X has two roots."""
+"""Roots in a product: √(2·X)/2 is √(X/2), √X/L is √(X/L²) where X is a quotient, √3/√X has two roots."""
 
 from fractions import Fraction
 from math import gcd, lcm
@@ -46,7 +46,7 @@ def split(value, factors):
 
 
 def place(above, root_above):
-    """Where a root stands among the factors above the line: numbers first, then letters, and variables after it."""
+    """The place of a root among the factors above the line: numbers first, then letters, and variables after it."""
     if above and all(is_constant(base) for base, _ in root_above):
         return sum(is_constant(base) for base, _ in above)
     return sum(not base.mask for base, _ in above)

@@ -1,4 +1,4 @@
-"""What typeset notations share: fractions stand on a line, roots under one. A subclass says how each is written:
+"""Typeset notations: fractions stand on a line, roots under one. A subclass says how each is written:
 
     numeral(text)   lettered(letter, below, primes)   functional(name)   applied(head, text, bare)
     times(texts)   fraction(above, below)   sqrt(text)   power(base, exponent)   brackets(text)   magnitude(text)

@@ -85,7 +85,7 @@ def _cycles(spec, reader, apart):
 
 
 def _time_is_taken(spec, reader):
-    """Where loads and motions are written, t is the time."""
+    """A parameter t in loads and motions, where it would be the time."""
     for expression in (reader.motions | reader.loads).values():
         for name, _, start, end in expression.parts.names:
             if name == "t":

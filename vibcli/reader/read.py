@@ -49,7 +49,7 @@ class _Cases(Kind):
 
 
 def _kind(name, section):
-    """What a section of elements holds: the one of its own name, or many by name."""
+    """The kind of a section of elements: the one of its own name, or many by name."""
     if section == name:
         return Lazy(name)
     return Named(Lazy(name), f"a mapping from names to {_CALLED.get(section, section)}", _TAKEN.get(section, ()))

@@ -42,7 +42,7 @@ def _uses_no_units(spec, reader):
 
 
 def _name_culprits(reader):
-    """Where plain numbers lack their units, and fewer values have one than lack it: say which these are."""
+    """Say which values have a unit, where plain numbers lack theirs and fewer have one than lack it."""
     bare = sum((d.hint or "").startswith((UNIT_DUE, "give '")) for d in reader.diagnostics)
     measured = [(expression, part) for expression in reader.expressions.values() for part in expression.parts.numbers
                 if part.units]

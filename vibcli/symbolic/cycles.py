@@ -26,7 +26,7 @@ def count_of(unit):
 
 
 def left_over(count):
-    """How many cycles are not cleared by a factor π."""
+    """The number of cycles that no factor π clears."""
     return count.get(CYCLE, 0) - count.get(PERIOD, 0)
 
 
@@ -88,7 +88,7 @@ class Cycles(NamedTuple):
             raise ExpressionError(start, end - start, message, self.advice(tree))
 
     def advice(self, tree):
-        """Where a factor 2π is missing: at the first literal in Hz, or the first name that counts cycles."""
+        """The place where a factor 2π is missing: at the first literal in Hz, or the first name that counts cycles."""
         if left_over(self.count(tree)) < 0 and self.dimension(tree) == units.TIME:
             return "the period of a frequency f in Hz is 1/f"
         part = self._uncleared(tree)

@@ -1,5 +1,5 @@
-"""What multiplies an impulse counts at its instant alone: f(t) δ(t − a) = f(a) δ(t − a), nothing where f(a) = 0; and of
-its rate f(t) δ′(t − a) = f(a) δ′(t − a) − f′(a) δ(t − a).
+"""Factors of an impulse, which count at its instant alone: f(t) δ(t − a) = f(a) δ(t − a), nothing where f(a) = 0; and
+of its rate f(t) δ′(t − a) = f(a) δ′(t − a) − f′(a) δ(t − a).
 """
 
 from vibcli.symbolic.derivatives import gradient, substitute

@@ -82,7 +82,7 @@ def _extreme(sign):
 
 
 def _sign_slope(node, u):
-    """Where u is a function of the time alone, sign u jumps by 2 where it vanishes; of other kinks see kinks.py."""
+    """The jump of sign u, by 2 where a function u of the time alone vanishes; of other kinks see kinks.py."""
     time = node.table.time
     return (node.table.call("impulse", u) * 2 if time is not None and u.mask == time.mask else node.table.zero,)
 

@@ -24,7 +24,7 @@ def nested(table, terms):
 
 
 def letters(node):
-    """How many symbols, functions, numbers other than one, and powers a node shows when it is written out."""
+    """The number of symbols, functions, numbers other than one, and powers a node shows when it is written out."""
     if node.op == "product":
         powers = sum(abs(e) not in (1, HALF) for _, e in node.args)
         return (node.coefficient not in (1, -1)) + powers + sum(letters(arg) for arg, _ in node.args)

@@ -198,7 +198,7 @@ class Compiled:
         self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
 
     def prepared(self, t):
-        """What depends on the time alone, at the instants t."""
+        """The parts that depend on the time alone, at the instants t."""
         return self._prepare(t)
 
     def __call__(self, t, q, v, g=(), c=None):

@@ -94,7 +94,7 @@ class _Parser:
                               "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
 
     def _joined(self, what):
-        """What to write where a number or name is followed by another."""
+        """The hint where a number or name is followed by another."""
         if _PER_UNIT.match(self.text, self.at):
             return "the unit 1/s is written s^-1: 3 s^-1"
         if self.text[self.at - 1].isdigit() and what[0] in "_xXob":

@@ -15,7 +15,7 @@ class CallsSpent(BaseException):
 
 
 def within(calls, work, otherwise):
-    """What `work()` gives, or `otherwise` where it takes more calls, times the patience of the task that is under way.
+    """The result of `work()`, or `otherwise` where it takes more calls, times the patience of the task under way.
 
     Within another call the nearer of the two ends counts. What the work imports is imported before: an import that is
     broken off leaves modules half made.

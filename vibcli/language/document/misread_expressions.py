@@ -39,7 +39,7 @@ def bracket(source, start, file):
 
 
 def _expression_end(source, start):
-    """Where the expression ends: at a comma, closing bracket, ': ' or comment outside its own brackets."""
+    """The end of the expression: a comma, closing bracket, ': ' or comment outside its own brackets."""
     closers = []
     for index in range(start, min(len(source), start + _LONGEST)):
         char = source[index]

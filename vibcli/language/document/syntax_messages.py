@@ -169,7 +169,7 @@ def _indent(line):
 
 
 def _indentation(halt):
-    """What belongs neither to the entry before it nor to the mapping or list around it."""
+    """A line that belongs neither to the entry before it nor to the mapping or list around it."""
     before, last = halt.before().rstrip(), halt.tree.last
     if before[-1:] in ("'", '"') and last is not None and last.start_mark.line < halt.where.line - 1:
         return (halt.at(last.start_mark.index), f"the quote {before[-1]} opened here is closed only in "

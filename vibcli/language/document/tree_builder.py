@@ -248,7 +248,7 @@ class Tree:
             raise Slipped(*slip)
 
     def _second(self, event):
-        """Whether this document is one too many."""
+        """Is this document one too many?"""
         where = Where(self.file, event.start_mark.line + 1, event.start_mark.column + 1)
         if event.version or event.tags:
             self.report(where, "found a '%' directive, which scenes do not use", "leave the line out")

@@ -1,4 +1,4 @@
-"""Where a motion starts: values of coordinates and velocities, or the equilibrium under a force that lets go."""
+"""The start of a motion: values of coordinates and velocities, or the equilibrium under a force that lets go."""
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.kinds import Kind, NameOf, Quantity
