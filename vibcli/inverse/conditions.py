@@ -54,6 +54,11 @@ class ConditionSystem:
 
         return found.about(at_limit(found.configuration, limit.position, limit.felt))
 
+    def know(self, limits, ends):
+        """Keep the Limits to which equilibria were followed, and the ends of those ways."""
+        self.ends = ends
+        self.limits.update({Fraction(limit.value): limit for limit in limits})
+
     def limit(self, values):
         """The Limit that was followed to at these values; None elsewhere."""
         return self.limits.get(Fraction(values[0])) if len(values) == 1 else None

@@ -113,8 +113,8 @@ def _followed_to(system, scan):
     """The limits of an equilibrium that moves with the parameter, followed from value to value."""
     if _in_place(system.problem):
         return []
-    limits, system.ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])
-    system.limits.update({Fraction(limit.value): limit for limit in limits})
+    limits, ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])
+    system.know(limits, ends)
     return [[limit.value] for limit in limits if system.admits([limit.value])]
 
 

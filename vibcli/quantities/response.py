@@ -19,7 +19,7 @@ def _measured(number):
             return found, max(ERROR, _doubt(problem, tree, args, found))
         except PhysicsError as error:
             if error.hint and "(x)" in error.hint:
-                error.hint = error.hint.replace("(x)", f"({_found(problem, tree)})")
+                raise error.told(hint=error.hint.replace("(x)", f"({_found(problem, tree)})")) from None
             raise
     return value
 

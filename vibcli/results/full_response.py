@@ -38,10 +38,8 @@ class StatesInTime(Response):
                 frictions.add(name)
             return moving(self.problem.system, name, primes)
 
-        found = self.signal_of(lower(tree, scene.table, symbol), forces)
-        if frictions:
-            found.shared = SharedFriction.of(scene, tree, frictions, symbol)
-        return found
+        node = lower(tree, scene.table, symbol)
+        return self.signal_of(node, forces, SharedFriction.of(scene, tree, frictions, symbol) if frictions else None)
 
     def state_signal(self, node):
         """The signal of an expression of coordinates, velocities and accelerations."""
@@ -189,5 +187,5 @@ class FullMotion(StatesInTime):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         return values
 
-    def signal_of(self, node, forces):
-        return FullSignal(self, node, forces)
+    def signal_of(self, node, forces, shared=None):
+        return FullSignal(self, node, forces, shared)

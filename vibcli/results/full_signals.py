@@ -11,9 +11,8 @@ class FullSignal(Signal):
 
     KIND = "a motion that is integrated"
 
-    def __init__(self, motion, node, forces=None):
-        self.motion, self.node, self.forces = motion, node, forces or {}
-        self.shared = None
+    def __init__(self, motion, node, forces=None, shared=None):
+        self.motion, self.node, self.forces, self.shared = motion, node, forces or {}, shared
 
     def values(self, times, order=0):
         if order:

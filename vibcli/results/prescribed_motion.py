@@ -80,5 +80,5 @@ class PrescribedMotion(StatesInTime):
         return {**known, **{name + "'" * primes: np.broadcast_to(value, np.shape(times))
                             for (name, primes), value in zip(names, values, strict=True)}}
 
-    def signal_of(self, node, forces):
-        return PrescribedSignal(self, node, forces)
+    def signal_of(self, node, forces, shared=None):
+        return PrescribedSignal(self, node, forces, shared)

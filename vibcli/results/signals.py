@@ -211,9 +211,13 @@ class ComposedSignal(Signal):
                 instead[symbol] = table.variable(f"steady {symbol.name}")
                 signals[f"steady {symbol.name}"] = self.steady.signals[symbol.name]
         node = self.node - substitute([self.node], instead)[0]
-        found = ComposedSignal(node, signals, self.floats, self.time, work=self.work)
-        found.KIND = "the transient part of a composed signal"
-        return found
+        return TransientOfComposed(node, signals, self.floats, self.time, work=self.work)
+
+
+class TransientOfComposed(ComposedSignal):
+    """What dies out of a composed signal."""
+
+    KIND = "the transient part of a composed signal"
 
 
 class Envelope(Signal):

@@ -20,12 +20,12 @@ class Table:
     `squares_at_sample` how (R − r)² is.
     """
 
-    def __init__(self, records=None):
+    def __init__(self, records=None, squares_at_sample=False):
         """`records`: {name: samples} of functions of the time."""
         self._nodes = {}
         self._count = 0
         self.variables, self.called = [], set()
-        self.sample, self._signs, self.squares_at_sample = None, {}, False
+        self.sample, self._signs, self.squares_at_sample = None, {}, squares_at_sample
         self.time, self.records = None, records or {}
         self.positive = set()
         self.zero, self.one = self.number(ZERO), self.number(ONE)

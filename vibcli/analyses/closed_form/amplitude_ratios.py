@@ -25,14 +25,13 @@ def ratio(table, M, K):
     return min((part for part in parts if not part.is_zero), key=letters)
 
 
-def two_coordinates(table, modes, M, G, K):
-    """Give the modes of two coordinates their patterns."""
-    for mode in modes:
-        if mode.pattern and not G:
-            mode.pattern = [table.one, min((ratio(table, M, K), mode.pattern[1]), key=letters)]
-        elif G and not mode.square.is_zero and (0, 1) not in M and (0, 1) not in K:
-            mode.turns = True
-            mode.pattern = [table.one, _quarter_period_apart(table, mode, M, G, K)]
+def with_ratio(table, mode, M, G, K):
+    """A mode of two coordinates with its pattern."""
+    if mode.pattern and not G:
+        return mode._replace(pattern=[table.one, min((ratio(table, M, K), mode.pattern[1]), key=letters)])
+    if G and not mode.square.is_zero and (0, 1) not in M and (0, 1) not in K:
+        return mode._replace(turns=True, pattern=[table.one, _quarter_period_apart(table, mode, M, G, K)])
+    return mode
 
 
 def _quarter_period_apart(table, mode, M, G, K):

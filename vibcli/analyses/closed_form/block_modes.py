@@ -30,16 +30,15 @@ def block_modes(table, n, part, damping, values):
 def _mode(table, root, shape, shares, values):
     sign = -1 if evaluate([root.square], Floats, values[0])[0] < 0 else 1
     mode = ClosedMode(root.square, root.omega(values, sign), shape and [root.value(x) for x in shape], sign < 0,
-                      root.pair)
-    mode.solves = root if isinstance(root, Turning) else None
+                      root.pair, solves=root if isinstance(root, Turning) else None)
     pair = root.pair if root.pair is not None and root.pair.in_letters else None
     if shape and pair:
-        mode.pattern = [of_omega(pair.quotients, x) for x in shape]
-    if shares and sign > 0 and not root.square.is_zero:
-        mode.zeta = root.value(shares) / (2 * mode.omega)
-        mode.omega_d = mode.omega * (1 - mode.zeta * mode.zeta) ** HALF
-        mode.zeta_pattern = pair and of_omega(pair.quotients, shares) / (2 * table.parameter(OMEGA))
-    return mode
+        mode = mode._replace(pattern=[of_omega(pair.quotients, x) for x in shape])
+    if not shares or sign < 0 or root.square.is_zero:
+        return mode
+    zeta = root.value(shares) / (2 * mode.omega)
+    return mode._replace(zeta=zeta, omega_d=mode.omega * (1 - zeta * zeta) ** HALF,
+                         zeta_pattern=pair and of_omega(pair.quotients, shares) / (2 * table.parameter(OMEGA)))
 
 
 def _amplitudes(chi, modulus, part, vector, n):

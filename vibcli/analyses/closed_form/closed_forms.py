@@ -1,11 +1,13 @@
 """What closed forms are: frequencies, shapes and damping as expressions."""
 
+from typing import NamedTuple
+
 from vibcli.symbolic.nested_form import letters
 
 READABLE = 50       # letters in all amplitudes of a mode
 
 
-class ClosedMode:
+class ClosedMode(NamedTuple):
     """One mode. index: its number, from 1, at the sample values; square: ω²; omega: ω, or the growth rate √(−ω²) where
     `unstable`; shape: amplitudes by coordinate with the first that moves 1, or None; pattern: the same as functions of
     ω where that is shorter, and `turns` where the second is a quarter period apart from the first; zeta, omega_d:
@@ -13,13 +15,18 @@ class ClosedMode:
     surds.Pair that it shares with the other root of its quadratic equation, or None; solves: the solutions.Turning of
     a gyroscopic mode whose ω is itself a root."""
 
-    __slots__ = ("index", "omega", "omega_d", "pair", "pattern", "shape", "solves", "square", "turns", "unstable",
-                 "zeta", "zeta_pattern")
-
-    def __init__(self, square, omega, shape=None, unstable=False, pair=None):
-        self.square, self.omega, self.shape, self.unstable, self.pair = square, omega, shape, unstable, pair
-        self.index, self.pattern, self.turns, self.solves = 1, None, False, None
-        self.zeta, self.omega_d, self.zeta_pattern = None, None, None
+    square: object
+    omega: object
+    shape: list = None
+    unstable: bool = False
+    pair: object = None
+    index: int = 1
+    pattern: list = None
+    turns: bool = False
+    solves: object = None
+    zeta: object = None
+    omega_d: object = None
+    zeta_pattern: object = None
 
     @property
     def readable(self):

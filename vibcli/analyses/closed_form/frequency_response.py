@@ -118,11 +118,11 @@ def require_few(system):
 
 def from_parts(symbolic, b, c, d, Omega, order=0):
     """The Formula of H = cᵀ D⁻¹ b + d, each [{i: node}] of the powers of s = iΩ; d has the one entry 0."""
-    table = Table()
+    table = Table(squares_at_sample=True)
     *_, Omega = copied([*symbolic.scene.parameters.nodes.values(), Omega], table)    # letters in the order of the scene
     matrices = [_copied([entries], table)[0] for entries in symbolic.matrices]
     M, C, G, K = matrices
-    table.sample, table.squares_at_sample = _slowly(symbolic.scene.sample, Omega, matrices), True
+    table.resample(_slowly(symbolic.scene.sample, Omega, matrices))
     b, c, d = (_copied(part, table) for part in (b, c, d))
     n, w, zero = len(symbolic.scene.q), table.variable(SQUARE), table.zero
     D = [[(textbook(K.get((i, j), zero) - w * M.get((i, j), zero)), C.get((i, j), zero) + G.get((i, j), zero))

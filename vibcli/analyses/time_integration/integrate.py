@@ -35,12 +35,7 @@ def known_motion(configuration, until, initial=None):
     if not found.end > 0:
         raise found.unknown(0.0)
     second = simulate(configuration, found.end, initial=initial, second=True)
-    found.shared = Shared(found, second, units_of(configuration.numeric, found.names))
-    horizon = found.shared.horizon
-    if horizon is not None:
-        found.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
-                   "another last digit of its start, share less than three digits", "ask for earlier instants: the "
-                   "motion is chaotic, or leaves an unstable place")
+    found.share(Shared(found, second, units_of(configuration.numeric, found.names)))
     return found
 
 
@@ -73,9 +68,7 @@ def simulate(configuration, until, rtol=ACCURACY, initial=None, second=False):
             if spent.task is not task or not march.windows:
                 raise
     if second:
-        found = Trajectory(system, march.switching, march.windows, march.t, events, None, None, march.sizes)
-        found.fast, found.rests = march.fast, rests
-        return found
+        return Trajectory(march, march.t, events, rests)
     energies = balance(system, march.switching, march.windows, march.ends, march.struck, stops.times)
     if not energies.error <= BALANCED:
         rounding, gap = _rounding(numeric, march, energies), energies.gap
@@ -83,9 +76,7 @@ def simulate(configuration, until, rtol=ACCURACY, initial=None, second=False):
             raise _unbalanced(energies)
         largest = abs(energies.energy).max()
         energies = energies._replace(error=gap / largest if gap <= BALANCED * largest else EPSILON * gap / rounding)
-    found = Trajectory(system, march.switching, march.windows, until, events, energies, drift(system, march.windows),
-                       march.sizes)
-    found.fast, found.rests = march.fast, rests
+    found = Trajectory(march, until, events, rests, energies, drift(system, march.windows))
     if any(tie.form == "rope" for tie in drawn.constraints):
         loose = system if system.m else NumericEquations(_loose(numeric), numeric.floats, drawn.freedom.redundant)
         gone = slack(numeric, loose, found)
@@ -151,7 +142,7 @@ def _marched(march, stops, events):
         if instant is None:
             at_once = 0
             if limit - march.t <= 1e-15 * limit:
-                march.t = limit
+                march.reach(limit)
                 if limit < until:
                     _strike(march, stops, events)
                     march.begin(stops.after(limit, until))
@@ -177,9 +168,7 @@ def _strike(march, stops, events):
     """The impulses that act now."""
     change = blow(march, stops)
     if change is not None:
-        before, march.v = march.v, march.v + change
-        march.slides = ()
-        march.struck.append((march.t, march.q, before, march.v))
+        march.strike(change)
         events.append(Event(march.t, "impulse", ""))
 
 

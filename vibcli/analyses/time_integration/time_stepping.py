@@ -224,6 +224,15 @@ class March:
         self._keep(window)
         self.t = limit
 
+    def reach(self, instant):
+        """Be at an instant at which something begins."""
+        self.t = instant
+
+    def strike(self, change):
+        """Let impulses change the velocities at once."""
+        before, self.v, self.slides = self.v, self.v + change, ()
+        self.struck.append((self.t, self.q, before, self.v))
+
     def _keep(self, window):
         """A window, at whose end the state is the present one."""
         self.windows.append(window)

@@ -49,13 +49,13 @@ class Trajectory:
     those of the motion; fast: the oscillation that was stepped over, None where all is followed; rests: the instant up
     to which it stays in the equilibrium in which it starts."""
 
-    def __init__(self, system, switching, windows, until, events, balance, drift, sizes):
-        self.system, self.switching, self.names = system, switching, list(system.scene.coordinates)
-        self.windows, self.until, self.end, self.events = windows, until, until, tuple(events)
-        self.balance, self.drift, self.reason, self.advice = balance, drift, None, None
-        self.shared, self.sizes, self.fast, self.rests = None, sizes, None, 0.0
-        self.lengths = np.array([window.length for window in windows])
-        self.starts = np.array([window.start for window in windows])
+    def __init__(self, march, until, events, rests, balance=None, drift=None):
+        self.system, self.switching, self.windows = march.system, march.switching, march.windows
+        self.names, self.sizes, self.fast = list(march.system.scene.coordinates), march.sizes, march.fast
+        self.until, self.end, self.events, self.rests = until, until, tuple(events), rests
+        self.balance, self.drift, self.reason, self.advice, self.shared = balance, drift, None, None, None
+        self.lengths = np.array([window.length for window in self.windows])
+        self.starts = np.array([window.start for window in self.windows])
 
     def at(self, times):
         """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
@@ -115,6 +115,14 @@ class Trajectory:
         self.stop(instant, f"the rope '{name}' goes slack at t = {instant:.6g} s",
                   "let the rope be an elastic one: a spring that `acts: tension`")
         self.events = (*(event for event in self.events if event.time <= instant), Event(instant, "slack", name))
+
+    def share(self, shared):
+        """Know what is `shared` with a second solution, and end where that is too little."""
+        self.shared, horizon = shared, shared.horizon
+        if horizon is not None:
+            self.stop(horizon, f"from t = {horizon:.4g} s on two solutions of this motion, of another order and with "
+                      "another last digit of its start, share less than three digits", "ask for earlier instants: the "
+                      "motion is chaotic, or leaves an unstable place")
 
     def stop(self, instant, reason, advice):
         """End at an instant, for a reason that is told where more is asked for."""

@@ -107,8 +107,8 @@ class Forms:
         if sum(mode.growth_rate is not None for mode in draw.modal.modes) != growing:
             return False
         places = self.data["equilibrium"]["coordinates"]
-        places = draw.configuration.equilibrium.values
-        return all(evaluated(text, draw.numeric.floats) == pytest.approx(places[name], abs=1e-9)
+        found = draw.configuration.equilibrium.values
+        return all(evaluated(text, draw.numeric.floats) == pytest.approx(found[name], abs=1e-9)
                    for name, text in places.items())
 
 
@@ -207,8 +207,7 @@ def test_a_wrong_form_is_not_shown(monkeypatch):
     for part, factor in (("square", Fraction(1000001, 1000000)), ("omega", Fraction(1000001, 1000000)), ("omega", -1)):
         def wrong(*args, part=part, factor=factor):
             mode = honest(*args)
-            setattr(mode, part, getattr(mode, part) * factor)
-            return mode
+            return mode._replace(**{part: getattr(mode, part) * factor})
         monkeypatch.setattr(block_modes, "_mode", wrong)
         assert problem(text).closed_forms is None
 
@@ -220,9 +219,8 @@ def test_a_wrong_shape_and_a_wrong_damping_are_left_out(monkeypatch):
 
     def wrong(*args):
         mode = honest(*args)
-        mode.shape = [mode.shape[0], mode.shape[1] * Fraction(1000001, 1000000)]
-        mode.zeta = mode.zeta * Fraction(1000001, 1000000)
-        return mode
+        return mode._replace(shape=[mode.shape[0], mode.shape[1] * Fraction(1000001, 1000000)],
+                             zeta=mode.zeta * Fraction(1000001, 1000000))
     text = chain(2, damped=True)
     assert all(mode.shape and mode.zeta for mode in problem(text).closed_forms.modes)
     monkeypatch.setattr(block_modes, "_mode", wrong)
