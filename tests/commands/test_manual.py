@@ -23,8 +23,8 @@ from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import FACES, Catalogue
 from vibcli.manual.index import Index
 from vibcli.quantities import FAMILIES
-from vibcli.quantities.questions import FIND
 from vibcli.reader.read import SECTIONS, read_spec
+from vibcli.reader.sections.find import FIND
 from vibcli.report.json_keys import KEYS
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import FUNCTIONS

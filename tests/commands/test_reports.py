@@ -17,7 +17,7 @@ from vibcli.notation.latex import latex
 from vibcli.notation.latex_text import escaped
 from vibcli.notation.mathml import mathml
 from vibcli.notation.plain import plain
-from vibcli.quantities.questions import INSIGHT, ON_REQUEST
+from vibcli.reader.sections.find import INSIGHT, ON_REQUEST
 from vibcli.report.blocks import Document, Name, Picture, Section, Words, maths
 from vibcli.report.blocks import TableBlock as Cells
 from vibcli.report.document import EVERYTHING, Report

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Inertless, Kinked, NotInLetters, PhysicsError
-from vibcli.quantities.questions import INSIGHT, ON_REQUEST, RESPONSES
+from vibcli.reader.sections.find import INSIGHT, ON_REQUEST, RESPONSES
 from vibcli.report.blocks import paragraph, section
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.wanted import Wanted

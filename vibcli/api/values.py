@@ -13,7 +13,7 @@ from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.expression import evaluated, measure, value_of
 from vibcli.quantities.frequency_response import ERROR
-from vibcli.quantities.quantity import OF_STATE, ROUNDING, SIGNAL, declared, quantity_of
+from vibcli.quantities.quantity import OF_STATE, ROUNDING, SIGNAL, declared, kind_of, quantity_of
 from vibcli.reader.answer_check import check_question
 from vibcli.symbolic.semantics import quantities_in
 from vibcli.symbolic.syntax import QuantityRef
@@ -44,8 +44,7 @@ def quantity_value(problem: "Problem", text: str) -> QuantityValue:
     """What a scene answers to a quantity, or to an expression of some."""
     asked = quantity_asked(problem.spec, text)
     tree, unit = asked.tree, unit_of(problem.spec, asked)
-    quantity = quantity_of(problem.spec, tree)
-    of_state = quantity is not None and quantity.kind == OF_STATE
+    of_state = kind_of(problem.spec, tree) in OF_STATE
     if problem.numeric.has_free_symbols or of_state:
         from vibcli.api.letters import expression_in_letters, state_function
 
@@ -76,7 +75,7 @@ def unit_of(spec: "Spec", asked: "Expression") -> str:
     """The SI unit of the value of a quantity: 1 of a pure number, nothing where the scene has no units."""
     tree = asked.tree
     quantity = quantity_of(spec, tree)
-    if quantity is not None and quantity.unit not in (None, SIGNAL):
+    if quantity is not None and quantity.own_unit is not None:
         return quantity.unit
     dimension = asked_dimension(spec, tree) if quantity is not None else dimension_of(spec, asked)
     if dimension is None:

@@ -13,7 +13,7 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.check.instances import Instances
 from vibcli.quantities.expression import lowered, measure, value_of
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import OF_STATE, quantity_of
+from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, kind_of, quantity_of
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
@@ -75,11 +75,11 @@ def _worst(wanted, found, groups, rounding=0.0):
 
 def _compare(problem, answer):
     tree = answer.asked.tree
-    quantity = quantity_of(problem.spec, tree)
-    head = None if quantity is None else tree.head
-    if quantity is not None and quantity.kind == OF_STATE:
-        return (_compare_equation if head in ("equation", "motion") else _compare_energy)(problem, answer, head)
-    if head == "stable":
+    kind = kind_of(problem.spec, tree)
+    head = None if kind is None else tree.head
+    if kind in OF_STATE:
+        return (_compare_equation if kind == EQUATION else _compare_energy)(problem, answer, head)
+    if kind == TRUTH:
         stable = measure(problem, tree)[0]
         wanted = answer.expected.text == "true"
         return Verdict(answer, stable == wanted, wanted, stable)

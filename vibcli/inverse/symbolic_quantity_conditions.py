@@ -22,7 +22,7 @@ def quantity_in_letters(problem, tree):
     if response is not None:
         return size_of(problem, response)
     quantity = declared(tree)
-    known = quantity is not None and quantity.symbolic is not None and quantity.kind != OF_STATE
+    known = quantity is not None and quantity.symbolic is not None and quantity.kind not in OF_STATE
     if not known or len(tree.indices) > len(quantity.indices):
         raise NotInLetters(f"'{tree.text}' is found in numbers")
     return quantity.symbolic(problem, tree)

@@ -6,8 +6,8 @@ from vibcli.language.named_elements import Lazy
 from vibcli.manual import scenes, topics
 from vibcli.manual.catalogue import opened
 from vibcli.manual.layout import blocks, either, paragraph, table
-from vibcli.quantities.questions import FIND
 from vibcli.reader.read import SECTIONS
+from vibcli.reader.sections.find import FIND
 
 
 def expects(kind):

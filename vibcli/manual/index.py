@@ -7,8 +7,8 @@ from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import Catalogue
 from vibcli.manual.layout import blocks
 from vibcli.quantities import FAMILIES
-from vibcli.quantities.questions import FIND
 from vibcli.reader.read import INSTEAD, SECTIONS
+from vibcli.reader.sections.find import FIND
 from vibcli.report.json_keys import KEYS
 from vibcli.symbolic.parser import plain_name
 

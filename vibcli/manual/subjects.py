@@ -9,8 +9,8 @@ from vibcli.manual.python import EXAMPLE
 from vibcli.quantities import FAMILIES, quantity
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import named
-from vibcli.quantities.questions import FIND
 from vibcli.reader.read import INSTEAD
+from vibcli.reader.sections.find import FIND
 from vibcli.report import json_keys, keys
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.normal_form import textbook
@@ -110,15 +110,15 @@ def quantities_table(catalogue):
 
 
 def _unit(asked):
-    return f" [{asked.unit}]" if asked.unit not in (None, "1", quantity.SIGNAL) else ""
+    return f" [{asked.unit}]" if asked.own_unit not in (None, "1") else ""
 
 
 def quantity_page(catalogue, head):
     """One quantity: how it is written, and a scene whose answers ask for it."""
     asked = named(head)
     rows = [("means", asked.about), ("unit", _unit(asked).strip(" []") or None)]
-    compared = {"equation": "equations", "motion": "equations", "T": "energies", "V": "energies", "Phi": "energies",
-                "stable": "stable"}.get(head)
+    compared = {quantity.EQUATION: "equations", quantity.FUNCTION: asked.unit and "energies",
+                quantity.TRUTH: "stable"}.get(asked.kind)
     rows.append(("compared", dict(topics.COMPARED)[compared] if compared else topics.IN_SHORT))
     scene = scenes.asking(head)
     return blocks([f"{usage(head)} — a quantity, for `answers`"], table(row for row in rows if row[1]),

@@ -4,7 +4,7 @@ from vibcli.base import units
 from vibcli.language.parameters import definition_order
 from vibcli.language.record_calls import own
 from vibcli.quantities import quantity
-from vibcli.quantities.quantity import SIGNAL, declared
+from vibcli.quantities.quantity import declared
 from vibcli.symbolic.cycles import (
     NEITHER,
     PERIOD,
@@ -91,7 +91,7 @@ def _quantity(spec, tree):
 def _unit_of(tree):
     """The Unit of a quantity; None where its indices or arguments settle it."""
     asked = declared(tree)
-    return None if asked is None or asked.unit in (None, SIGNAL) else units.parse_unit(asked.unit)
+    return None if asked is None or asked.own_unit is None else units.parse_unit(asked.unit)
 
 
 def known_dimension(spec, tree):

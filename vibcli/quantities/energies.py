@@ -1,7 +1,7 @@
 """Energies and equations of motion: functions of coordinates and velocities, compared as such."""
 
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import OF_STATE, Declaration
+from vibcli.quantities.quantity import EQUATION, FUNCTION, Declaration
 
 
 def _motion(problem, tree):
@@ -17,13 +17,13 @@ def _energy(problem, tree):
 
 
 def _scalar(about, unit):
-    return Declaration(about, unit, kind=OF_STATE, symbolic=_energy)
+    return Declaration(about, unit, kind=FUNCTION, symbolic=_energy)
 
 
 QUANTITIES = {
     "equation": Declaration("equation of small oscillations, the coordinates counted from equilibrium",
-                            indices=("coordinate",), kind=OF_STATE),
-    "motion": Declaration("full equation of motion", indices=("coordinate",), kind=OF_STATE, symbolic=_motion),
+                            indices=("coordinate",), kind=EQUATION),
+    "motion": Declaration("full equation of motion", indices=("coordinate",), kind=EQUATION, symbolic=_motion),
     "T": _scalar("kinetic energy, as a function of coordinates and velocities", "J"),
     "V": _scalar("potential energy, up to a constant", "J"),
     "Phi": _scalar("dissipation function", "W"),

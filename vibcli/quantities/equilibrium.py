@@ -4,7 +4,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
 from vibcli.language.signals import coordinate_name, signal_dimension
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import COUNT, OF_STATE, ROUNDING, Declaration
+from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
 
 
@@ -92,11 +92,11 @@ QUANTITIES = {
             spec, coordinate_name(spec, tree.indices[0]) or tree.indices[0])),
     "Q": Declaration(
         "generalised force of weights, springs and steady loads at rest, δA = Σ Q δq", indices=("coordinate",),
-        kind=OF_STATE, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
+        kind=FUNCTION, symbolic=_generalised_force, dimension=lambda spec, tree: generalised_dimension(
             spec, coordinate_name(spec, tree.indices[0]))),
     "stable": Declaration(
         "`true` where the equilibrium is stable", "1",
-        lambda problem, tree, args: (problem.modal.stability.stable, 0.0), several=True, kind=COUNT),
+        lambda problem, tree, args: (problem.modal.stability.stable, 0.0), several=True, kind=TRUTH),
     "equilibria": Declaration(
         "number of equilibria found within the bounds that `find` gives, or default ones; a line of neutral ones "
         "counts once", "1", lambda problem, tree, args: (count(problem), 0.0), kind=COUNT),

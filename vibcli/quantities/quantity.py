@@ -14,9 +14,9 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef
 ALL = "all of them: vibcli explain quantities"
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
 SIGNAL = "signal"       # the unit of a number of a signal: that of the signal
-NUMBER, COMPLEX, PERIOD = "number", "complex", "period"     # kinds of values; a period is the time of one cycle
-COUNT = "count"                                             # a truth value too: what changes by leaps
-OF_SIGNAL, OF_STATE = "signal", "function of the state"     # a signal again; what holds coordinates and velocities
+NUMBER, COMPLEX, PERIOD, COUNT, TRUTH = "number", "complex", "period", "count", "truth"     # kinds of values
+OF_SIGNAL, FUNCTION, EQUATION = "signal", "function", "equation"        # a signal again; of coordinates and velocities
+LEAPING, OF_STATE = (COUNT, TRUTH), (FUNCTION, EQUATION)
 _ARGUMENTS = {"signal": "{x}", "time": "2 s", "Omega": "5 Hz", "response": "frf[{x}, {F}]",
               "complex": "frf[{x}, {F}](5 Hz)"}
 
@@ -43,6 +43,16 @@ class Declaration(NamedTuple):
     several: bool = False
 
     @property
+    def own_unit(self):
+        """The unit of its values; None where its indices or arguments settle it."""
+        return None if self.unit == SIGNAL else self.unit
+
+    @property
+    def is_rate(self):
+        """Is it an angular frequency or a rate of growth, for which a number of cycles may be mistaken?"""
+        return self.unit in ("rad/s", "1/s") and not self.args and self.kind != COMPLEX
+
+    @property
     def topic(self):
         """The topic of the manual that tells more, if there is one."""
         if not self.args or self.args[0] == "time":
@@ -67,6 +77,12 @@ def declared(tree):
 def quantity_of(spec, tree):
     """The Declaration that a tree asks for; None of an expression of some, and of a chosen parameter."""
     return declared(tree) if isinstance(tree, QuantityRef) and not is_choice(spec, tree) else None
+
+
+def kind_of(spec, tree):
+    """The kind of the quantity that a tree asks for; None as above."""
+    quantity = quantity_of(spec, tree)
+    return None if quantity is None else quantity.kind
 
 
 def is_bare(name):

@@ -7,15 +7,13 @@ from vibcli.language.dimension_check import check
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
-from vibcli.quantities.quantity import ALL, COMPLEX, OF_STATE, SIGNAL, is_bare, named, quantity_of, usage
+from vibcli.quantities.quantity import ALL, OF_STATE, TRUTH, is_bare, kind_of, named, quantity_of, usage
 from vibcli.quantities.signal_dimensions import output_dimension
 from vibcli.reader.cycle_check import check_radians, check_same, check_terms, is_frequency
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.reader.sections.answer import Answer
 from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.syntax import NameRef, QuantityRef
-
-RATES = ("rad/s", "1/s")
 
 
 def check_answers(spec, reader):
@@ -48,8 +46,7 @@ def as_quantity(spec, expression):
 def in_unit_asked(spec, expected, tree):
     """An expected value in the unit of the quantity that is asked, if it has one of its own."""
     quantity = quantity_of(spec, tree)
-    return Expression(expected.scalar, expected.tree,
-                      None if quantity is None or quantity.unit == SIGNAL else quantity.unit)
+    return Expression(expected.scalar, expected.tree, None if quantity is None else quantity.own_unit)
 
 
 def is_asked(spec, reader, asked):
@@ -84,23 +81,22 @@ def _expected(spec, reader, answer):
     """Report what is wrong with an expected value."""
     asked, expected = answer.asked, answer.expected
     tree = asked.tree
-    if isinstance(tree, QuantityRef) and tree.head == "stable":
+    kind = kind_of(spec, tree)
+    if kind == TRUTH:
         if expected.text not in ("true", "false"):
             reader.report(expected.where, f"expected true or false, found {quoted(expected.text)}",
-                          "write stable: true")
+                          f"write {tree.text}: true")
         return
     for part in (expected, answer.rtol) if answer.rtol is not None else (expected,):
         if not all(can_be_asked(spec, reader, part, other) for other in part.parts.quantities):
             return
-    quantity = quantity_of(spec, tree)
-    of_state = quantity is not None and quantity.kind == OF_STATE
-    if of_state and expected.parts.quantities:
+    if kind in OF_STATE and expected.parts.quantities:
         other = expected.parts.quantities[0]
         reader.report(expected.scalar.place(other.start, other.end - other.start),
                       f"'{other.text}' cannot stand in an expected '{tree.head}'",
                       "write it in parameters and coordinates")
         return
-    names = spec.parameters if not of_state else (*spec.parameters, *spec.coordinates, "t")
+    names = spec.parameters if kind not in OF_STATE else (*spec.parameters, *spec.coordinates, "t")
     fits = check(spec, reader, asked, spec.parameters, None)
     dimension_asked = asked_dimension(spec, tree) if isinstance(tree, QuantityRef) else dimension_of(spec, asked)
     if check(spec, reader, expected, names, dimension_asked) and fits:
@@ -125,14 +121,10 @@ def check_cycles(spec, reader, asked, expected):
     if asks_frequency and not is_frequency(spec, expected):
         reader.report(expected.where, f"expected a frequency (Hz) for '{tree.head}', found an angular frequency",
                       "divide by 2*pi, or ask for omega[i]")
-    elif quantity is not None and _is_rate(quantity) and left_over(count) == 1:
+    elif quantity is not None and quantity.is_rate and left_over(count) == 1:
         reader.report(expected.where, f"expected an angular frequency (rad/s) for '{tree.head}', found Hz",
                       "write 2*pi*f, or ask for frequency[i]")
     elif quantity is None:
         check_same(spec, reader, asked, expected)
     elif not asks_frequency:
         check_radians(spec, reader, expected)
-
-
-def _is_rate(quantity):
-    return quantity.unit in RATES and not quantity.args and quantity.kind != COMPLEX

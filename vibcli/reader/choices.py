@@ -5,7 +5,7 @@ from vibcli.language.dimension_check import check
 from vibcli.language.reader import Record
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
-from vibcli.quantities.quantity import COUNT, OF_STATE, quantity_of
+from vibcli.quantities.quantity import LEAPING, OF_STATE, kind_of
 from vibcli.reader.answer_check import as_quantity, check_cycles, in_unit_asked
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.symbolic.semantics import ALL_NUMBERS
@@ -70,12 +70,12 @@ def _equation(spec, reader, name, condition):
             return
         if not can_be_asked(spec, reader, side, tree):
             return
-        quantity = quantity_of(spec, tree)
-        if quantity is not None and quantity.kind == COUNT:
+        kind = kind_of(spec, tree)
+        if kind in LEAPING:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it changes by leaps",
                           "for the value at which it changes write stability limit")
             return
-        if quantity is not None and quantity.kind == OF_STATE:
+        if kind in OF_STATE:
             reader.report(_place(side, tree), f"'{tree.text}' cannot stand in a condition: it is not a number",
                           "conditions are made of numbers, parameters and quantities such as omega[1]")
             return

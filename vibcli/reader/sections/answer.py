@@ -9,7 +9,7 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 from vibcli.quantities import FAMILIES
-from vibcli.quantities.quantity import ALL
+from vibcli.quantities.quantity import ALL, EQUATION, declared
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef
 
@@ -56,8 +56,9 @@ class Answers(Kind):
                 else:
                     reader.report(key.place(error.offset, error.width), error.message, error.hint)
                 continue
-            equation = isinstance(tree, QuantityRef) and tree.head in ("equation", "motion")
-            record = (_EQUATION if equation else ELEMENT).read(value, reader, key.text, key.where)
+            quantity = declared(tree) if isinstance(tree, QuantityRef) else None
+            element = _EQUATION if quantity is not None and quantity.kind == EQUATION else ELEMENT
+            record = element.read(value, reader, key.text, key.where)
             if record is not None:
                 answers.append(Answer(Expression(key, tree), record["value"], record.get("rtol")))
         return answers

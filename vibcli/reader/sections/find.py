@@ -1,15 +1,19 @@
 """Questions of a scene: words, the search for all equilibria, motions in time and frequency responses."""
 
+from vibcli.analyses import FIND
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity
 from vibcli.language.reader import Expression
 from vibcli.language.sections.equilibrium import ByCoordinate
-from vibcli.quantities.questions import FIND
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
+RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
+INSIGHT = ("shares", "sensitivities", "estimates")
+ALWAYS = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work")
+ON_REQUEST = tuple(word for word in FIND if word not in ALWAYS)         # found only where they are asked for
 
 
 class _Signal(Kind):
