@@ -2,9 +2,9 @@
 
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
-from vibcli.drawing.layout.captions import COEFFICIENTS
 from vibcli.drawing.layout.space import Space
 from vibcli.drawing.symbols import abstract, arrow, coordinate, dimension, load, path
+from vibcli.drawing.symbols.connection import symbol
 
 GRAVITY = 30.0
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
@@ -91,7 +91,7 @@ def _beside(middle, normal):
 
 def _element(name, sketch):
     record = sketch.spec.connection(name)
-    return lettering.named(name) if record is None else captions.quantity(record, COEFFICIENTS, sketch)
+    return lettering.named(name) if record is None else captions.quantity(record, symbol(record).NAMED_BY, sketch)
 
 
 def _bodies(stage):

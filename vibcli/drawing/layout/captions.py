@@ -5,7 +5,6 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import NameRef
 
 SHORT = 14
-COEFFICIENTS = "k", "c", "torsion"      # of what joins two ends
 
 
 def quantity(record, keys, sketch):

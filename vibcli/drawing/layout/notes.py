@@ -1,6 +1,7 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
 from vibcli.drawing.layout import captions, lettering, rows
+from vibcli.drawing.symbols.connection import symbol
 from vibcli.notation.plain import GREEK
 
 SIZE, LEADING, MOST = 9.5, 15.0, 8
@@ -23,7 +24,7 @@ def of(stage):
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:
-            field = next(record[key] for key in captions.COEFFICIENTS if key in record)
+            field = next(record[key] for key in symbol(record).NAMED_BY if key in record)
             found.append(_note(f"{record.name}: ", scene, (field, " on "), (record["stretch"], "")))
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:

@@ -21,7 +21,8 @@ class Bunch(NamedTuple):
 
 def symbol(record):
     """The module that draws what joins two ends: `between(record, start, end, drawn)` from one place to another,
-    `drawn` being their distance as drawn, and `about(turn)` at the joint about which it turns."""
+    `drawn` being their distance as drawn, and `about(record, turn)` at the joint about which it turns; `NAMED_BY`: the
+    keys whose quantity stands beside it."""
     return load(SYMBOLS[record.element.name][0], "drawing.symbols")
 
 

@@ -6,6 +6,7 @@ from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import support
 
+NAMED_BY = "c", "torsion"
 CUP, HALF = 13.0, 5.5
 ARC, SPAN = 24.0, 0.62 * pi     # the radius of an arc about a joint, its angle
 
@@ -16,22 +17,22 @@ def between(_record, start, end, _drawn):
 
 
 def about(_record, turn):
-    """The same along an arc about a joint, to a wall where the ground holds it; also where it is: (middle, normal)."""
-    begin, end, foot = arc(turn)
-    middle = (begin + end) / 2
-    where = plane.polar(turn.centre, ARC + 7, middle), plane.polar((0, 0), 1.0, middle)
-    return [*_bent(plane.around(turn.centre, ARC, begin, 1), ARC * (end - begin)), *foot], where
+    """The same along an arc about a joint; also where it is: (middle, normal)."""
+    return along_an_arc(turn, _bent)
 
 
-def arc(turn):
-    """The angles at which an arc about a joint begins and ends, and the wall at its foot where the ground holds it."""
+def along_an_arc(turn, drawn):
+    """What `drawn(at, length)` draws along an arc about a joint, to a wall where the ground holds it; also where it is:
+    (middle, normal)."""
     start, held = turn.held or (0.0, 0.0)
     span = (start - turn.heading) % tau
     span = span if turn.held and 0.3 * pi < span < 1.7 * pi else SPAN
     begin, end = turn.heading - span + held, turn.heading + turn.moved
     wall = [] if turn.held else support.wall(plane.polar(turn.centre, ARC, begin),
                                              plane.polar((0.0, 0.0), 1.0, begin - pi / 2), 6.0)
-    return begin, end, wall
+    middle = (begin + end) / 2
+    where = plane.polar(turn.centre, ARC + 7, middle), plane.polar((0, 0), 1.0, middle)
+    return [*drawn(plane.around(turn.centre, ARC, begin, 1), ARC * (end - begin)), *wall], where
 
 
 def _bent(at, length):

@@ -7,6 +7,7 @@ from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import support
 
 WIDTH, COIL, LEAD, MOST = 5.0, 6.5, 7.0, 16     # half the width of a zigzag, a coil, a straight end; coils
+NAMED_BY = "k", "torsion"
 SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a spiral
 
 
