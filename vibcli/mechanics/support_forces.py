@@ -75,14 +75,16 @@ def _moves(opened, node):
 def forces(opened, name):
     """The LinearFunctions of the force of an element; those of its components where it has no free length."""
     scene = opened.scene
-    if not scene.terms_of(name, "dampers"):
-        return opened.rows([term.force(scene) for term in scene.terms_of(name)])
-    return [combined([pair]) for pair in damper_rates(opened, name)]
+    return [combined([pair]) for pair in weighted_rates(opened, name)] or opened.rows(
+        [term.force(scene) for term in scene.terms_of(name)])
 
 
-def damper_rates(opened, name):
-    """[(c, LinearFunction of ṡ)] of a linear damper."""
-    terms = opened.scene.terms_of(name, "dampers")
-    coefficients = evaluate([term.weight for term in terms], Floats, opened.values)
-    rows = opened.rows([term.s for term in terms])
-    return [(c, rate(row, opened.scene)) for c, row in zip(coefficients, rows, strict=True)]
+def weighted_rates(opened, name):
+    """[(weight, LinearFunction)] of ṡ of a linear damper, of s̈ of an inerter; none of another element."""
+    scene = opened.scene
+    terms = scene.terms_of(name, "dampers", "inertias")
+    weights = evaluate([term.weight for term in terms], Floats, opened.values)
+    rates = [rate(row, scene) for row in opened.rows([term.s for term in terms])]
+    if scene.terms_of(name, "inertias"):
+        rates = [rate(row, scene) for row in rates]
+    return list(zip(weights, rates, strict=True))

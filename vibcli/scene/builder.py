@@ -13,7 +13,7 @@ from vibcli.scene.contents import Contents
 from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.displacements import Displacements
 from vibcli.scene.ends import Ends
-from vibcli.scene.energy_terms import AppliedLoad, Damper, Inertia, Spring, Weight
+from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
@@ -137,6 +137,10 @@ class Builder:
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
         if s.mask and not weight.is_zero:
             self.contents.inertias.append(Inertia(weight, s, owner=self.owner))
+
+    def add_inerter(self, b, s):
+        """½·b·ṡ² to T, and the force b·s̈ between two ends."""
+        self.contents.inertias.append(Inerter(b, s, owner=self.owner))
 
     def add_weight(self, mass, x, y):
         """−mass·(gₓ x + g_y y) to V."""

@@ -2,7 +2,7 @@
 
     T = ½ Σ w ṡ²        V = Σ (N s + ½ k s²) + Σ f s        Φ = ½ Σ c ṡ²        δA = Σ F δs
 
-The force of a spring or damper is positive in lengthening.
+The force of what joins two ends is positive in lengthening.
 """
 
 from typing import NamedTuple
@@ -41,6 +41,19 @@ class Inertia(Term):
     def energy(self, scene):
         """½ w ṡ²."""
         return self.weight * scene.rate(self.s) ** 2 * HALF
+
+
+class Inerter(Inertia):
+    """½ b ṡ² of T, of what joins two ends."""
+
+    __slots__ = ()
+
+    def force(self, scene):
+        """b s̈."""
+        return self.weight * scene.rate(scene.rate(self.s))
+
+    def power(self, _scene):
+        """None: it dissipates nothing."""
 
 
 class Spring(Term):

@@ -15,7 +15,7 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import ONE
 
-CONNECTIONS = ("springs", "dampers", "laws")
+CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
 
 
 class Variant(NamedTuple):
@@ -166,10 +166,11 @@ class Scene:
         return {**self.sample, **dict(zip(names, found, strict=True)), self.time.name: 0.0}
 
     def terms_of(self, name, *kinds, undriven=False):
-        """The springs, dampers and laws of an element, or those of the given kinds; `undriven`: as functions of the
-        symbols of driven displacements."""
+        """The springs, dampers, laws and inerters of an element, or those of the given kinds; `undriven`: as functions
+        of the symbols of driven displacements."""
         return [term for kind in kinds or CONNECTIONS
-                for term in (self.undriven(kind) if undriven else getattr(self, kind)) if term.owner == name]
+                for term in (self.undriven(kind) if undriven else getattr(self, kind))
+                if term.owner == name and hasattr(term, "force")]
 
     def force_of(self, name):
         """The force of a spring or damper, of a spring without free length its magnitude; None of another element."""

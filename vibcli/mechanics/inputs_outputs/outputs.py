@@ -9,7 +9,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.linear_functions import combined, rate
-from vibcli.mechanics.support_forces import damper_rates, on_the_ground
+from vibcli.mechanics.support_forces import on_the_ground, weighted_rates
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 QUADRATIC = ("energy", "power")
@@ -41,8 +41,8 @@ def _row(configuration, text):
     node = displacement(scene, text)
     if node is not None:
         return opened.rows([node])[0]
-    if scene.terms_of(name, "dampers"):
-        return combined(damper_rates(opened, name))
+    if rates := weighted_rates(opened, name):
+        return combined(rates)
     force = scene.force_of(name)
     return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
@@ -54,7 +54,7 @@ def squares(configuration, text):
     if opened.scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")
     if part == "power":
-        return damper_rates(opened, name)
+        return weighted_rates(opened, name)
     terms = opened.scene.terms_of(name, "springs")
     stiffnesses = evaluate([term.weight for term in terms], Floats, opened.values)
     if not all(stiffnesses):
