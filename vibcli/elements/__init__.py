@@ -16,6 +16,7 @@ ELEMENTS = {
     "turn": (None, "rotation of a body without a place"),
     "spring": ("springs", "a spring between two ends"),
     "damper": ("dampers", "a damper between two ends"),
+    "inerter": ("inerters", "an inerter between two ends"),
     "force": ("forces", "loads: forces, moments, generalised forces"),
     "constraint": ("constraints", "what ties motions together"),
     "energies": ("energies", "terms of T, V and Phi written out"),

@@ -21,8 +21,10 @@ ABOUT = (
     ("s.stretch, s.force", "stretch of a spring since the drawn position, and its tension (of torsion its moment)"),
     ("s.energy", "energy stored in a spring, tension²/(2k)"),
     ("d.force, d.power", "force of a damper, positive as it lengthens, and the power that it dissipates"),
-    ("ground.force", "force that springs and dampers exert on the ground (fixed or driven) in one-axis scenes; "
-                     "ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
+    ("i.stretch, i.force", "stretch of an inerter since the drawn position, and its force, positive as its lengthening "
+                           "gains speed"),
+    ("ground.force", "force that springs, dampers and inerters exert on the ground (fixed or driven) in one-axis "
+                     "scenes; ground.moment of torsion; ground.force.x, .y of scenes in the plane"),
     ("hoist.force", "tension of a rope (hoist.force.1, .2 where it is in several pieces) or link; tangential force of "
                     "gears and belts; force on a point from its surface; knee.force.x of a join, on its second point"),
     ("B.reaction.x, .y, .moment", "what the support (pin, guide, contact) exerts on a body, its moment about the pin "

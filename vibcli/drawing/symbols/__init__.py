@@ -10,6 +10,7 @@ SYMBOLS = {
     "dimension": ("dimension", "dimension lines of lengths that a body shows, where there is room"),
     "force": ("load", "arrows of forces at their points, round ones of moments; unbalances"),
     "guided": ("path", "the curve on which a particle moves that expressions of one coordinate place"),
+    "inerter": ("inerter", "a rack that turns a flywheel, also along an arc about a joint"),
     "joint": ("joint", "what twists, at the joint about which it turns"),
     "look": ("look", "the outlines of a body as drawn, which its frame carries along"),
     "mode": ("mode_shape", "the displaced position over that of equilibrium in grey"),
