@@ -207,20 +207,17 @@ def _shaken(scene):
     found, number = {}, {q: i for i, q in enumerate(scene.q)}
     if not scene.shaken:
         return found
-    zero = scene.table.zero
-    still = {symbol: zero for symbol in scene.driven if scene.oscillates(symbol)}
-    moved = {symbol: node for symbol, node in scene.driven.items() if symbol not in still}
-    for kind in ("springs", "dampers", "forces") if still else ():
+    held = scene.held_drives
+    for kind in ("springs", "dampers", "forces") if scene.oscillating else ():
         for term in scene.shaken[kind]:
             term = _steady_part(scene, term) if kind == "forces" else term
             parts = reachable([term.s, term.weight])
-            here = [symbol for symbol in still if symbol in parts]
+            here = [symbol for symbol in scene.oscillating if symbol in parts]
             slopes = gradient(term.s)
             for q, i in number.items():
                 for symbol in here if q in slopes else ():
                     part = _slope_by(scene, term, slopes[q], symbol, kind)
-                    found.setdefault(i, []).append(substitute([part], {**still, **moved})[0]
-                                                   * _function(scene, symbol, kind))
+                    found.setdefault(i, []).append(substitute([part], held)[0] * _function(scene, symbol, kind))
     return found
 
 

@@ -77,10 +77,9 @@ def _assembled(builder, setting):
 def _driven(scene):
     """The scene with what is driven as functions of the time; what is driven to and fro is held as drawn in that at
     rest, while what turns or travels on does so."""
-    zero, still, drives = scene.table.zero, None, Drives({}, scene.inputs, scene.released)
-    if any(map(scene.oscillates, scene.driven)):
-        held = {symbol: zero if scene.oscillates(symbol) else node for symbol, node in scene.driven.items()}
-        still = scene.replaced(held, coordinates=scene.kinematics.apart(), drives=drives)
+    still, drives = None, Drives({}, scene.inputs, scene.released)
+    if scene.oscillating:
+        still = scene.replaced(scene.held_drives, coordinates=scene.kinematics.apart(), drives=drives)
     shaken = {kind: getattr(scene, kind) for kind in TERMS if kind != "constraints"}
     moved = scene.replaced(scene.driven, still=still)
     return moved.with_parts(contents=moved.contents._replace(shaken=shaken))

@@ -4,6 +4,7 @@
 """
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import NamedTuple
 
 from vibcli.scene.bounded_motion import stays_bounded
@@ -187,27 +188,29 @@ class Scene:
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
         return self.shaken[kind] if self.shaken else getattr(self, kind)
 
-    def oscillates(self, symbol):
-        """Does a driven displacement come and go, so that it counts as a small one?"""
-        return stays_bounded(self.driven[symbol], self.time, self.sample)
+    @cached_property
+    def oscillating(self):
+        """The driven displacements that come and go, so that they count as small ones."""
+        return [symbol for symbol, node in self.driven.items() if stays_bounded(node, self.time, self.sample)]
+
+    @property
+    def held_drives(self):
+        """{symbol: node} of driven displacements, zero of those that oscillate."""
+        return self.driven | dict.fromkeys(self.oscillating, self.table.zero)
 
     def at_still(self, kind):
         """The springs, dampers, inertias or loads with the driven displacements that oscillate left out; those in
         `shaken` are functions of them."""
         if not self.shaken:
             return getattr(self, kind)
-        held = dict.fromkeys(filter(self.oscillates, self.driven), self.table.zero)
-        moved = {symbol: node for symbol, node in self.driven.items() if symbol not in held}
-        found = []
-        for term in self.shaken[kind]:
-            new = dict(zip(term.nodes, substitute(term.nodes, {**held, **moved}), strict=True))
-            found.append(term.over(new))
-        return found
+        held = self.held_drives
+        return [term.over(dict(zip(term.nodes, substitute(term.nodes, held), strict=True)))
+                for term in self.shaken[kind]]
 
     def loads_at_still(self):
         """The loads, the steady ones with the driven displacements that oscillate left out; beside each of them what of
         it is a load in time, as it is."""
-        if not any(map(self.oscillates, self.driven)):
+        if not self.oscillating:
             return self.forces
         found, zero = [], self.table.zero
         for still, term in zip(self.at_still("forces"), self.forces, strict=True):

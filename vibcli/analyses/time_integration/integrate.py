@@ -119,7 +119,7 @@ def equations_of(numeric):
 
 def _loose(numeric):
     """The scene with all its coordinates, its static preloads in numbers."""
-    loose = numeric.system.loose
+    loose = numeric.scene.with_multipliers() if numeric.scene.loops is None else numeric.system.loose
     if not loose.static_preloads:
         return loose
     number, floats, preloads = loose.table.number, numeric.floats, numeric.system.preloads
