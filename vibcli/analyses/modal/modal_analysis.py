@@ -65,9 +65,15 @@ class ModalAnalysis:
         return normalised(mode.shape, how, weights(self.configuration.linear_system))
 
     def solved(self, solve, *args, **options):
-        """What solves for modes, as a task."""
-        with self.work.task("the search for the modes", MOST):
-            return solve(*args, **options)
+        """What solves for modes, as a task; its refusals have the names of coordinates."""
+        from vibcli.analyses.modal.scaling import UnheldCoordinate
+
+        try:
+            with self.work.task("the search for the modes", MOST):
+                return solve(*args, **options)
+        except UnheldCoordinate as error:
+            name = self.scene.coordinates[error.number]
+            raise error.named(name, self.spec.coordinates[name].where) from None
 
     def steps_to_digits(self, digits):
         """About how many steps of a million products so many digits take, before anything is computed."""

@@ -105,13 +105,24 @@ def _finite(x):
     return hasattr(x, "numerator") or math.isfinite(x)
 
 
+class UnheldCoordinate(PhysicsError):
+    """The refusal of a coordinate by its number; who knows its name tells it by that."""
+
+    def __init__(self, message, hint, number, name=None, where=None):
+        super().__init__(message.format(name or f"coordinate {number + 1}"), hint, where)
+        self.text, self.number = message, number
+
+    def named(self, name, where):
+        """The same with the name of the coordinate, and where it is declared."""
+        return UnheldCoordinate(self.text, self.hint, self.number, f"'{name}'", where)
+
+
 def unmoved(i):
     """The refusal of a coordinate, or a combination led by it, which no inertia moves."""
-    return PhysicsError(f"no positive inertia moves with coordinate {i + 1}",
-                        hint="give what it moves a mass or inertia")
+    return UnheldCoordinate("no positive inertia moves with {}", "give what it moves a mass or inertia", i)
 
 
 def mechanism(i):
     """The refusal of a massless coordinate which nothing ties."""
-    return PhysicsError(f"coordinate {i + 1} has no inertia and no spring ties it: it is a mechanism",
-                        hint="give it a mass, tie it with a spring, or take it out")
+    return UnheldCoordinate("{} has no inertia and no spring ties it: it is a mechanism",
+                            "give it a mass, tie it with a spring, or take it out", i)
