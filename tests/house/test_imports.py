@@ -80,7 +80,8 @@ def test_a_picture_needs_matplotlib_and_no_scipy(tmp_path):
 INSIGHT = {f"vibcli.{name}" for name in (
     "symbolic.dual_numbers", "analyses.modal.modes_precise", "analyses.modal.energy_shares",
     "analyses.modal.sensitivities", "analyses.modal.estimates", "mechanics.inner_products",
-    "mechanics.element_contributions", "mechanics.parameter_derivatives", "report.sections.insight")}
+    "mechanics.element_contributions", "mechanics.parameter_derivatives", "report.sections.insight",
+    "report.sections.shares", "report.sections.sensitivities", "report.sections.estimates")}
 
 
 @pytest.mark.parametrize(("args", "expected"), [

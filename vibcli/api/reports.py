@@ -77,10 +77,16 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
 
 
 def _insight(problem, words, sections):
-    from vibcli.report.sections.insight import insight_data
+    from vibcli.report import keys
+    from vibcli.report.sections.estimates import ESTIMATES
+    from vibcli.report.sections.insight import require_numbers
+    from vibcli.report.sections.sensitivities import SENSITIVITIES
+    from vibcli.report.sections.shares import SHARES
 
     try:
-        return insight_data(problem, words)
+        for word in words:
+            require_numbers(problem, word)
+        return keys.data([key for key in (SHARES, SENSITIVITIES, ESTIMATES) if key.name in words], problem)
     except PhysicsError as error:
         if not _without_slope(problem, error, sections):
             raise

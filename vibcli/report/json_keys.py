@@ -5,9 +5,11 @@ from vibcli.report.sections.design_parameters import CHOSEN
 from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
+from vibcli.report.sections.estimates import ESTIMATES
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
-from vibcli.report.sections.insight import INSIGHT
 from vibcli.report.sections.response import MOTION
+from vibcli.report.sections.sensitivities import SENSITIVITIES
+from vibcli.report.sections.shares import SHARES
 from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
 
@@ -20,5 +22,6 @@ KEYS = dict(documented((
     CHOSEN, EQUILIBRIUM, EQUILIBRIA, SEARCH, STICKING, ENERGY, EQUATIONS, MATRICES, REACTIONS,
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, in "
         "words; absent otherwise"),
-    MODES, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE, INSIGHT, POLYNOMIAL,
+    MODES, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
+    Key("insight", "only where `find` or --insight asks for it", of=(SHARES, SENSITIVITIES, ESTIMATES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))
