@@ -9,9 +9,9 @@ import math
 
 import numpy as np
 
+from vibcli.numerics.components import clusters
 from vibcli.numerics.fixed_point import count_floats, fixed, floats, product
 from vibcli.numerics.small_block_eigenvalues import roots_of_block
-from vibcli.numerics.symmetric_eigenvalues import components
 
 PARALLEL = 1e4
 STALLED = 3
@@ -116,7 +116,7 @@ class BlockForm:
         blocks, bits = self.blocks, self.bits
         t = floats(self.t, bits)
         x, close = separation(t, blocks, self.e, self.shift, largest_steps(t, blocks))
-        joined = components(close)
+        joined = clusters(close)
         for group in joined:
             part = np.concatenate([blocks[i] for i in group])
             x[np.ix_(part, part)] = 0.0

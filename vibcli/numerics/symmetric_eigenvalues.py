@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from vibcli.numerics.components import clusters
 from vibcli.numerics.fixed_point import fixed, floats, identity, product
 
 STEPS = 24
@@ -98,7 +99,7 @@ class Offset:
         close |= self.gap == 0
         close &= ~(self.still[:, None] & self.still[None, :])
         np.fill_diagonal(close, False)
-        return components(close)
+        return clusters(close)
 
     def radius(self):
         """For each value a distance, over 2^-shift, within which its eigenvalue lies.
@@ -157,21 +158,6 @@ class Offset:
                 reach = max(reach, self.alpha[i] + disc[i])
         with np.errstate(over="ignore"):
             return np.ldexp(out, self.shift)
-
-
-def components(close):
-    """Connected components of more than one index of a symmetric boolean relation."""
-    left, out = set(np.flatnonzero(close.any(axis=1)).tolist()), []
-    while left:
-        stack, part = [left.pop()], []
-        while stack:
-            i = stack.pop()
-            part.append(i)
-            reached = left.intersection(np.flatnonzero(close[i]).tolist())
-            left -= reached
-            stack.extend(reached)
-        out.append(sorted(part))
-    return out
 
 
 def _first_order(h, gram, gaps, off, clusters, bits):

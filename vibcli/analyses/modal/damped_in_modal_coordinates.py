@@ -10,8 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.numerics import fixed_point as fx
+from vibcli.numerics.components import clusters, components
 from vibcli.numerics.general_eigenvalues import eigenvalues
-from vibcli.numerics.symmetric_eigenvalues import components, spectrum
+from vibcli.numerics.symmetric_eigenvalues import spectrum
 
 
 class Eigenvalue(NamedTuple):
@@ -57,7 +58,7 @@ class ModalDamping:
         same = gap <= np.ldexp(np.maximum.outer(size, size), -self.same)
         np.fill_diagonal(same, False)
         small = max(abs(x) for x in self.c.ravel().tolist()) >> self.coupled
-        for part in components(same):
+        for part in clusters(same):
             block = self.c[np.ix_(part, part)]
             block = (block + block.T) >> 1
             if (np.abs(block - np.diag(block.diagonal())) > small).any():
@@ -79,9 +80,7 @@ class ModalDamping:
         """The modes coupled by damping, as lists of indices; a mode on its own is a list of one."""
         linked = ((self.c != 0) | (self.c.T != 0)).astype(bool)
         np.fill_diagonal(linked, False)
-        parts = components(linked)
-        coupled = {i for part in parts for i in part}
-        return parts + [[i] for i in range(len(self.values)) if i not in coupled]
+        return sorted(components(linked), key=lambda part: len(part) == 1)
 
     def eigenvalues(self, wanted):
         """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""

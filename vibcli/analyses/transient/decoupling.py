@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from vibcli.analyses.transient.eigenvalue_clusters import components
 from vibcli.analyses.transient.modal_block import ModalBlock, apart
 from vibcli.analyses.transient.single_degree import one_degree, pair, poles_of_mode
 from vibcli.analyses.transient.static_condensation import whole
 from vibcli.base.errors import PhysicsError
+from vibcli.numerics.components import components
 
 COUPLED, EPSILON = 1e-14, 2.0**-52
 FLAT = 0.1

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vibcli.analyses.transient.static_condensation import leading
+from vibcli.numerics.components import components
 from vibcli.numerics.fixed_point import count_floats
 
 CLOSE, EQUAL = 0.05, 1e-9
@@ -71,21 +72,6 @@ def condition(values, V, n):
         return np.full(len(V), np.inf)
     column = np.hypot(np.linalg.norm(V[:n], axis=0), np.linalg.norm(V[n:], axis=0) / rates)
     return column * np.hypot(np.linalg.norm(N[:, :n], axis=1), np.linalg.norm(N[:, n:], axis=1) * rates)
-
-
-def components(joined):
-    """The connected components of a symmetric relation, as lists of places."""
-    left, found = set(range(len(joined))), []
-    while left:
-        members, fresh = set(), [min(left)]
-        while fresh:
-            i = fresh.pop()
-            if i not in members:
-                members.add(i)
-                fresh += np.flatnonzero(joined[i]).tolist()
-        left -= members
-        found.append(sorted(members))
-    return found
 
 
 def starting(M, C, K, group):

@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.transient.exponential_differences import largest_sum, real_sum
 from vibcli.analyses.transient.forced import fractions
 from vibcli.analyses.transient.markov_parameters import direct, markov
 from vibcli.analyses.transient.modal_block import paths
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.exponential_differences import largest_sum, real_sum
 
 
 class ExponentialTerm(NamedTuple):

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.modal_block import paths
-from vibcli.numerics.exponential_differences import differences
 
 APART, SPLIT = 0.1, 2.0
 

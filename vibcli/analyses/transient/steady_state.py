@@ -11,10 +11,10 @@ import math
 import numpy as np
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment
+from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.modal_block import paths
 from vibcli.analyses.transient.time_shift import difference, later, turned
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.exponential_differences import differences
 
 RESONANT = 1e-12
 UNFORCED = 1e-13

@@ -8,10 +8,10 @@ from support.responses import EPS, FREE, STEP, case, chain, errors, one, q, rate
 
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
+from vibcli.analyses.transient.exponential_differences import differences
 from vibcli.analyses.transient.high_precision import precise_value, precise_values
 from vibcli.analyses.transient.linear_response import linear_motion
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.exponential_differences import differences
 
 # one degree of freedom, m = 1, ω = 3
 
@@ -109,7 +109,7 @@ def test_differences_where_nodes_meet():
 
 def bound(nodes, t):
     """What E[nodes](t) grows to: tᵐ⁻¹/(m−1)! or, where nodes lie apart, less."""
-    from vibcli.numerics.exponential_differences import bounds
+    from vibcli.analyses.transient.exponential_differences import bounds
 
     return bounds(tuple(map(complex, nodes)), np.array([t]), np.array([t]))[0]
 
