@@ -10,7 +10,6 @@ from vibcli.language.reader import Record
 from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.dimensions import asked_dimension
 from vibcli.quantities.matrices import entry_dimension
-from vibcli.reader.records import check_record_names, record_dimensions
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
 from vibcli.symbolic.syntax import NameRef
@@ -23,14 +22,16 @@ def settle(spec, reader):
     reader.diagnostics."""
     before = len(reader.diagnostics)
     spec = spec._replace(dimensions=units.Dimensions(), coordinates=_coordinates(spec, reader), used=set(), counts={})
-    check_record_names(spec, reader)
+    if spec.get("records"):
+        from vibcli.reader.records import settle_records
+
+        settle_records(spec, reader, spec.get("records"))
     _references(spec, reader)
     _named_places(spec, reader)
     _units_of_symbols(spec, reader)
     expected = {answer.expected.scalar for answer in spec.answers}
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
-    record_dimensions(spec)
     circular = _parameters(spec, reader)
     due = {**_matrices(spec), **_start(spec)}
     _bounded(spec, reader)
