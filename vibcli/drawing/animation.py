@@ -16,7 +16,8 @@ def of_mode(problem, index, normalise="first"):
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit) for theta in phases(FRAMES)]
+    frames = [mode_shape.frame(stage, vibration.at(theta), vibration.unit, vibration.room)
+              for theta in phases(FRAMES)]
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
 
@@ -39,16 +40,17 @@ def of_positions(problem, positions, times):
     What could not be seen, and is not driven, is magnified about its mean.
     """
     stage = compose.Scenery(problem.scene)
-    sketches, unit = response(stage, positions, times)
+    sketches, unit, room = response(stage, positions, times)
     if all(one == positions[0] for one in positions) and not problem.scene.driven:
         raise PhysicsError("this scene stays at rest", "say under `initial` how it starts, or give it a load")
     middle = {name: sum(one[name] for one in positions) / len(positions) for name in positions[0]}
     factor = 1.0 if problem.scene.driven else magnification(stage, stage.at(middle), sketches)
     if factor > 1:
         positions = [{name: middle[name] + factor * (x - middle[name]) for name, x in one.items()} for one in positions]
-        sketches, unit = response(stage, positions, times)
+        sketches, unit, room = response(stage, positions, times)
     words = f"{times[0]:.4g} s to {times[-1]:.4g} s" + (f", displacements × {factor:g}" if factor > 1 else "")
-    return [mode_shape.frame(stage, sketch, unit) for sketch in sketches], words, [f"{t:.4g} s" for t in times]
+    frames = [mode_shape.frame(stage, sketch, unit, room) for sketch in sketches]
+    return frames, words, [f"{t:.4g} s" for t in times]
 
 
 def _span(problem, until):

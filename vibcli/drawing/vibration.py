@@ -41,7 +41,7 @@ def caption(found):
 
 class Vibration:
     """A mode about the equilibrium: `at(theta)` is the Sketch at a phase, `unit` the points for one metre of lumped
-    bodies, `rest` the equilibrium."""
+    bodies, `room` that in which bodies slide on the ground, `rest` the equilibrium."""
 
     def __init__(self, problem, index, stage, normalise="first"):
         if not stage.scene.bodies:
@@ -87,7 +87,7 @@ class Vibration:
         for _ in range(ROUNDS):
             both = [self._sketch(sign * self.amplitude, 0.0) for sign in (1, -1)]
             if None not in both and shortest(self.rest, both, self.stage) > SQUEEZED:
-                self.stage.room = room(self.stage, [self.rest, *both])
+                self.room = sliding_room(self.stage, [self.rest, *both])
                 return
             self.amplitude *= 0.7
         raise PhysicsError("the loops of this scene cannot follow this mode", "ask for another mode")
@@ -122,7 +122,7 @@ def shortest(rest, sketches, stage):
     return min(parts, default=1.0)
 
 
-def room(stage, sketches):
+def sliding_room(stage, sketches):
     """{body: (how far back, how far on)} of what slides on the ground, from the drawn position."""
     found = {}
     for name in stage.looks:
@@ -137,9 +137,10 @@ def phases(count):
     return [tau * i / count - pi / 2 for i in range(count)]
 
 
-def response(stage, positions, times=None, unit=None):
-    """(Sketches, unit) of a motion: `positions` are {coordinate: value} of all or only the independent coordinates, one
-    for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene cannot follow."""
+def response(stage, positions, times=None):
+    """(Sketches, unit, room) of a motion: `positions` are {coordinate: value} of all or only the independent
+    coordinates, one for each frame, `times` the instants for what is driven; PhysicsError where the loops of the scene
+    cannot follow."""
     positions = list(positions)
     sketches = []
     for position, time in zip(positions, times or [0.0] * len(positions), strict=True):
@@ -147,9 +148,8 @@ def response(stage, positions, times=None, unit=None):
         if found is None:
             raise PhysicsError("the loops of this scene cannot follow this motion", "ask for a smaller one")
         sketches.append(found)
-    stage.room = room(stage, [stage.sketch, *sketches])
     slides = max((lumped_displacements(stage.sketch, sketch, stage)[0] for sketch in sketches), default=0.0)
-    return sketches, unit or (LUMPED / slides if slides else 1.0)
+    return sketches, LUMPED / slides if slides else 1.0, sliding_room(stage, [stage.sketch, *sketches])
 
 
 def magnification(stage, middle, sketches):

@@ -39,7 +39,6 @@ class Scenery:
         self.sketch.numbers["size"] = plain.numbers["size"] / FINE
         self.ties = Ties(self.sketch)
         self.looks = looks(self.sketch, self.ties)
-        self.room = {}
         self.bunches = connection.bunches(self.sketch, self.looks)
         self.ropes = {name: rope.stops(record, self.sketch, self.looks)
                       for name, record in (scene.spec.get("constraints") or {}).items() if "rope" in record}
@@ -55,10 +54,10 @@ class Scenery:
         return None if values is None else self.sketch.at(values)
 
 
-def figure(stage, sketch, unit=1.0):
+def figure(stage, sketch, unit=1.0, room=None):
     """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
-    lumped bodies are displaced by `unit` points for one metre."""
-    found, where = primitives(stage, sketch)
+    lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground."""
+    found, where = primitives(stage, sketch, room)
     for layout in stage.rows:
         moved = {name: sketch.lumped[name] * (1.0 if place.turns else unit) for name, place in layout.places.items()}
         lines, places = lumped.draw(layout, moved)
@@ -67,11 +66,11 @@ def figure(stage, sketch, unit=1.0):
     return found, where
 
 
-def primitives(stage, sketch):
+def primitives(stage, sketch, room=None):
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)
-    found += bodies.draw(sketch, looks, stage.room)
+    found += bodies.draw(sketch, looks, room or {})
     where = {}
     for bunch in stage.bunches:
         lines, places = connection.draw(bunch, sketch)

@@ -14,20 +14,21 @@ def draw(problem, index, both=False, normalise="first"):
     """The primitives of a mode; `both`: also displaced the other way, dashed."""
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
-    found = ghost(part for part in frame(stage, vibration.rest, vibration.unit) if part.role not in QUIET)
+    unit, room = vibration.unit, vibration.room
+    found = ghost(part for part in frame(stage, vibration.rest, unit, room) if part.role not in QUIET)
     if both:
-        other = frame(stage, vibration.at(pi), vibration.unit)
+        other = frame(stage, vibration.at(pi), unit, room)
         found += [part._replace(dashed=True, width=0.8) for part in ghost(
             part for part in other if part.role not in QUIET)]
     moved = vibration.at(0.0)
-    found += frame(stage, moved, vibration.unit) + _arrows(stage, vibration.rest, moved, vibration.unit)
+    found += frame(stage, moved, unit, room) + _arrows(stage, vibration.rest, moved, unit)
     box = extent(found)
     return [*found, lettering.text(lettering.words(caption(mode(problem, index))), box[0], box[1] - 24)]
 
 
-def frame(stage, sketch, unit):
+def frame(stage, sketch, unit, room):
     """One position, with a mark on what is round."""
-    found, _ = compose.figure(stage, sketch, unit)
+    found, _ = compose.figure(stage, sketch, unit, room)
     return found + bodies.marks(sketch, stage.looks)
 
 
