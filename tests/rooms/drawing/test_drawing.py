@@ -151,6 +151,16 @@ def test_springs_and_dampers_end_where_they_should(name):
     assert len(between({}, (0, 0), (60, 0), 60)[0].points) == len(stretched[0].points)
 
 
+@pytest.mark.parametrize("element", [
+    "springs: {s: {law: (3 N/m)*d + (5 N/m^3)*d^3, stretch: L*sin(phi)}}",
+    "springs: {s: {torsion: true, law: (4 N*m)*sin(d), stretch: phi}}", "springs: {s: {k: 3 N/m, stretch: L*phi}}",
+    "dampers: {s: {friction: 2 N, stretch: L*phi}}", "dampers: {s: {law: (3 N*s/m)*v, stretch: L*phi}}",
+    "inerters: {s: {torsion: 3 kg*m^2, stretch: phi}}"])
+def test_what_acts_on_a_written_stretch_stands_in_a_note(element):
+    written = words(draw(problem(f"{PENDULUM}    {element}\n")))
+    assert any(line.startswith("s: ") and " on " in line for line in written)
+
+
 def test_ropes_are_tangents():
     given = problem_of(ROOT / "vibcli/examples/rope_over_pulleys.yaml")
     stage = compose.Scenery(given.scene)

@@ -24,7 +24,8 @@ def of(stage):
     found = []
     for record in spec.connections:
         if "stretch" in record and record.name not in shown:
-            field = next(record[key] for key in symbol(record).NAMED_BY if key in record)
+            field = next(record[key] for key in (*symbol(record).NAMED_BY, "law", "friction")
+                         if hasattr(record.get(key), "tree"))
             found.append(_note(f"{record.name}: ", scene, (field, " on "), (record["stretch"], "")))
     for name, record in (spec.get("forces") or {}).items():
         if "value" in record:
