@@ -9,6 +9,7 @@ from support.scenes import problem
 
 from vibcli.analyses.closed_form import characteristic, many_degrees
 from vibcli.analyses.excitation import forcing
+from vibcli.analyses.modal import modal_analysis as modes
 from vibcli.analyses.time_integration import integrate, time_stepping
 from vibcli.analyses.transient import extremes, isolating_intervals, linear_response, zeros
 from vibcli.base.errors import PhysicsError
@@ -17,7 +18,6 @@ from vibcli.cli import COMMANDS, progress, run
 from vibcli.cli.common import require_quick
 from vibcli.mechanics.equilibrium import all_equilibria
 from vibcli.results import frequency_response
-from vibcli.results import problem as modes
 from vibcli.symbolic.syntax import NameRef
 
 SCENELESS = {"explain", "schema", "new"}
