@@ -14,6 +14,7 @@ from vibcli.language import sections as of_language
 from vibcli.reader import sections as of_questions
 from vibcli.report import formats
 from vibcli.report import sections as of_report
+from vibcli.symbolic.parser import OF_SIGNALS
 
 FACES = ("analyses", "drawing/symbols", "elements", "language/sections", "quantities", "reader/sections",
          "report/formats", "report/sections")
@@ -89,3 +90,10 @@ def test_families_of_quantities_are_the_values_of_their_files():
     families = {name: set(import_module(f"vibcli.quantities.{name}").QUANTITIES)
                 for name in set(quantities.FAMILIES.values())}
     assert {head: name for name, heads in families.items() for head in heads} == quantities.FAMILIES | quantities.FORMS
+
+
+def test_what_is_asked_of_a_signal_in_round_brackets_is_known_to_the_parser():
+    declared = {form: import_module(f"vibcli.quantities.{family}").QUANTITIES[form]
+                for form, family in {**quantities.FAMILIES, **quantities.FORMS}.items() if form != "value"}
+    asked = {form.partition("(")[0] for form, quantity in declared.items() if quantity.args and not quantity.indices}
+    assert {"abs", *asked} == set(OF_SIGNALS)

@@ -13,7 +13,7 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.check.instances import Instances
 from vibcli.quantities.expression import lowered, measure, value_of
 from vibcli.quantities.matrices import coordinate_number
-from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, kind_of, quantity_of
+from vibcli.quantities.quantity import EQUATION, OF_STATE, TRUTH, declared, kind_of, quantity_of
 from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
@@ -78,11 +78,10 @@ def _compare(problem, answer):
     kind = kind_of(problem.spec, tree)
     head = None if kind is None else tree.head
     if kind in OF_STATE:
-        return (_compare_equation if kind == EQUATION else _compare_energy)(problem, answer, head)
+        return (_compare_equation if kind == EQUATION else _compare_function)(problem, answer, head)
     if kind == TRUTH:
-        stable = measure(problem, tree)[0]
-        wanted = answer.expected.text == "true"
-        return Verdict(answer, stable == wanted, wanted, stable)
+        wanted, found = answer.expected.text == "true", measure(problem, tree)[0]
+        return Verdict(answer, found == wanted, wanted, found)
     found, error = value_of(problem, answer.asked)
     expected, _ = value_of(problem, answer.expected)
     doubt = error * abs(found)      # absolute: of a number near zero it may be any part of what is expected
@@ -144,9 +143,13 @@ def _expected_node(problem, expression):
     return lowered(expression, scene.table, symbol)
 
 
-def _compare_energy(problem, answer, head):
-    scene, tree = problem.scene, answer.asked.tree
-    ours = quantity_of(problem.spec, tree).symbolic(problem, tree)
+def _symbolic(problem, answer):
+    """The expression that is asked for."""
+    return declared(answer.asked.tree).symbolic(problem, answer.asked.tree)
+
+
+def _compare_function(problem, answer, head):
+    scene, ours = problem.scene, _symbolic(problem, answer)
     verdict = _at_states(problem, answer, head, ours)
     if not verdict.agrees and head in ("T", "V") and ours.mask & scene.time.mask:
         left = scene.terms_with(ours, ~scene.time.mask)     # Lagrange's equations do not need the others
@@ -183,8 +186,7 @@ def _compare_equation(problem, answer, head):
         wanted, load = at_states(problem, [expected, drive], at)
         found = _small_oscillation(problem, i, at) - load
     else:
-        tree = answer.asked.tree
-        wanted, found = at_states(problem, [expected, quantity_of(problem.spec, tree).symbolic(problem, tree)], at)
+        wanted, found = at_states(problem, [expected, _symbolic(problem, answer)], at)
     factor = float(wanted @ found / (found @ found)) if found.any() else 0.0
     worst = _worst(wanted, factor * found, groups)
     agrees = factor != 0.0 and worst is None
