@@ -56,6 +56,12 @@ def to_float(a, bits):
     return math.ldexp(float(a), -bits)
 
 
+def times_power(x, power):
+    """x 2^power as a float, of whatever mantissa() takes."""
+    m, e = mantissa(x)
+    return to_float(m, -(e + power))
+
+
 def log2(a, bits):
     """log2 |a / 2^bits|, to half a unit; −inf for 0."""
     return abs(a).bit_length() - bits - 0.5 if a else -math.inf

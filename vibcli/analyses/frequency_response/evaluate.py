@@ -12,7 +12,7 @@ WORK = 2e8      # elimination of so many frequencies by LU is not worth a search
 
 
 def frf(system, Omega):
-    """H(iΩ) of a Transfer, complex; PhysicsError where a frequency is that of a pole."""
+    """H(iΩ) of a TransferFunction, complex; PhysicsError where a frequency is that of a pole."""
     values, resonant = sampled(system, Omega)
     if resonant.any():
         Omega = float(np.ravel(Omega)[np.ravel(resonant)][0])

@@ -11,7 +11,7 @@ import numpy as np
 from vibcli.analyses.frequency_response.evaluate import sampled
 from vibcli.analyses.frequency_response.extremes import places
 from vibcli.analyses.frequency_response.poles_and_zeros import pace
-from vibcli.analyses.frequency_response.transfer_function import Transfer
+from vibcli.analyses.frequency_response.transfer_function import TransferFunction
 from vibcli.numerics.bracketing import zeros_between
 
 SAME, STATIC, STRONG, FELT = 1e-8, 1e-3, 1e4, 1e-6
@@ -25,7 +25,7 @@ class FixedPoint(NamedTuple):
 
 
 def fixed_points(without, with_one):
-    """The FixedPoints with Ω > 0, ascending, from the Transfers with c = 0 and c = 1 (in any unit)."""
+    """The FixedPoints with Ω > 0, ascending, from the TransferFunctions with c = 0 and c = 1 (in any unit)."""
     typical = _typical(without, with_one)
     systems = [without, *(blended(without, with_one, typical * share) for share in (1.0, 2.0, STRONG))]
     Omega = np.unique(np.concatenate([places(system) for system in systems]))
@@ -61,12 +61,12 @@ def limit(free, once, twice):
 
 
 def blended(without, with_one, c):
-    """The Transfer with a damper c, from those with c = 0 and c = 1."""
+    """The TransferFunction with a damper c, from those with c = 0 and c = 1."""
     def part(name):
         zero = getattr(without, name)
         return zero + c * (getattr(with_one, name) - zero)
 
-    return Transfer(*map(part, ("M", "C", "K", "b", "c", "d")), without.order)
+    return TransferFunction(*map(part, ("M", "C", "K", "b", "c", "d")), without.order)
 
 
 def _typical(without, with_one):

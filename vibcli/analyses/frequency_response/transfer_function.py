@@ -9,7 +9,7 @@ from vibcli.mechanics.inputs_outputs.inputs import direct_part, input_columns, n
 from vibcli.mechanics.inputs_outputs.outputs import linear_row
 
 
-class Transfer:
+class TransferFunction:
     """M, C (gyroscopic terms included), K: (n, n) arrays; b, c: (3, n) coefficients of s⁰, s¹, s², d: (3,); `order`:
     how often the output is differentiated (receptance 0, mobility 1, accelerance 2)."""
 
@@ -50,13 +50,13 @@ def slope(coefficients, s):
 
 
 def transfer(configuration, signal, driven_by, order=0):
-    """The Transfer of a signal of a problem to a named input."""
+    """The TransferFunction of a signal of a problem to a named input."""
     row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
     n = len(configuration.scene.q)
     M, C, K = system(configuration)
     b = _dense(input_columns(configuration, chosen), n)
     c = _dense((row.q, row.v, row.a), n)
-    return Transfer(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
+    return TransferFunction(M, C, K, b, c, np.array(direct_part(row, chosen)), order)
 
 
 def system(configuration):

@@ -51,13 +51,8 @@ def _size(terms, matrix, powers, scale, left, right):
     """3 Σ |w| |sᵀ left|ᵀ|sᵀ right| + 3 |left|ᵀ |matrix| |right|, in scaled coordinates."""
     out = np.zeros((left.shape[1], right.shape[1]))
     for weight, row in terms:
-        ends = [sum(abs(_scaled(x, powers[i])) * basis[i] for i, x in row.items()) for basis in (left, right)]
-        out += abs(_scaled(weight, -scale)) * np.multiply.outer(*ends)
+        ends = [sum(abs(fx.times_power(x, powers[i])) * basis[i] for i, x in row.items()) for basis in (left, right)]
+        out += abs(fx.times_power(weight, -scale)) * np.multiply.outer(*ends)
     for (i, j), x in matrix.items():
-        out += abs(_scaled(x, powers[i] + powers[j] - scale)) * np.multiply.outer(left[i], right[j])
+        out += abs(fx.times_power(x, powers[i] + powers[j] - scale)) * np.multiply.outer(left[i], right[j])
     return 3 * out
-
-
-def _scaled(x, power):
-    m, e = fx.mantissa(x)
-    return fx.to_float(m, -(e + power))

@@ -201,20 +201,14 @@ def sensitivity(elements, scale, shapes, sizes):
         for weight, row in terms:
             value, size = 0.0, 0.0
             for i, x in row.items():
-                part = _scaled(x, p[i]) * shapes[i]
+                part = fx.times_power(x, p[i]) * shapes[i]
                 value, size = value + part, size + np.abs(part)
-            rows += factor * abs(_scaled(weight, -base)) * np.abs(value) * (3 * size)
+            rows += factor * abs(fx.times_power(weight, -base)) * np.abs(value) * (3 * size)
     for (i, j), x in (elements.K_size or {at: abs(x) for at, x in elements.K.items()}).items():
-        felt = np.abs(_scaled(x, p[i] + p[j] - scale.stiffness) * shapes[i] * shapes[j])
+        felt = np.abs(fx.times_power(x, p[i] + p[j] - scale.stiffness) * shapes[i] * shapes[j])
         rows += felt
         if elements.K_size:
             sums += felt
     for (i, j), x in elements.M.items():
-        rows += sizes * np.abs(_scaled(x, p[i] + p[j] - scale.mass) * shapes[i] * shapes[j])
+        rows += sizes * np.abs(fx.times_power(x, p[i] + p[j] - scale.mass) * shapes[i] * shapes[j])
     return rows, sums
-
-
-def _scaled(x, power):
-    """x 2^power as a float."""
-    m, e = fx.mantissa(x)
-    return fx.to_float(m, -(e + power))

@@ -16,7 +16,7 @@ from vibcli.analyses.frequency_response.extremes import extremes
 from vibcli.analyses.frequency_response.fixed_points import fixed_points
 from vibcli.analyses.frequency_response.frequency_grid import adaptive
 from vibcli.analyses.frequency_response.peaks import antiresonances, half_power, peaks
-from vibcli.analyses.frequency_response.transfer_function import Transfer, transfer
+from vibcli.analyses.frequency_response.transfer_function import TransferFunction, transfer
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -60,7 +60,7 @@ def random_system(rng, n, kind):
         M[n // 2, n // 2], C = 0.0, chain(10 ** rng.uniform(-1, 3, n))
     b = unit(n, rng.integers(n)) * 3.0
     c = unit(n, rng.integers(n), rng.integers(3))
-    return Transfer(M, C, K, b, c, (0.1, 0.02, 0.0))
+    return TransferFunction(M, C, K, b, c, (0.1, 0.02, 0.0))
 
 
 KINDS = ("undamped", "proportional", "damped", "gyroscopic", "coupled", "massless")
@@ -139,7 +139,7 @@ def test_slopes_of_systems_with_a_narrow_band(width):
     band = np.abs(np.subtract.outer(np.arange(n), np.arange(n))) <= width
     K, M, C = (np.where(band, rng.uniform(-1, 1, (n, n)), 0.0) for _ in range(3))
     K, M = 50 * (K + K.T) + 200 * width * np.eye(n), 0.1 * (M + M.T) + width * np.eye(n)
-    system = Transfer(M, C + width * np.eye(n), K, unit(n, 3) * 3.0, unit(n, n - 2), (0.1, 0.02, 0.0))
+    system = TransferFunction(M, C + width * np.eye(n), K, unit(n, 3) * 3.0, unit(n, n - 2), (0.1, 0.02, 0.0))
     assert large_systems._ordered(system)[1] <= large_systems.NARROW
     s = 1j * np.array([0.5, 5.0, 12.0, 14.0, 17.0, 40.0])
     methods = large_systems.chosen(system), direct
@@ -158,7 +158,8 @@ def test_reciprocity(kind):
     rng = np.random.default_rng(11)
     system = random_system(rng, 6, kind)
     for i, j in ((0, 5), (2, 3)):
-        there, back = (Transfer(system.M, system.C, system.K, unit(6, a), unit(6, b)) for a, b in ((i, j), (j, i)))
+        there, back = (TransferFunction(system.M, system.C, system.K, unit(6, a), unit(6, b))
+                       for a, b in ((i, j), (j, i)))
         Omega = 10 ** rng.uniform(-1, 3, 20)
         assert frf(there, Omega) == pytest.approx(frf(back, Omega), rel=1e-9)
 
@@ -179,7 +180,7 @@ def test_sum_of_modes():
 
 
 def oscillator(zeta, omega=10.0, order=0):
-    return Transfer([[1.0]], [[2 * zeta * omega]], [[omega**2]], unit(1, 0), unit(1, 0), order=order)
+    return TransferFunction([[1.0]], [[2 * zeta * omega]], [[omega**2]], unit(1, 0), unit(1, 0), order=order)
 
 
 @pytest.mark.parametrize("zeta", [1e-8, 1e-3, 0.05, 0.3, 0.7])
@@ -222,7 +223,7 @@ def test_no_half_power_point_below_a_flat_peak():
 def test_a_pole_on_the_grid_is_said(method, n):
     """Equal masses and springs between two walls: ω_k = 2√(k/m) sin(kπ/(2(n + 1)))."""
     K = 100 * (2 * np.eye(n) - np.eye(n, k=1) - np.eye(n, k=-1))
-    system = Transfer(np.eye(n), np.zeros((n, n)), K, unit(n, 0), unit(n, n - 1))
+    system = TransferFunction(np.eye(n), np.zeros((n, n)), K, unit(n, 0), unit(n, n - 1))
     omega = 20 * np.sin(np.arange(1, n + 1) * np.pi / (2 * n + 2))
     run = direct if method == "direct" else large_systems.chosen(system)
     values, _, resonant = run(system, 1j * np.array([1.0, *omega]))
@@ -238,13 +239,13 @@ def test_a_mode_that_is_not_driven_is_left_out():
     K = np.array([[200.0, -100.0], [-100.0, 200.0]])
     b = np.zeros((3, 2))
     b[0] = 1.0
-    system = Transfer(np.eye(2), np.zeros((2, 2)), K, b, unit(2, 0))
+    system = TransferFunction(np.eye(2), np.zeros((2, 2)), K, b, unit(2, 0))
     assert frf(system, math.sqrt(300)) == pytest.approx(1 / (100 - 300), rel=1e-12)
     assert [one.Omega for one in peaks(system)] == pytest.approx([10.0])
 
 
 def test_rigid_motion_at_rest_is_a_pole():
-    system = Transfer(np.diag([1.0, 2.0]), np.zeros((2, 2)), [[5.0, -5.0], [-5.0, 5.0]], unit(2, 0), unit(2, 1))
+    system = TransferFunction(np.diag([1.0, 2.0]), np.zeros((2, 2)), [[5.0, -5.0], [-5.0, 5.0]], unit(2, 0), unit(2, 1))
     with pytest.raises(PhysicsError):
         frf(system, 0.0)
     assert np.isfinite(frf(system, 1e-3))
@@ -255,14 +256,14 @@ def test_antiresonances_interlace_with_resonances():
     rng = np.random.default_rng(5)
     m, k = rng.uniform(1, 3, 6), rng.uniform(50, 200, 6)
     K = chain(k)
-    system = Transfer(np.diag(m), np.zeros((6, 6)), K, unit(6, 2), unit(6, 2))
+    system = TransferFunction(np.diag(m), np.zeros((6, 6)), K, unit(6, 2), unit(6, 2))
     held = np.delete(np.delete(K / np.sqrt(np.outer(m, m)), 2, 0), 2, 1)
     assert [one.Omega for one in antiresonances(system)] == pytest.approx(np.sqrt(np.linalg.eigvalsh(held)), rel=1e-12)
     assert all(one.value == 0.0 for one in antiresonances(system))
     between = [one.Omega for one in peaks(system)]
     assert all(low < one.Omega < high for low, one, high in zip(between, antiresonances(system), between[1:],
                                                                  strict=False))
-    assert not antiresonances(Transfer(np.diag(m), np.zeros((6, 6)), K, unit(6, 0), unit(6, 5)))
+    assert not antiresonances(TransferFunction(np.diag(m), np.zeros((6, 6)), K, unit(6, 0), unit(6, 5)))
 
 
 @pytest.mark.sweep
@@ -270,7 +271,7 @@ def test_antiresonances_interlace_with_resonances():
 def test_a_chain_driven_at_its_end_has_no_antiresonance_at_the_other(n):
     """Its numerator is a constant without damping, with dampers beside the springs a product of real zeros."""
     for weak in (0.0, 0.02):
-        system = Transfer(np.eye(n), chain(np.full(n, weak)), chain(np.linspace(90, 110, n)), unit(n, 0),
+        system = TransferFunction(np.eye(n), chain(np.full(n, weak)), chain(np.linspace(90, 110, n)), unit(n, 0),
                           unit(n, n - 1))
         assert not antiresonances(system)
         assert len(peaks(system)) == n
@@ -282,13 +283,13 @@ def test_a_pole_without_damping_has_no_bound_however_narrow(order):
     for step in range(24):
         tie = 10 ** (-step / 6)
         K = np.array([[300.0 + tie, -tie], [-tie, 7000.0 + tie]])
-        system = Transfer(np.diag([2.0, 13.0]), np.zeros((2, 2)), K, unit(2, 0), unit(2, 0), order=order)
+        system = TransferFunction(np.diag([2.0, 13.0]), np.zeros((2, 2)), K, unit(2, 0), unit(2, 0), order=order)
         assert [one.value for one in extremes(system) if one.maximum] == [None, None], step
         assert [one.value for one in peaks(system)] == [None, None]
 
 
 def test_a_damped_antiresonance_is_a_minimum():
-    system = Transfer(np.diag([20.0, 2.0]), chain([1.0, 3.0]), chain([8000.0, 1250.0]), unit(2, 0), unit(2, 0))
+    system = TransferFunction(np.diag([20.0, 2.0]), chain([1.0, 3.0]), chain([8000.0, 1250.0]), unit(2, 0), unit(2, 0))
     (dip,) = antiresonances(system)
     values = np.abs(frf(system, dip.Omega * np.array([1 - 1e-4, 1, 1 + 1e-4])))
     assert values[1] == dip.value and values[1] < min(values[0], values[2])
@@ -300,7 +301,7 @@ def test_the_grid_sees_every_peak(kind, log):
     rng = np.random.default_rng(2)
     for n in (1, 2, 6):
         system = random_system(rng, n, kind)
-        system = Transfer(system.M, system.C, system.K, system.b, unit(n, 0))
+        system = TransferFunction(system.M, system.C, system.K, system.b, unit(n, 0))
         known = extremes(system)
         top = max((one.Omega for one in known), default=100.0)
         Omega, values = adaptive(system, top / 1e4, 2 * top, log)
@@ -396,7 +397,7 @@ def test_transmissibility_crosses_one_at_root_two():
 
 
 def test_no_fixed_point_where_something_else_damps():
-    system = [Transfer(np.diag([20.0, 2.0]), chain([9.0, c]), chain([8000.0, 600.0]), unit(2, 0), unit(2, 0))
+    system = [TransferFunction(np.diag([20.0, 2.0]), chain([9.0, c]), chain([8000.0, 600.0]), unit(2, 0), unit(2, 0))
               for c in (0.0, 1.0)]
     assert fixed_points(*system) == []
 
