@@ -58,6 +58,7 @@ FIGURES = {
     "constant": of_response(TIMES, [("F", "N", [5000.0] * 1001)]),
     "single": of_response([2.0], [("x", "m", [0.3])]),
     "empty": of_response([], [("x", "m", [])]),
+    "narrow": of_response([500 + 1e-6 * i for i in range(100)], [("x", "m", [1 + 1e-7 * i for i in range(100)])]),
     "nothing": Figure("", ()),
     "nan": of_response(TIMES, [("x", "m", [math.nan if t > 3 else math.inf if t < 1 else t for t in TIMES])]),
     "tiny": of_response(TIMES, [("x", "m", wave(1e-31, 3))]),

@@ -20,7 +20,7 @@ def draw(axes, sheet, inches):
     """Everything of a panel so many inches high."""
     panel = sheet.panel
     sheet = sheet._replace(x=_with_margin(sheet.x, _MARGIN * panel.equal), y=_with_margin(sheet.y, _MARGIN))
-    _scale(axes.xaxis, sheet.x, _ALONG)
+    _scale(axes.xaxis, sheet.x, _ALONG if _wide(sheet.x) else _ALONG // 2)
     _scale(axes.yaxis, sheet.y, min(int(_UPWARDS * inches), _ALONG))
     axes.tick_params(axis="x", labelbottom=sheet.last)
     axes.set_xlabel(shortened(panel.x_label, _LONGEST) if sheet.last else "")
@@ -35,6 +35,11 @@ def draw(axes, sheet, inches):
     top = draw_marks(axes, sheet)
     if sheet.legend and len(handles) > 1:
         _legend(axes, handles, top)
+
+
+def _wide(axis):
+    """Do few digits tell the ends apart, so that the numbers along it are short?"""
+    return axis.high - axis.low > 1e-3 * max(abs(axis.low), abs(axis.high))
 
 
 def _with_margin(axis, part):
