@@ -112,7 +112,7 @@ def test_reports_are_read_back(path):
             report.add(name)
         lines = printed.of_documents([report.document()])
         assert all(printed.compared(parts, values) for parts in lines if len(parts) > 1)
-        for entry in equation_rows(found) if found.loose.q else ():
+        for entry in equation_rows(found) if found.system.loose.q else ():
             printed.compared_texts(entry["text"], entry["latex"], values)
             printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)
 
