@@ -67,7 +67,7 @@ def _in_numbers(problem, rest, thorough):
         nodes = list(first.forms.values())
         if not system.limits and stable_in_floats(rest, nodes, [first.values[name] for name in first.forms]):
             found = defined(problem, first.forms)
-    return with_chosen(system.numeric(list(first.values.values())) if found is None else found, problem, solutions)
+    return with_chosen(system.instance(list(first.values.values())) if found is None else found, problem, solutions)
 
 
 def _all_values(problem, rest, values):

@@ -38,13 +38,13 @@ class ConditionSystem:
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
         key = tuple(values)
         if key not in self._measured:
-            numeric = self.numeric(values, self.shares)
-            self._measured[key] = self._measure(numeric)
-            if "equilibrium" in vars(numeric.configuration):
-                self.rest[key] = numeric.configuration
+            instance = self.instance(values, self.shares)
+            self._measured[key] = self._measure(instance)
+            if "equilibrium" in vars(instance.configuration):
+                self.rest[key] = instance.configuration
         return self._measured[key]
 
-    def numeric(self, values, shared=False):
+    def instance(self, values, shared=False):
         given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
         found = self.problem.sharing(given) if shared else self.problem.with_values(given)
         limit = self.limit(values)
@@ -63,39 +63,39 @@ class ConditionSystem:
         """The Limit that was followed to at these values; None elsewhere."""
         return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
 
-    def _measure(self, numeric):
+    def _measure(self, instance):
         import numpy as np
 
         self.problem.work.step()
         try:
             with np.errstate(all="ignore"):
                 if not all(condition.is_balance for condition in self.conditions):
-                    numeric = _roughly(numeric)
-                signed = numeric.with_signs()
-                found = [self._pairs(signed if _vanishing(condition) else numeric, condition)
+                    instance = _roughly(instance)
+                signed = instance.with_signs()
+                found = [self._pairs(signed if _vanishing(condition) else instance, condition)
                          for condition in self.conditions]
         except (SpecError, PhysicsError, ArithmeticError, np.linalg.LinAlgError) as error:
             self.refusal = self.refusal or error
             return None
         return found if all(isfinite(x) for pairs in found for pair in pairs for x in pair) else None
 
-    def _pairs(self, numeric, condition):
+    def _pairs(self, instance, condition):
         if condition.is_balance:
-            return balance(numeric)
+            return balance(instance)
         if condition.word:
-            return [self._slowest(numeric)]
-        return [(value_of(numeric, condition.left)[0], value_of(numeric, condition.right)[0])]
+            return [self._slowest(instance)]
+        return [(value_of(instance, condition.left)[0], value_of(instance, condition.right)[0])]
 
-    def _slowest(self, numeric):
+    def _slowest(self, instance):
         """What restores and what drives away, in the unstable mode that grows fastest or else the slowest one; with
         loads or damping that may drive a mode, its margin to flutter and divergence."""
-        free = free_roots(numeric.configuration.linear_system)
+        free = free_roots(instance.configuration.linear_system)
         self.free = free if self.free is None else min(free, self.free)
-        found = margin(numeric.configuration.linear_system, self.free)
+        found = margin(instance.configuration.linear_system, self.free)
         if found is not None:
             value, size = found
             return 0.5 * (size + value), 0.5 * (size - value)
-        modes = numeric.modal.modes
+        modes = instance.modal.modes
         rigid = sum(mode.rigid for mode in modes)
         self.rigid = rigid if self.rigid is None else min(rigid, self.rigid)
         if rigid > self.rigid:
@@ -104,7 +104,7 @@ class ConditionSystem:
         if mode is None:
             raise PhysicsError("nothing holds this scene: it has no limit of stability", "add a spring")
         value = float(mode.omega) ** 2 if mode.omega is not None else -(float(mode.growth_rate) ** 2)
-        size = _stiffness_size(numeric.configuration.linear_system, mode.shape)
+        size = _stiffness_size(instance.configuration.linear_system, mode.shape)
         return 0.5 * (size + value), 0.5 * (size - value)
 
     def misfits(self, values):
@@ -132,7 +132,7 @@ class ConditionSystem:
         limit = self.limit(values)
         if limit is not None and self.conditions[0].word:
             return limit.residual
-        found = [self._pairs(self.numeric(values), condition) for condition in self.conditions]
+        found = [self._pairs(self.instance(values), condition) for condition in self.conditions]
         return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
 
     def holds(self, values):
@@ -169,17 +169,17 @@ def _vanishing(condition):
     return not condition.word and any(is_nothing(side.tree) for side in condition.sides)
 
 
-def _roughly(numeric):
+def _roughly(instance):
     """The same with element data about an equilibrium that is not drawn, in floats: for a first look, not to the last
     digit."""
     from vibcli.mechanics.numeric_linearisation import in_numbers
 
-    scene, system, configuration = numeric.scene, numeric.system, numeric.configuration
+    scene, system, configuration = instance.scene, instance.system, instance.configuration
     plain = scene.loops is None and not scene.timed and "atan2" not in scene.table.called
     if not plain or system.is_linear or configuration.equilibrium.drawn:
-        return numeric
+        return instance
     elements = in_numbers(system.linearisation, Floats, configuration.at_rest).elements
-    return numeric.about(configuration.about(configuration.equilibrium, elements))
+    return instance.about(configuration.about(configuration.equilibrium, elements))
 
 
 def misfit(pair, scale):
@@ -188,11 +188,11 @@ def misfit(pair, scale):
     return (left - right) / size if size else 0.0
 
 
-def balance(numeric):
+def balance(instance):
     """(forces along, forces against) each coordinate in the drawn position."""
     found = []
-    place = {**numeric.numeric.floats, numeric.scene.time.name: 0.0, **numeric.numeric.drawn_floats}
-    for terms in numeric.system.drawn_residual:
+    place = {**instance.numeric.floats, instance.scene.time.name: 0.0, **instance.numeric.drawn_floats}
+    for terms in instance.system.drawn_residual:
         values = evaluate(terms, Floats, place)
         found.append((sum(x for x in values if not x < 0), -sum(x for x in values if x < 0)))
     return found

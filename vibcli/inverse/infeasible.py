@@ -181,14 +181,14 @@ def not_admissible(problem, name, node, value, span):
                         "widen its range", record.where)
 
 
-def unbalanced(problem, numeric, pairs):
+def unbalanced(problem, instance, pairs):
     """Conditions of equilibrium that are left over, at the values that the other conditions ask for."""
     names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     errors = [abs(misfit(pair, 0.0)) for pair in pairs]
     i = errors.index(max(errors))
     left = pairs[i][0] - pairs[i][1]
-    coordinate = numeric.scene.coordinates[i]
-    others = [_valued(problem, name, numeric.numeric.floats[name])
+    coordinate = instance.scene.coordinates[i]
+    others = [_valued(problem, name, instance.numeric.floats[name])
               for name in problem.spec.choices if name not in names]
     given = f"with {listed(others)}, as is chosen, " if others else ""
     return PhysicsError(f"{given}no value of {listed(names)} makes the drawn position an equilibrium: the condition "

@@ -36,10 +36,10 @@ def tried(problem, system, values, forms):
     system.settle_about(in_order)
     good, residual = system.holds(in_order)
     if not good:
-        numeric = system.numeric(in_order)
-        pairs = balance(numeric)
+        instance = system.instance(in_order)
+        pairs = balance(instance)
         if any(c.is_balance for c in system.conditions) and any(abs(misfit(pair, 0.0)) > HOLDS for pair in pairs):
-            raise infeasible.unbalanced(problem, numeric, pairs)
+            raise infeasible.unbalanced(problem, instance, pairs)
         raise infeasible.not_held(system)
     limit = system.limit(in_order)
     return Solution(dict(zip(system.names, in_order, strict=True)), forms, residual, limit is not None and limit.fold)

@@ -1,7 +1,5 @@
 """Amplitudes of responses in letters, as conditions: amplitude(x), abs(frf[x, F](Ω)), transmissibility[x, base](Ω)."""
 
-from vibcli.analyses.closed_form.frequency_response import formula
-from vibcli.analyses.closed_form.steady_state import steady_state
 from vibcli.base.errors import NotInLetters
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.symbolic.equations.univariate import polynomial
@@ -19,13 +17,13 @@ def response_of(problem, tree):
         return _steady(problem, tree.args[0])
     elif asked != "transmissibility":
         return None
-    return formula(problem.symbolic, *tree.indices, frequency=_frequency(problem, tree.args[0]))
+    return problem.symbolic_frequency_response(*tree.indices, _frequency(problem, tree.args[0]))
 
 
 def _steady(problem, signal):
     if not isinstance(signal, NameRef):
         raise NotInLetters("amplitudes of sums and products are found in numbers")
-    return steady_state(problem.symbolic, signal.name + "'" * signal.primes).formula
+    return problem.symbolic_steady_state(signal.name + "'" * signal.primes).formula
 
 
 def _frequency(problem, tree):
@@ -70,7 +68,7 @@ def equal_heights(problem, one, other):
     damper, curve = one.indices[1], one.args[0].indices
     if {one.indices[0], other.indices[0]} != {"1", "2"} or (other.indices[1], other.args[0].indices) != (damper, curve):
         return None
-    found = formula(problem.symbolic, *curve)
+    found = problem.symbolic_frequency_response(*curve)
     (a, b), (c, d) = found.numerator, found.denominator
     if list(problem.spec.get("dampers")) != [damper] or b.is_zero or d.is_zero:
         raise NotInLetters("these fixed points are found in numbers")

@@ -137,6 +137,18 @@ class Problem:
             return FullMotion(self)
         return responses.SmallMotion(self)
 
+    def symbolic_frequency_response(self, signal, driver, frequency="Omega"):
+        """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
+        from vibcli.analyses.closed_form.frequency_response import formula
+
+        return formula(self.symbolic, signal, driver, frequency)
+
+    def symbolic_steady_state(self, signal):
+        """The Steady state of a signal in letters."""
+        from vibcli.analyses.closed_form.steady_state import steady_state
+
+        return steady_state(self.symbolic, signal)
+
     def frequency_response(self, signal, driver):
         """The FrequencyResponse of a signal to an input."""
         from vibcli.results.frequency_response import FrequencyResponse

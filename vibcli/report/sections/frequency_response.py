@@ -37,12 +37,11 @@ def _in_letters(problem, name, driver):
             raise NotInLetters(f"frequency responses of more than {LETTERS} degrees of freedom are found in numbers",
                                "give the parameters values with --set")
         return
-    from vibcli.analyses.closed_form.frequency_response import formula
     from vibcli.report.sections.symbolic_modes import turned
     from vibcli.report.sections.symbolic_response import conditions
 
     try:
-        found = formula(problem.symbolic, name, driver)
+        found = problem.symbolic_frequency_response(name, driver)
     except (NotInLetters, PhysicsError):
         if problem.numeric.has_free_symbols:
             raise

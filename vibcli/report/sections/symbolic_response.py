@@ -36,9 +36,7 @@ def response_in_letters(problem, names):
 
 
 def _steady(problem, names):
-    from vibcli.analyses.closed_form.steady_state import steady_state
-
-    return {name: steady_state(problem.symbolic, name) for name in names}
+    return {name: problem.symbolic_steady_state(name) for name in names}
 
 
 def _equilibrium(problem):
