@@ -18,7 +18,7 @@ class Configuration:
         self.costs = numeric.costs if equilibrium is None else Costs()
         self._equilibrium, self._linear_system, self._final = equilibrium, linear_system, final
 
-    @property
+    @cached_property
     def scene(self):
         return self.system.scene
 

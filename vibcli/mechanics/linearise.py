@@ -171,5 +171,5 @@ def _negated(slopes):
 
 
 def _at_rest(entries, rest):
-    values = substitute(list(entries.values()), rest)
+    values = substitute(list(entries.values()), rest) if entries else ()
     return {key: node for key, node in zip(entries, values, strict=True) if not node.is_zero}

@@ -14,7 +14,7 @@ class NumericSystem:
         self.system, self.spec, self.work, self.costs = system, system.spec, system.work, system.costs
         self.given = system.given if given is None else given
 
-    @property
+    @cached_property
     def scene(self):
         return self.system.scene
 

@@ -17,7 +17,7 @@ class SymbolicSystem:
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
 
-    @property
+    @cached_property
     def scene(self):
         return self.system.scene
 

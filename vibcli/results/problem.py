@@ -36,7 +36,7 @@ class Problem:
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self._cases, self._curves = {}, {}
 
-    @property
+    @cached_property
     def scene(self):
         return self.system.scene
 

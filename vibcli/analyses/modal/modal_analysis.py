@@ -16,7 +16,7 @@ class ModalAnalysis:
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
 
-    @property
+    @cached_property
     def scene(self):
         return self.system.scene
 
