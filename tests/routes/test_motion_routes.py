@@ -140,7 +140,7 @@ def test_small_motion_against_an_integrator(name):
     M, C, K = matrices(scene)
     n, end = len(M), min(scene.response.until, 2 * TURNS / rates_of(M, C, K).max())
     times, load = np.sort(dice.uniform(0, end, 25)), Load(scene)
-    places, speeds = scene.start
+    places, speeds = scene.initial.start
     q0 = np.array([places[q] - scene.configuration.equilibrium.values[q] for q in scene.scene.coordinates])
     exact = followed(M, C, K, load, np.append(q0, [speeds[q] for q in scene.scene.coordinates]), end, times)
     for i, q in enumerate(scene.scene.coordinates):
