@@ -1,6 +1,6 @@
 """Random oscillators of every kind that breaks solvers, and their eigenvalues in many digits.
 
-Each family is a function (random, n, ratio) -> OscillatorElements; ratio is the quotient of the stiffest and the
+Each family is a function (random, n, ratio) -> FactoredSystem; ratio is the quotient of the stiffest and the
 softest spring.
 """
 
@@ -9,7 +9,7 @@ from fractions import Fraction
 
 import mpmath
 
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 
 
 def _weight(random, ratio):
@@ -22,7 +22,7 @@ def _masses(random, n, ratio=10.0):
 
 def _with_rows(n, inertias, springs, **more):
     rows = tuple({i: Fraction(x) for i, x in row.items()} for _, row in springs)
-    return OscillatorElements(n, inertias, springs, rational_rows=rows, **more)
+    return FactoredSystem(n, inertias, springs, rational_rows=rows, **more)
 
 
 def chain(random, n, ratio, grounded=True):
@@ -95,7 +95,7 @@ def preloaded(random, n, ratio):
         for j in range(i + 1):
             if i == j or random.random() < 0.4:
                 k[i, j] = k[j, i] = random.uniform(-2, 1)
-    return OscillatorElements(n, base.inertias, base.springs, K=k)
+    return FactoredSystem(n, base.inertias, base.springs, K=k)
 
 
 def repeated(random, n, ratio):
@@ -143,7 +143,7 @@ def rotor(random, n, ratio, size=1.0):
     """Skew, damping and indefinite stiffness together."""
     base, turning = preloaded(random, n, ratio), gyroscopic(random, n, ratio, size)
     dampers = damped_chain(random, n, ratio, size).dampers
-    return OscillatorElements(n, base.inertias, base.springs, dampers, G=turning.G, K=base.K)
+    return FactoredSystem(n, base.inertias, base.springs, dampers, G=turning.G, K=base.K)
 
 
 def follower(random, n, ratio, size=1.0, grounded=True):
@@ -155,7 +155,7 @@ def follower(random, n, ratio, size=1.0, grounded=True):
                 k[i, j] = unit * random.randrange(-1 << 20, 1 << 20)
         if not grounded:
             k[i, i] = -sum(x for (row, _), x in k.items() if row == i)
-    return OscillatorElements(n, base.inertias, base.springs, K=k)
+    return FactoredSystem(n, base.inertias, base.springs, K=k)
 
 
 def free_follower(random, n, ratio, size=1.0):
@@ -166,13 +166,13 @@ def free_follower(random, n, ratio, size=1.0):
 def massive_follower(random, n, ratio, size=1.0):
     """The same with coordinates coupled through the masses."""
     base = full_mass(random, n, ratio)
-    return OscillatorElements(n, base.inertias, base.springs, K=follower(random, n, ratio, size).K)
+    return FactoredSystem(n, base.inertias, base.springs, K=follower(random, n, ratio, size).K)
 
 
 def massless_follower(random, n, ratio, size=1.0):
     """The same with some nodes of no mass."""
     base = massless_nodes(random, n, ratio)
-    return OscillatorElements(n, base.inertias, base.springs, K=follower(random, n, ratio, size).K,
+    return FactoredSystem(n, base.inertias, base.springs, K=follower(random, n, ratio, size).K,
                               massless=base.massless)
 
 
@@ -182,7 +182,7 @@ def driven(random, n, ratio, size=1.0, follow=follower):
     pushed = [(w * random.choice((1, 1, -1)), row) for w, row in damped_chain(random, n, ratio, size).dampers]
     g = gyroscopic(random, n, ratio, 10 ** random.uniform(-4, 4)).G if random.random() < 0.5 else {}
     g = {at: x for at, x in g.items() if not set(at) & set(base.massless)}
-    return OscillatorElements(n, base.inertias, base.springs, pushed, G=g, K=base.K, massless=base.massless)
+    return FactoredSystem(n, base.inertias, base.springs, pushed, G=g, K=base.K, massless=base.massless)
 
 
 def held_by_spin(random, n, ratio, size=1.0):
@@ -197,7 +197,7 @@ def held_by_spin(random, n, ratio, size=1.0):
         if i:
             k[i, i - 1] = k[i - 1, i] = random.choice((0.0, 1e-3 * stiffness))
     springs += [(1.0, {n - 1: 1.0})] * (n % 2)
-    return OscillatorElements(n, base.inertias, springs, G=g, K=k)
+    return FactoredSystem(n, base.inertias, springs, G=g, K=k)
 
 
 def anything(random, n, ratio, size=1.0):
@@ -226,7 +226,7 @@ def anything(random, n, ratio, size=1.0):
                 g[i, j] = weight()
                 g[j, i] = -g[i, j]
     dampers = [(w * size, r) for w, r in several(n + 2)]
-    return OscillatorElements(n, inertias, several(2 * n), dampers, C=c, G=g, K=k)
+    return FactoredSystem(n, inertias, several(2 * n), dampers, C=c, G=g, K=k)
 
 
 def dense(terms, matrix, n):

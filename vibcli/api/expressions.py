@@ -87,5 +87,6 @@ def equations_of(problem: "Problem") -> dict[str, MotionEquation]:
         if equations.in_letters and name in problem.scene.coordinates:
             k = problem.scene.coordinates.index(name)
             linear = equations.linear[k] - equations.drive.get(k, problem.scene.table.zero)
-        found[name] = MotionEquation(problem.system.loose, row, equations.full[i] if equations.full else None, linear)
+        scene = problem.system.scene_with_multipliers
+        found[name] = MotionEquation(scene, row, equations.full[i] if equations.full else None, linear)
     return found

@@ -118,7 +118,7 @@ def require_autonomous(configuration, values):
     if scene.vibrating is not scene:
         from vibcli.mechanics.inputs_outputs.constraint_excitation import carried_into
 
-        i = carried_into(configuration.opened, values)
+        i = carried_into(configuration.with_inputs, values)
         if i is not None:
             raise _periodic(scene, i, "K")
     wanted, loops = matrices_at(configuration.system.linearisation, values), scene.vibrating.loops

@@ -100,10 +100,10 @@ class Configuration:
         if system.is_linear:
             return in_numbers(system.linearisation, Floats, {**numeric.floats, **self.equilibrium.values},
                               numeric.rational).elements
-        from vibcli.mechanics.high_precision import Degenerate, require_inertia, rounded_elements
+        from vibcli.mechanics.high_precision import Degenerate, require_inertia, rounded_system
 
         try:
-            found = rounded_elements(self)
+            found = rounded_system(self)
         except Degenerate as degenerate:
             from vibcli.mechanics.equilibrium.degenerate import settled_alone
 
@@ -116,9 +116,9 @@ class Configuration:
 
     def precise_system(self, digits):
         """The FactoredSystem to so many digits, as mpmath numbers."""
-        from vibcli.mechanics.high_precision import elements_to
+        from vibcli.mechanics.high_precision import system_to
 
-        return elements_to(self, digits)
+        return system_to(self, digits)
 
     def exact_system(self):
         """The FactoredSystem in Fractions, None where it is irrational or the equilibrium had to be searched for."""
@@ -137,11 +137,11 @@ class Configuration:
         return (None, None) if self._final else (self.precise_system, self.exact_system)
 
     @cached_property
-    def opened(self):
+    def with_inputs(self):
         """The scene with what drives it as further coordinates, linearised about the equilibrium."""
-        from vibcli.mechanics.inputs_outputs.base_excitation import Opened
+        from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 
-        return Opened(self)
+        return SystemWithInputs(self)
 
     @Stage
     def reactions(self):

@@ -28,7 +28,7 @@ def driven_products(symbolic):
     """{i: [products]} on the left side of equation i, the coordinates counted from the equilibrium."""
     if symbolic.numeric.has_free_symbols and not symbolic.linearisable:
         return {}
-    opened, found = symbolic.configuration.opened, {}
+    opened, found = symbolic.configuration.with_inputs, {}
     scene, forces = opened.scene, _forces(opened)
     for j, opening in enumerate(scene.inputs.values(), opened.n):
         if opening.node is None:
@@ -73,7 +73,7 @@ def _forces(opened):
 
 def _at_equilibrium(symbolic, j, bends):
     """The second derivatives in equilibrium, those that vanish left out."""
-    opened = symbolic.configuration.opened
+    opened = symbolic.configuration.with_inputs
     scene = opened.scene
     if not symbolic.numeric.has_free_symbols:
         bends = _felt(symbolic.configuration, j, bends)
@@ -91,7 +91,7 @@ def _at_equilibrium(symbolic, j, bends):
 
 def _felt(configuration, j, bends):
     """Those that are more than rounding beside what the displacement does to the equations at once."""
-    opened = configuration.opened
+    opened = configuration.with_inputs
     scene, n = opened.scene, opened.n
     length = list(map(configuration.numeric.size_along, scene.coordinates[:n]))
     number = {symbol: (k, order) for order, kind in enumerate((scene.q, scene.v)) for k, symbol in enumerate(kind)}

@@ -21,7 +21,7 @@ class Owned:
 
 
 def owned_forms(configuration):
-    """The Owned forms of a problem at its equilibrium, at the working precision of mpmath."""
+    """The Owned forms of a system in equilibrium, at the working precision of mpmath."""
     scene, form = configuration.scene.vibrating, configuration.reference_form
     springs, dampers = scene.at_still("springs"), scene.at_still("dampers")
     bent = _bent(scene, springs)

@@ -12,7 +12,7 @@ gives (follower forces) make K₊, and with it K, a matrix that is not symmetric
 ROUNDING = 2.0 ** -51
 
 
-class OscillatorElements:
+class FactoredSystem:
     """Rows and weights in one arithmetic: float, mpmath.mpf or Fraction.
 
     n: number of coordinates. inertias, springs, dampers: tuples of (weight, row), where a row is a
@@ -36,7 +36,7 @@ class OscillatorElements:
 
     def with_parts(self, **parts):
         """The same with other parts."""
-        return OscillatorElements(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
+        return FactoredSystem(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
 
     @property
     def circulatory(self):

@@ -1,7 +1,7 @@
 """Equilibrium and element data to any number of digits, by Newton's method in mpmath from the float solution."""
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
@@ -9,8 +9,8 @@ ROUNDED, NOTHING, FALLEN, VANISHED = 40, 1e-20, 1e-10, 1e-6
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
-def elements_to(configuration, digits):
-    """OscillatorElements of mpmath numbers, good to `digits` digits."""
+def system_to(configuration, digits):
+    """FactoredSystem of mpmath numbers, good to `digits` digits."""
     import mpmath
 
     with mpmath.workdps(digits + GUARD):
@@ -122,18 +122,18 @@ def require_inertia(numeric, elements):
                                "give the bodies their inertia, or start elsewhere with `equilibrium:`")
 
 
-def rounded_elements(configuration):
+def rounded_system(configuration):
     """The element data at an equilibrium that was searched for, each number correctly rounded.
 
     What falls with the digits is rounding of what cancels, and zero.
     """
-    exact = elements_to(configuration, ROUNDED)
+    exact = system_to(configuration, ROUNDED)
     largest = max((abs(x) for x in exact.K_size.values()), default=0)
     if any(abs(x) < NOTHING * largest for x in exact.K.values()) or all(abs(x) < NOTHING for x in exact.K.values()):
-        sharper = elements_to(configuration, 2 * ROUNDED)
+        sharper = system_to(configuration, 2 * ROUNDED)
         exact = exact.with_parts(K={pair: x for pair, x in exact.K.items()
                                     if abs(sharper.K.get(pair, 0)) > NOTHING * abs(x)})
-    return OscillatorElements(
+    return FactoredSystem(
         exact.n, _rows(exact.inertias), _rows(exact.springs), _rows(exact.dampers), M=_floats(exact.M),
         C=_floats(exact.C), G=_floats(exact.G), drag=_floats(exact.drag), K=_floats(exact.K),
         K_size={pair: abs(float(x)) for pair, x in exact.K.items()},

@@ -4,7 +4,7 @@ Of a stiff spring that hardly stretches, (∇s·φ) is small though the componen
 keeps the digits.
 """
 
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 
 
 def inner(terms, extra, y, x):
@@ -31,6 +31,6 @@ def only(elements, kept):
     def entries(found):
         return {pair: x for pair, x in found.items() if kept(x)}
 
-    return OscillatorElements(
+    return FactoredSystem(
         elements.n, terms(elements.inertias), terms(elements.springs), terms(elements.dampers), M=entries(elements.M),
         C=entries(elements.C), G=entries(elements.G), K=entries(elements.K), drag=entries(elements.drag))

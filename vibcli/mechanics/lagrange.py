@@ -85,7 +85,7 @@ def _primitive(node):
 
 def equations(symbolic):
     """The EquationsOfMotion of a scene; without an equilibrium only the full ones, and the refusal of the others."""
-    scene, loose = symbolic.scene, symbolic.system.loose
+    scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
     full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []
     if loose is not scene and full:
         full, multipliers, conditions = _with_multipliers(loose, full)

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.linearisation import each
 from vibcli.symbolic.evaluation import evaluate, evaluate_rational
 
@@ -12,7 +12,7 @@ ALIKE = 2.0**-46
 class Numbers(NamedTuple):
     """A Linearisation evaluated: the element data, the residual r, and the sizes of the terms r was added from."""
 
-    elements: OscillatorElements
+    elements: FactoredSystem
     residual: list
     residual_size: list
 
@@ -41,7 +41,7 @@ def in_numbers(form, arithmetic, values, rational=None):
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    elements = OscillatorElements(
+    elements = FactoredSystem(
         n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
         C=data.entries(form.C), G=data.entries(form.G), drag=data.entries(form.drag), K=K, K_size=size,
         massless=massless(form, known), rational_rows=_rational_rows(form, rational))

@@ -15,8 +15,8 @@ from vibcli.symbolic.evaluation import evaluate, multiprecision
 LOST = 1e-20    # of the terms of a force: what counts as none, at the working precision of 60 digits
 
 
-def perturbed_elements(configuration, name, free):
-    """OscillatorElements in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
+def perturbed_system(configuration, name, free):
+    """FactoredSystem in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
 
     `free`: the shapes of the rigid-body modes. PhysicsError where the equilibrium does not persist as p changes.
     """

@@ -24,7 +24,7 @@ from vibcli.symbolic.rationals import ONE
 ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
 
-class Settled(NamedTuple):
+class SymbolicEquilibrium(NamedTuple):
     """values: {coordinate symbol: expression}; calls: {sin q or cos q: expression} of those that are angles; reached:
     modes at random values of the letters that reach this equilibrium; named: is it the place that `equilibrium:`
     names?"""
@@ -38,7 +38,7 @@ class Settled(NamedTuple):
         """The same with one coordinate more; `reached`: those that still reach it."""
         calls = {} if solution.sine is None else {
             q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
-        return Settled({**self.values, q: solution.value}, {**self.calls, **calls}, reached)
+        return SymbolicEquilibrium({**self.values, q: solution.value}, {**self.calls, **calls}, reached)
 
     def at(self, nodes):
         """The nodes with what is known put in."""
@@ -53,15 +53,15 @@ class Settled(NamedTuple):
         return {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **self.values, **self.calls}
 
 
-def settled(symbolic):
-    """The Settled equilibrium of a nonlinear scene, None where it is not found."""
+def symbolic_equilibrium(symbolic):
+    """The SymbolicEquilibrium of a nonlinear scene, None where it is not found."""
     scene, tried, start = symbolic.scene, _Tried(symbolic), symbolic.start
     reached = tried.first(LEAST) if scene.loops is None else []
     if len(reached) < LEAST:
         return None
     if start is not None and all(map(_at_start, tried.first(ENOUGH))):
-        return Settled({q: start[q] for q in scene.q}, {}, tried.first(ENOUGH), named=True)
-    found = Settled({q: scene.drawn[q] for q in scene.q if _stays(reached, q.name)}, {}, reached)
+        return SymbolicEquilibrium({q: start[q] for q in scene.q}, {}, tried.first(ENOUGH), named=True)
+    found = SymbolicEquilibrium({q: scene.drawn[q] for q in scene.q if _stays(reached, q.name)}, {}, reached)
     conditions = [scene.table.sum(*((term, ONE) for term in terms))
                   for terms in residual_terms(symbolic.system.linearisation)]
     while len(found.values) < len(scene.q):

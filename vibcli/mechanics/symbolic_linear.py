@@ -13,7 +13,7 @@ from vibcli.symbolic.transfer_between_tables import copied
 
 def coefficients(symbolic, signal, driven_by):
     """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
-    opened, place = symbolic.configuration.opened, place_in_letters(symbolic)
+    opened, place = symbolic.configuration.with_inputs, place_in_letters(symbolic)
     chosen = named_input(symbolic.configuration, driven_by)
     if chosen.carried or any(isinstance(weight, complex) for weight in chosen.weights.values()):
         raise NotInLetters(f"what turns as '{driven_by}' does has no amplitudes in letters here",
@@ -37,7 +37,7 @@ def coefficients(symbolic, signal, driven_by):
 def outputs(symbolic, signal):
     """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
     function of the time in the scene."""
-    opened, table = symbolic.configuration.opened, symbolic.scene.table
+    opened, table = symbolic.configuration.with_inputs, symbolic.scene.table
     rows, direct = _slopes(symbolic.configuration, signal, place_in_letters(symbolic)), table.zero
     for j, opening in enumerate(opened.scene.inputs.values(), opened.n):
         moved = opening.node
@@ -50,7 +50,7 @@ def outputs(symbolic, signal):
 
 def place_in_letters(symbolic):
     """{symbol: node} of the equilibrium in letters."""
-    scene = symbolic.configuration.opened.scene
+    scene = symbolic.configuration.with_inputs.scene
     rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)
     if symbolic.balanced_as_drawn or symbolic.system.is_linear:
         return {**rest, **scene.drawn_position}
@@ -63,8 +63,8 @@ def place_in_letters(symbolic):
 
 def _slopes(configuration, signal, place):
     """∂y/∂q, ∂y/∂q̇, ∂y/∂q̈ as {i: node}."""
-    scene, bare = configuration.opened.scene, signal.rstrip("'")
-    node = _node(configuration.opened, bare)
+    scene, bare = configuration.with_inputs.scene, signal.rstrip("'")
+    node = _node(configuration.with_inputs, bare)
     if node is None:
         raise NotInLetters(f"the amplitude of '{signal}' is not found in letters", "ask for it in numbers")
     slopes = gradient(node)
@@ -107,4 +107,4 @@ def _exact(configuration, chosen):
     """The shares of the input coordinates as nodes: a line along an axis."""
     if any(weight not in (-1.0, 0.0, 1.0) for weight in chosen.weights.values()):
         raise NotInLetters("the line of this input is along no axis", "name its component, as in drive.x")
-    return {j: configuration.opened.scene.table.number(int(weight)) for j, weight in chosen.weights.items()}
+    return {j: configuration.with_inputs.scene.table.number(int(weight)) for j, weight in chosen.weights.items()}

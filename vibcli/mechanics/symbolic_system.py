@@ -76,14 +76,14 @@ class SymbolicSystem:
 
     @cached_property
     def equilibrium(self):
-        """The Settled equilibrium of a nonlinear scene with letters that is not the drawn position; None where none is
+        """The SymbolicEquilibrium of a nonlinear scene with letters that is not the drawn position; None where none is
         found."""
         if not self.numeric.has_free_symbols or self.balanced_as_drawn or self.system.is_linear:
             return None
-        from vibcli.mechanics.symbolic_equilibrium import settled
+        from vibcli.mechanics.symbolic_equilibrium import symbolic_equilibrium
 
         with self.work.task("the search for the equilibrium in letters"):
-            return settled(self)
+            return symbolic_equilibrium(self)
 
     @cached_property
     def equilibrium_position(self):
@@ -154,7 +154,7 @@ class SymbolicSystem:
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
-        return textbook_energies(self.system.loose)
+        return textbook_energies(self.system.scene_with_multipliers)
 
     @Stage
     def equations(self):

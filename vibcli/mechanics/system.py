@@ -57,7 +57,7 @@ class MechanicalSystem:
         return scene
 
     @cached_property
-    def loose(self):
+    def scene_with_multipliers(self):
         """The scene with all its coordinates, its closed loops held by multipliers; itself where it has none."""
         return self.scene if self.scene.loops is None else self.scene.with_multipliers()
 

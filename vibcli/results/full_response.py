@@ -57,7 +57,7 @@ class StatesInTime(Response):
         return {symbol: found[name] for symbol, name in wanted.items()}
 
 
-class FullMotion(StatesInTime):
+class FullResponse(StatesInTime):
     """The motion of the full equations, integrated."""
 
     KIND, WORDS = "full", "full equations, integrated"

@@ -13,7 +13,7 @@ def precise_value(problem, name, primes, time, digits):
     from vibcli.analyses.excitation.decompose import forcing_of
     from vibcli.analyses.excitation.linear_output import LinearOutput
     from vibcli.analyses.transient.high_precision import precise_value as value_of
-    from vibcli.mechanics.high_precision import elements_to, equilibrium_to
+    from vibcli.mechanics.high_precision import equilibrium_to, system_to
     from vibcli.symbolic.evaluation import multiprecision
 
     scene, names = problem.scene, problem.scene.coordinates
@@ -23,7 +23,7 @@ def precise_value(problem, name, primes, time, digits):
     if not (problem.system.is_linear or problem.configuration.equilibrium.drawn):
         raise PhysicsError("more digits are found where the drawn position is the equilibrium, or the scene is linear",
                            "draw it in equilibrium")
-    M, C, G, K = elements_to(problem.configuration, digits + GUARD).matrices()
+    M, C, G, K = system_to(problem.configuration, digits + GUARD).matrices()
     n, i = len(names), names.index(name)
     with mpmath.workdps(digits + GUARD):
         arithmetic = multiprecision()

@@ -6,7 +6,7 @@ from vibcli.results.full_signals import PrescribedSignal
 from vibcli.symbolic.evaluation import evaluate
 
 
-class PrescribedMotion(StatesInTime):
+class PrescribedResponse(StatesInTime):
     """The kinematics of a scene without coordinates of its own."""
 
     KIND, WORDS = "prescribed", "prescribed by what drives it"

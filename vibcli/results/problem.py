@@ -125,17 +125,17 @@ class Problem:
         from vibcli.results import responses
 
         if not self.scene.q and self.scene.timed:
-            from vibcli.results.prescribed_motion import PrescribedMotion
+            from vibcli.results.prescribed_motion import PrescribedResponse
 
-            return PrescribedMotion(self)
+            return PrescribedResponse(self)
         kind = self.spec.get("motion")
         if kind is None and self.scene.laws:
             raise responses.nonlinear(self.spec, self.scene.laws[0].owner)
         if kind == "full":
-            from vibcli.results.full_response import FullMotion
+            from vibcli.results.full_response import FullResponse
 
-            return FullMotion(self)
-        return responses.SmallMotion(self)
+            return FullResponse(self)
+        return responses.SmallResponse(self)
 
     def symbolic_frequency_response(self, signal, driver, frequency="Omega"):
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""

@@ -102,7 +102,7 @@ def _jumps(node, symbols):
     return any(part.name == "sign" and any(part.mask & symbol.mask for symbol in symbols) for part in reachable([node]))
 
 
-class SmallMotion(Response):
+class SmallResponse(Response):
     """Small oscillations about the equilibrium, exact in time."""
 
     KIND, WORDS = "small", "small oscillations about the equilibrium"

@@ -10,7 +10,7 @@ from support.scenes import problem
 
 from vibcli.inverse import search, settled
 from vibcli.inverse.stability_margin import free_roots, margin
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 
 COLUMN = """
 parameters: {{m: {m} kg, l: {l} m, k: {k} N*m, a: {a}}}
@@ -97,7 +97,7 @@ def entries(A):
 
 def elements_of(M, C, G, K):
     size = {pair: abs(x) for pair, x in entries(K).items()}
-    return OscillatorElements(len(M), M=entries(M), C=entries(C), G=entries(G), K=entries(K), K_size=size)
+    return FactoredSystem(len(M), M=entries(M), C=entries(C), G=entries(G), K=entries(K), K_size=size)
 
 
 def of(M, C, G, K):

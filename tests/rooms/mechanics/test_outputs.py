@@ -164,7 +164,7 @@ def test_channels_carry_what_is_driven():
     output, channels = linear_output(scene.configuration, "s.force", channel=4)
     assert output.q == {0: pytest.approx(-2000)} and output.channels == {4: 1.0}
     assert output.constant == pytest.approx(5 * 9.81)
-    instant = {**scene.configuration.opened.values, "t": 0.3}
+    instant = {**scene.configuration.with_inputs.values, "t": 0.3}
     assert evaluate([channels[4]], Floats, instant)[0] == pytest.approx(2000 * 0.01 * math.sin(4.5))
     output, channels = linear_output(scene.configuration, "s.force", order=1)
     assert output.v == {0: pytest.approx(-2000)}
@@ -262,7 +262,7 @@ def test_of_points_that_springs_hold_before_loops_close():
 
 
 def at_start(scene, node):
-    return evaluate([node], Floats, scene.configuration.opened.values)[0]
+    return evaluate([node], Floats, scene.configuration.with_inputs.values)[0]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

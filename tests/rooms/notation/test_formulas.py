@@ -95,7 +95,7 @@ SAMPLE = [path for i, path in enumerate(FILES) if i % 16 == 3 or path.stem in NA
 def numbers(found):
     """{symbol: number}: the parameters of a scene as they are drawn, its motion small and at random."""
     draw, values = random.Random(3), dict(found.scene.sample)
-    for scene in (found.system.loose, found.scene):
+    for scene in (found.system.scene_with_multipliers, found.scene):
         for node in (*scene.q, *scene.v, *scene.a):
             values.setdefault(node.name, draw.uniform(0.02, 0.08))
     return values
@@ -112,7 +112,7 @@ def test_reports_are_read_back(path):
             report.add(name)
         lines = printed.of_documents([report.document()])
         assert all(printed.compared(parts, values) for parts in lines if len(parts) > 1)
-        for entry in equation_rows(found) if found.system.loose.q else ():
+        for entry in equation_rows(found) if found.system.scene_with_multipliers.q else ():
             printed.compared_texts(entry["text"], entry["latex"], values)
             printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)
 

@@ -27,7 +27,7 @@ def test_frequencies_need_neither_equations_nor_reactions(text):
     found = problem(text)
     assert found.modal.modes
     assert set(found.costs) - {"read", "spec"} == FREQUENCIES
-    assert "loose" not in vars(found.system) and "excitation" not in vars(found.symbolic)
+    assert "scene_with_multipliers" not in vars(found.system) and "excitation" not in vars(found.symbolic)
 
 
 def test_equations_find_no_modes():

@@ -442,7 +442,7 @@ def test_the_reduction_against_multipliers(name):
     """M = NᵀTN and K = Nᵀ(V″ + Σ λ G″)N with the null space N of ∂G/∂q and λ from V′ + λ ∂G/∂q = 0."""
     scene = problem({"atwood": ATWOOD, "crank": CRANK, "four-bar": FOUR_BAR, "inversor": PEAUCELLIER,
                      "oblique rope": OBLIQUE_ROPE}[name])
-    loose, own = scene.system.loose, scene.scene.coordinates
+    loose, own = scene.system.scene_with_multipliers, scene.scene.coordinates
     state = scene.configuration.at_rest | scene.configuration.dependent_values
     zero = loose.table.zero
 

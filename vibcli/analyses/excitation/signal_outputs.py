@@ -13,7 +13,7 @@ def linear_output(configuration, text, order=0, channel=None):
     included; `channel`: the number of its own channel, that after the coordinates if none is given."""
     row = linear_row(configuration, text)
     for _ in range(order):
-        row = rate(row, configuration.opened.scene)
+        row = rate(row, configuration.with_inputs.scene)
     return as_output(configuration, row, channel)
 
 
@@ -28,7 +28,7 @@ def quadratic_output(configuration, text, channel=None):
 def as_output(configuration, row, channel=None):
     """(LinearOutput, {channel: node of the time}) of a LinearFunction."""
     channel = len(configuration.scene.q) if channel is None else channel
-    opened, n = configuration.opened, configuration.opened.n
+    opened, n = configuration.with_inputs, configuration.with_inputs.n
     kept = [{i: x for i, x in part.items() if i < n} for part in (row.q, row.v, row.a)]
     node = _direct(opened, row)
     if node is None:

@@ -50,7 +50,7 @@ def slope(coefficients, s):
 
 
 def transfer(configuration, signal, driven_by, order=0):
-    """The TransferFunction of a signal of a problem to a named input."""
+    """The TransferFunction of a signal to a named input."""
     row, chosen = linear_row(configuration, signal), named_input(configuration, driven_by)
     n = len(configuration.scene.q)
     M, C, K = system(configuration)

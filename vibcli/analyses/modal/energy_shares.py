@@ -26,7 +26,7 @@ class Shares:
 
 
 def shares(modal):
-    """The Shares of a numeric problem."""
+    """The Shares of a system."""
     import mpmath
 
     with mpmath.workdps(WORKING):

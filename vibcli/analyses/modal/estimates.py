@@ -24,7 +24,7 @@ class Estimates:
 
 
 def estimates(modal):
-    """The Estimates of a numeric problem; PhysicsError where the bounds do not hold."""
+    """The Estimates of a system; PhysicsError where the bounds do not hold."""
     import mpmath
 
     with mpmath.workdps(WORKING):

@@ -10,7 +10,7 @@ coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′
 from vibcli.analyses.modal.modes_precise import SAME, WORKING, by_frequency, coinciding
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inner_products import conjugate, inner, only
-from vibcli.mechanics.parameter_derivatives import perturbed_elements
+from vibcli.mechanics.parameter_derivatives import perturbed_system
 from vibcli.symbolic.dual_numbers import Dual, slope
 
 ROUNDING = 1e-25    # of a frequency
@@ -42,7 +42,7 @@ class DampedSensitivity:
 
 
 def sensitivities(modal):
-    """The Sensitivities of a numeric problem."""
+    """The Sensitivities of a system."""
     import mpmath
 
     with mpmath.workdps(WORKING):
@@ -53,7 +53,7 @@ def sensitivities(modal):
         changes, refused = {}, {}
         for name in modal.spec.independent_parameters:
             try:
-                changes[name] = only(perturbed_elements(modal.configuration, name, free), _changes)
+                changes[name] = only(perturbed_system(modal.configuration, name, free), _changes)
             except PhysicsError as error:
                 refused[name] = error.message
             except ZeroDivisionError:

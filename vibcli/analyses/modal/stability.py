@@ -29,7 +29,7 @@ class Stability:
 
 
 def stability(modal):
-    """The Stability of the equilibrium of a numeric problem."""
+    """The Stability of an equilibrium, by its modes."""
     if inertless(modal.configuration.linear_system):
         return _of_springs(modal.configuration)
     modes = (modal.damped if _dampers_decide(modal.configuration.linear_system) else None) or modal.modes

@@ -41,7 +41,7 @@ def known_motion(configuration, until, initial=None):
 
 @np.errstate(all="ignore")      # what is not finite is refused with its instant
 def simulate(configuration, until, rtol=ACCURACY, initial=None, second=False):
-    """The Trajectory of a problem in numbers up to t = `until` [s].
+    """The Trajectory of a system up to t = `until` [s].
 
     rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
     starts at rest in equilibrium. Where its work comes to its limit the motion is that which was found until then.
@@ -119,7 +119,7 @@ def equations_of(numeric):
 
 def _loose(numeric):
     """The scene with all its coordinates, its static preloads in numbers."""
-    loose = numeric.scene.with_multipliers() if numeric.scene.loops is None else numeric.system.loose
+    loose = numeric.scene.with_multipliers() if numeric.scene.loops is None else numeric.system.scene_with_multipliers
     if not loose.static_preloads:
         return loose
     number, floats, preloads = loose.table.number, numeric.floats, numeric.system.preloads

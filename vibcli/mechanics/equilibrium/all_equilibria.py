@@ -50,7 +50,7 @@ class Equilibria:
 
 
 def find_equilibria(configuration):
-    """The Equilibria of a numeric problem; PhysicsError where the bounds are missing or wrong."""
+    """The Equilibria of a system in numbers; PhysicsError where the bounds are missing or wrong."""
     if configuration.numeric.has_free_symbols:
         asked = configuration.spec.get("find")
         raise PhysicsError("all equilibria are searched in numbers only, and this scene has symbols without value",

@@ -37,7 +37,7 @@ class Followed(NamedTuple):
 
 
 class Branch:
-    """The equilibria of a numeric problem as one parameter goes."""
+    """The equilibria of a system as one parameter goes."""
 
     def __init__(self, numeric, name):
         import numpy as np

@@ -10,7 +10,7 @@ from math import sqrt
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent, Equilibrium, relative_residual
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.high_precision import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, multiprecision
@@ -110,5 +110,5 @@ def blurred(numeric, found, forces, blur):
 
 def _known_to(exact, K, size):
     """The linear system with a stiffness that counts as known to 2⁻⁵³ of `size`."""
-    return OscillatorElements(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
+    return FactoredSystem(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
                               drag=exact.drag, K=K, K_size=size, massless=exact.massless)

@@ -23,7 +23,7 @@ SAME = 1e-9
 
 def excitation_through(symbolic):
     """{i: Q(t)} of the displacements that are driven to and fro."""
-    opened = symbolic.configuration.opened
+    opened = symbolic.configuration.with_inputs
     table, found = opened.scene.table, {}
     if symbolic.linearisable:
         M, C, G, K = matrices_in_letters(at_position(opened.form, place_in_letters(symbolic)))

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import excitation
-from vibcli.mechanics.inputs_outputs.base_excitation import Opened
+from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product
 from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, signal_of, solved
 from vibcli.mechanics.signals import pinned_at
@@ -22,11 +22,11 @@ from vibcli.symbolic.transfer_between_tables import copied
 
 
 class MovingReactions:
-    """The Rows of all multipliers and supports of a problem."""
+    """The linear functions of all multipliers and supports."""
 
     def __init__(self, configuration):
-        self.configuration, self.opened = configuration, configuration.opened
-        self.released = Opened(configuration, releasing=True)
+        self.configuration, self.opened = configuration, configuration.with_inputs
+        self.released = SystemWithInputs(configuration, releasing=True)
 
     @cached_property
     def rows(self):

@@ -18,7 +18,7 @@ from vibcli.symbolic.evaluation import evaluate
 
 
 class ForcesAlong:
-    """The forces of a problem at states {name: array} of all its coordinates, their rates and the time."""
+    """The forces of a system at states {name: array} of all its coordinates, their rates and the time."""
 
     def __init__(self, numeric):
         self.numeric = numeric

@@ -28,7 +28,7 @@ class Input(NamedTuple):
 
 def named_input(configuration, text):
     """The Input of this name: a load, a driven point or body (a component of it: drive.x), a coordinate."""
-    opened = configuration.opened
+    opened = configuration.with_inputs
     found = dict(enumerate(opened.scene.inputs.values(), opened.n))
     for kind in (_loads, _driven, _along_coordinate):
         chosen = kind(configuration, text, found)
@@ -41,9 +41,9 @@ def named_input(configuration, text):
 def input_columns(configuration, chosen):
     """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
     if chosen.carried:
-        return [configuration.opened.carried(chosen.carried), {}, {}]
-    configuration.opened.require_steady(chosen.weights)
-    return in_powers(configuration.opened.columns, chosen.weights, chosen.turns)
+        return [configuration.with_inputs.carried(chosen.carried), {}, {}]
+    configuration.with_inputs.require_steady(chosen.weights)
+    return in_powers(configuration.with_inputs.columns, chosen.weights, chosen.turns)
 
 
 def in_powers(columns, weights, turns):
@@ -90,7 +90,7 @@ def _loads(configuration, text, found):
 
 def _carried(configuration, record, name, terms):
     """The direction of a load, as it is written in the axes of the body that carries it."""
-    scene, sample = configuration.opened.scene, configuration.opened.sample
+    scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
     written = _amplitudes(scene, [scene.lower(part) for part in record["force"]], sample)
     line = [scene.table.number(Fraction(x)) for x in _unit(written, name)]
     nodes = dict(zip(terms, scene.frame(record["carrier"]).turned(*line), strict=True))
@@ -100,7 +100,7 @@ def _carried(configuration, record, name, terms):
 
 def _fixed_line(configuration, loads):
     """Does a load of two components keep its line?"""
-    opened = configuration.opened
+    opened = configuration.with_inputs
     nodes = [opened.scene.forces[k].weight for k in loads]
     moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
     return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
@@ -108,7 +108,7 @@ def _fixed_line(configuration, loads):
 
 def _line(configuration, name, loads):
     """The direction of a load as it is written, its function of the time being positive."""
-    opened = configuration.opened
+    opened = configuration.with_inputs
     nodes = [opened.scene.forces[k].weight for k in loads]
     if len(nodes) == 2 and not _fixed_line(configuration, loads):
         raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
@@ -135,7 +135,7 @@ def _unit(vector, name):
 
 def _driven(configuration, text, found):
     """A point or body that is driven: its one displacement, or the line along which it moves."""
-    scene = configuration.opened.scene
+    scene = configuration.with_inputs.scene
     moved = {i: opening for i, opening in found.items() if opening.node is not None}
     exact = [i for i, opening in moved.items() if opening.name == text]
     parts = exact or [i for i, opening in moved.items() if opening.name.partition(".")[0] == text]
@@ -144,7 +144,7 @@ def _driven(configuration, text, found):
     if len(parts) == 1:
         return Input({parts[0]: 1.0})
     nodes = [moved[i].node for i in parts]
-    values = configuration.opened.sample
+    values = configuration.with_inputs.sample
     moving = [evaluate(nodes, Floats, {**values, scene.time.name: t}) for t in INSTANTS]
     if exact or any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")

@@ -24,12 +24,12 @@ def linear_row(configuration, text):
     bare = text.rstrip("'")
     row = _row(configuration, bare)
     for _ in range(len(text) - len(bare)):
-        row = rate(row, configuration.opened.scene)
+        row = rate(row, configuration.with_inputs.scene)
     return row
 
 
 def _row(configuration, text):
-    opened, scene = configuration.opened, configuration.opened.scene
+    opened, scene = configuration.with_inputs, configuration.with_inputs.scene
     name, _, part = text.partition(".")
     if text in ENERGIES:
         raise PhysicsError(f"'{text}' is quadratic in the motion: it is not linear", "ask for coordinates or forces")
@@ -49,7 +49,7 @@ def _row(configuration, text):
 
 def squares(configuration, text):
     """[(weight, LinearFunction)] of a signal that is a sum of squares."""
-    opened = configuration.opened
+    opened = configuration.with_inputs
     name, _, part = text.partition(".")
     if opened.scene.terms_of(name, "laws"):
         raise PhysicsError(f"'{text}' of a nonlinear law is found along the full motion alone", "write motion: full")

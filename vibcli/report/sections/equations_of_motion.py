@@ -31,7 +31,7 @@ def with_lengths(lengths):
 
 def equations(problem, report):
     """The equations of motion; then those of small oscillations, in letters and in numbers."""
-    if not problem.system.loose.q:
+    if not problem.system.scene_with_multipliers.q:
         return
     yield from _full(problem, report)
     found, coordinates = problem.symbolic.equations, problem.scene.coordinates
@@ -74,7 +74,7 @@ def _unbent(problem, report):
 
 
 def _full(problem, report):
-    found, loose, title = problem.symbolic.equations, problem.system.loose, "Equations of motion"
+    found, loose, title = problem.symbolic.equations, problem.system.scene_with_multipliers, "Equations of motion"
     if not found.full:
         yield from section(title, paragraph(f"not written out for {len(problem.scene.coordinates)} coordinates"))
         return
@@ -119,7 +119,7 @@ ENERGY = Key("energies", "as expressions of the language of scenes, in solve and
 
 def equation_rows(problem):
     """What the keys below tell of each coordinate."""
-    equations, loose = problem.symbolic.equations, problem.system.loose
+    equations, loose = problem.symbolic.equations, problem.system.scene_with_multipliers
     for i, name in enumerate(equations.names):
         text, tex, missing = None, None, None
         if name in problem.scene.coordinates and not equations.refusal:

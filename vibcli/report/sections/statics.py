@@ -15,7 +15,7 @@ WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
 def virtual_work(problem, report):
     """δA = Σ Q δq, where there are loads or it is asked for."""
-    scene = problem.system.loose
+    scene = problem.system.scene_with_multipliers
     if not (scene.forces or "virtual_work" in problem.spec.get("find", ())) or not 0 < len(scene.q) <= WRITTEN_OUT:
         return
     from vibcli.mechanics.virtual_work import generalised_forces

@@ -13,7 +13,7 @@ from support.spectra import compared, nearest, rate, relative, residual, unit_ma
 from vibcli.analyses.modal import method
 from vibcli.analyses.modal.damped import damped
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.report.sections.mode_tables import mode_row
 
 ULP = 2.0 ** -53
@@ -126,7 +126,7 @@ def test_sums_of_eigenvalues():
 
 def exact_pair(product, number=Fraction):
     """K = [[1, 1/2], [−product·2, 2]]: its eigenvalues meet where the product of the couplings is −1/4."""
-    return OscillatorElements(2, [(number(1), {0: number(1)}), (number(1), {1: number(1)})],
+    return FactoredSystem(2, [(number(1), {0: number(1)}), (number(1), {1: number(1)})],
                               K={(0, 0): number(1), (1, 1): number(2), (0, 1): number(1) / 2,
                                  (1, 0): -2 * number(product)})
 
@@ -177,16 +177,16 @@ def test_many_digits():
 
 def test_rigid_motions_under_follower_forces():
     """A free rod of two masses with a thrust along it: K is nilpotent, and the turn pushes the translation."""
-    thrust = natural_modes(OscillatorElements(2, unit_masses(2), K={(0, 1): 1.0}))
+    thrust = natural_modes(FactoredSystem(2, unit_masses(2), K={(0, 1): 1.0}))
     assert [mode.kind for mode in thrust] == ["rigid", "rigid"]
     assert np.allclose(np.abs([mode.shape for mode in thrust]), np.eye(2))
-    tied = natural_modes(OscillatorElements(3, unit_masses(3), [(4.0, {2: 1.0})], K={(0, 1): 1.0, (0, 2): 0.5}))
+    tied = natural_modes(FactoredSystem(3, unit_masses(3), [(4.0, {2: 1.0})], K={(0, 1): 1.0, (0, 2): 0.5}))
     assert [mode.omega for mode in tied] == [0, 0, 2]
     for seed in range(10):
         elements = families.free_follower(random.Random(seed), 4, 100.0, 1.0)
         rigid, = (mode for mode in natural_modes(elements) if mode.rigid)
         assert np.allclose(rigid.shape, rigid.shape[0], rtol=1e-13)
-        pushed = OscillatorElements(4, elements.inertias, elements.springs, [(0.1, {0: 1.0, 1: -1.0})], K=elements.K)
+        pushed = FactoredSystem(4, elements.inertias, elements.springs, [(0.1, {0: 1.0, 1: -1.0})], K=elements.K)
         zero = [mode for mode in damped_modes(pushed, lambda e=elements: natural_modes(e)) if not mode.eigenvalue]
         assert len(zero) == 1 and zero[0].kind == "rigid"
 
@@ -195,7 +195,7 @@ def test_rounded_rows_of_a_free_body_give_an_exact_zero():
     def free(number):
         third = number(1) / 3
         K = {(0, 0): third, (0, 1): -third, (1, 0): -number(1) / 7, (1, 1): number(1) / 7}
-        return OscillatorElements(2, [(number(1), {0: number(1)}), (number(1), {1: number(1)})], K=K,
+        return FactoredSystem(2, [(number(1), {0: number(1)}), (number(1), {1: number(1)})], K=K,
                                   K_size={at: abs(x) for at, x in K.items()})
 
     def precise(dps):
@@ -221,14 +221,14 @@ def test_repeated_pairs_give_a_basis():
     pair = {(0, 1): 1.0, (1, 0): 0.5, (2, 3): 1.0, (3, 2): 0.5}
     for sign, kinds in ((1, ["oscillation"] * 4), (-1, ["flutter"] * 2)):
         K = {at: x * (sign if at[0] % 2 else 1) for at, x in pair.items()}
-        modes = natural_modes(OscillatorElements(4, unit_masses(4), [(1.0, {i: 1.0}) for i in range(4)], K=K))
+        modes = natural_modes(FactoredSystem(4, unit_masses(4), [(1.0, {i: 1.0}) for i in range(4)], K=K))
         assert [mode.kind for mode in modes] == kinds
         assert np.linalg.matrix_rank(np.array([mode.shape for mode in modes]), tol=0.1) == len(modes)
 
 
 def test_spun_under_follower_forces_what_decays_is_listed_too():
     """λ and −λ̄ are no pair where there is G and K is not symmetric."""
-    elements = OscillatorElements(2, unit_masses(2), K={(0, 0): 4.0, (1, 1): 4.0, (0, 1): 0.5, (1, 0): -0.5},
+    elements = FactoredSystem(2, unit_masses(2), K={(0, 0): 4.0, (1, 1): 4.0, (0, 1): 0.5, (1, 0): -0.5},
                                   G={(0, 1): 1.0, (1, 0): -1.0})
     modes = natural_modes(elements)
     exact = [x for x in families.eigenvalues(elements) if x.imag > 0]
@@ -242,7 +242,7 @@ def test_spun_under_follower_forces_what_decays_is_listed_too():
 def test_many_coordinates_in_floats_stay_within_their_bounds(size, monkeypatch):
     rng = random.Random(7)
     still = families.follower(rng, 30, 10.0, size)
-    driven = OscillatorElements(30, still.inertias, still.springs, [(0.1, {3: 1.0}), (-0.2, {9: 1.0})], K=still.K)
+    driven = FactoredSystem(30, still.inertias, still.springs, [(0.1, {3: 1.0}), (-0.2, {9: 1.0})], K=still.K)
     exact = natural_modes(still), damped(driven)
     monkeypatch.setattr(method, "CERTIFIABLE", 0)
     for modes, better, value in ((natural_modes(still), exact[0], rate),
@@ -260,7 +260,7 @@ def test_units_change_no_bit():
         rng = random.Random(seed)
         elements = families.massless_follower(rng, rng.randrange(2, 6), 1e3, 1.0)
         mass, time = rng.randrange(-30, 31), rng.randrange(-30, 31)
-        other = OscillatorElements(elements.n, [(w * 2.0 ** mass, row) for w, row in elements.inertias],
+        other = FactoredSystem(elements.n, [(w * 2.0 ** mass, row) for w, row in elements.inertias],
                                    [(k * 2.0 ** (mass - 2 * time), row) for k, row in elements.springs],
                                    K={at: x * 2.0 ** (mass - 2 * time) for at, x in elements.K.items()},
                                    massless=elements.massless)
@@ -270,11 +270,11 @@ def test_units_change_no_bit():
 
 def test_only_a_matrix_that_rounding_cannot_explain_is_circulatory():
     def elements(x, size=None):
-        return OscillatorElements(2, unit_masses(2), K={(0, 1): 1.0, (1, 0): x}, K_size=size)
+        return FactoredSystem(2, unit_masses(2), K={(0, 1): 1.0, (1, 0): x}, K_size=size)
 
     last = math.nextafter(1.0, 2)
     assert elements(last).circulatory and not elements(1.0).circulatory
     assert not elements(last, {(0, 1): 1.0, (1, 0): 1.0}).circulatory
     assert elements(1.0 + 1e-14, {(0, 1): 1.0, (1, 0): 1.0}).circulatory
-    assert OscillatorElements(2, K={(0, 1): 1e-300}).circulatory
-    assert not OscillatorElements(2, K={(0, 0): 1.0}).circulatory and not OscillatorElements(2).circulatory
+    assert FactoredSystem(2, K={(0, 1): 1e-300}).circulatory
+    assert not FactoredSystem(2, K={(0, 0): 1.0}).circulatory and not FactoredSystem(2).circulatory

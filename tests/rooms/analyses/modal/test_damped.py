@@ -14,7 +14,7 @@ from vibcli.analyses.modal import method
 from vibcli.analyses.modal.damped import damped
 from vibcli.analyses.modal.normalisation import normalised
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.numerics.precision import estimated_steps
 
 EPS = 2.0 ** -52
@@ -131,7 +131,7 @@ def test_conservative_gyroscopic_systems_neither_grow_nor_decay(family):
 
 def test_spinning_top_is_held_upright_by_its_spin():
     for spin, stands in ((1.9, False), (2.1, True), (40.0, True)):
-        elements = OscillatorElements(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})], K={(0, 0): -1.0, (1, 1): -1.0},
+        elements = FactoredSystem(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})], K={(0, 0): -1.0, (1, 1): -1.0},
                                       G={(0, 1): spin, (1, 0): -spin})
         modes = damped(elements)
         assert all((mode.growth_rate is None) == stands for mode in modes if mode.eigenvalue.real >= 0)
@@ -139,7 +139,7 @@ def test_spinning_top_is_held_upright_by_its_spin():
 
 
 def oscillator(m, c, k):
-    return OscillatorElements(1, [(m, {0: 1.0})], [(k, {0: 1.0})], [(c, {0: 1.0})])
+    return FactoredSystem(1, [(m, {0: 1.0})], [(k, {0: 1.0})], [(c, {0: 1.0})])
 
 
 def test_one_degree_of_freedom_of_any_damping():
@@ -171,7 +171,7 @@ def test_critical_damping_is_decided_exactly():
 
 def test_nearly_equal_roots_of_coupled_modes_keep_their_digits():
     def system(c):
-        return OscillatorElements(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})],
+        return FactoredSystem(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})],
                                   [(1.0, {0: 1.0}), (1.0, {0: 1.0, 1: -1.0})], [(c, {1: 1.0})])
 
     for c in (1.5530260406739624, 1.5530260406739627, 1.5530260406739629, 1.553026040673963):
@@ -184,7 +184,7 @@ def test_nearly_equal_roots_of_coupled_modes_keep_their_digits():
 
 def test_defective_pairs_of_coupled_modes():
     """(λ² + λ + 1)² as the determinant of a system that cannot be decoupled."""
-    elements = OscillatorElements(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})], K={(0, 0): 1.0, (1, 1): 1.0, (0, 1): 0.5,
+    elements = FactoredSystem(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})], K={(0, 0): 1.0, (1, 1): 1.0, (0, 1): 0.5,
                                   (1, 0): 0.5}, C={(0, 0): 1.0, (1, 1): 1.0}, G={(0, 1): 0.5, (1, 0): -0.5})
     exact = mpmath.polyroots([1, 2, 3 + 0.25, 2, 0.75], maxsteps=200, extraprec=400)
     for value, x, mode in matched(elements, damped(elements), exact)[0]:
@@ -194,21 +194,21 @@ def test_defective_pairs_of_coupled_modes():
 def test_rigid_motions_with_and_without_damping():
     pair = [(1.0, {0: 1.0}), (1.0, {1: 1.0})]
     tie = {0: 1.0, 1: -1.0}
-    inner = damped(OscillatorElements(2, pair, [(1.0, tie)], [(1.0, tie)]))
+    inner = damped(FactoredSystem(2, pair, [(1.0, tie)], [(1.0, tie)]))
     assert [mode.eigenvalue for mode in inner] == [0, 0, -1 + 1j]
-    outer = damped(OscillatorElements(2, pair, [(1.0, tie)], [(1.0, {0: 1.0})]))
+    outer = damped(FactoredSystem(2, pair, [(1.0, tie)], [(1.0, {0: 1.0})]))
     assert outer[0].eigenvalue == 0 and outer[1].eigenvalue.imag == 0 and outer[1].zeta is None
     assert outer[1].decay > 0 and len(outer) == 3
-    charged = damped(OscillatorElements(2, pair, G={(0, 1): 2.0, (1, 0): -2.0}))
+    charged = damped(FactoredSystem(2, pair, G={(0, 1): 2.0, (1, 0): -2.0}))
     assert [mode.eigenvalue for mode in charged] == [0, 0, 2j]
-    assert damped(OscillatorElements(1, pair[:1], (), [(3.0, {0: 1.0})]))[1].eigenvalue == -3
+    assert damped(FactoredSystem(1, pair[:1], (), [(3.0, {0: 1.0})]))[1].eigenvalue == -3
 
 
 def test_overdamped_proportional_modes_share_their_number():
     rows = [{0: 1.0}, {0: 1.0, 1: -1.0}, {1: 1.0}]
     masses = [(1.0, {0: 1.0}), (1.0, {1: 1.0})]
     for beta in (8.0, 1 / 3):
-        elements = OscillatorElements(2, masses, [(13.7, row) for row in rows], [(13.7 * beta, row) for row in rows])
+        elements = FactoredSystem(2, masses, [(13.7, row) for row in rows], [(13.7 * beta, row) for row in rows])
         modes = damped(elements)
         pairs = {}
         for mode in modes:
@@ -218,7 +218,7 @@ def test_overdamped_proportional_modes_share_their_number():
                 math.sqrt(first.eigenvalue.real * second.eigenvalue.real), rel=1e-14)
             assert first.zeta == pytest.approx(beta * first.omega / 2, rel=1e-14) and first.zeta >= 1
         assert len(modes) == 4 - sum(1 for mode in modes if mode.omega_d)
-    uneven = OscillatorElements(2, masses, [(1.0, row) for row in rows], [(30.0, rows[0]), (17.0, rows[1])])
+    uneven = FactoredSystem(2, masses, [(1.0, row) for row in rows], [(30.0, rows[0]), (17.0, rows[1])])
     assert all(mode.zeta is None for mode in damped(uneven) if not mode.omega_d)
 
 
@@ -243,7 +243,7 @@ def test_massless_nodes_between_springs_and_dampers():
         base = families.damped_chain(rng, n, 10 ** rng.uniform(0, 6), 10 ** rng.uniform(-4, 4), rng.random() < 0.7)
         bare = sorted(rng.sample(range(n), rng.randrange(1, max(2, n // 2 + 1))))
         inertias = [term for i, term in enumerate(base.inertias) if i not in bare]
-        elements = OscillatorElements(n, inertias, base.springs, base.dampers, massless=bare)
+        elements = FactoredSystem(n, inertias, base.springs, base.dampers, massless=bare)
         exact = infinite_removed(elements)
         modes = damped(elements)
         assert len(list(expanded(modes))) == len(exact)
@@ -252,7 +252,7 @@ def test_massless_nodes_between_springs_and_dampers():
 
 
 def test_spring_and_damper_in_series_give_a_third_eigenvalue():
-    elements = OscillatorElements(2, [(1.0, {0: 1.0})], [(3.0, {0: 1.0}), (2.0, {0: 1.0, 1: -1.0})],
+    elements = FactoredSystem(2, [(1.0, {0: 1.0})], [(3.0, {0: 1.0}), (2.0, {0: 1.0, 1: -1.0})],
                                   [(0.5, {1: 1.0})], massless=[1])
     exact = mpmath.polyroots([1, 4, 5, 12])
     pairs, left = matched(elements, damped(elements), exact)
@@ -263,7 +263,7 @@ def rescaled(elements, mass, time):
     inertias = [(w * 2.0 ** mass, row) for w, row in elements.inertias]
     springs = [(k * 2.0 ** (mass - 2 * time), row) for k, row in elements.springs]
     dampers = [(c * 2.0 ** (mass - time), row) for c, row in elements.dampers]
-    return OscillatorElements(elements.n, inertias, springs, dampers)
+    return FactoredSystem(elements.n, inertias, springs, dampers)
 
 
 def test_units_change_no_bit_and_the_order_of_coordinates_none_that_counts():
@@ -277,7 +277,7 @@ def test_units_change_no_bit_and_the_order_of_coordinates_none_that_counts():
         n = elements.n
         turned = [[(w, {n - 1 - i: x for i, x in row.items()}) for w, row in terms]
                   for terms in (elements.inertias, elements.springs, elements.dampers)]
-        for mode, other in zip(modes, damped(OscillatorElements(n, *turned)), strict=True):
+        for mode, other in zip(modes, damped(FactoredSystem(n, *turned)), strict=True):
             assert abs(other.eigenvalue - mode.eigenvalue) <= 4 * EPS * mode.omega
 
 
@@ -287,12 +287,12 @@ def test_rounding_of_the_data_is_bounded_and_escalated():
     def data(dps):
         with mpmath.workdps(dps):
             row = {0: 1 / mpmath.mpf(3), 1: -(1 - mpmath.mpf(10) ** -12) / 3}
-            return OscillatorElements(2, [(mpmath.mpf(1), {0: mpmath.mpf(1)}), (mpmath.mpf(1), {1: mpmath.mpf(1)})],
+            return FactoredSystem(2, [(mpmath.mpf(1), {0: mpmath.mpf(1)}), (mpmath.mpf(1), {1: mpmath.mpf(1)})],
                                       [(mpmath.mpf(10) ** 12, row), (mpmath.mpf(1), {0: mpmath.mpf(1)})],
                                       C={at: mpmath.mpf(x) for at, x in c.items()})
 
     floats = data(15)
-    floats = OscillatorElements(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})],
+    floats = FactoredSystem(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})],
                                 [(float(k), {i: float(x) for i, x in row.items()}) for k, row in floats.springs], C=c)
     for value, exact, mode in matched(data(90), damped(floats, precise=data))[0]:
         assert close(value, exact, mode, 1) and mode.error <= 1e-13
@@ -314,14 +314,14 @@ def test_digits():
 
 
 def test_what_neither_damps_nor_turns_has_no_damped_modes():
-    assert damped(OscillatorElements(1, [(1.0, {0: 1.0})], [(1.0, {0: 1.0})])) is None
+    assert damped(FactoredSystem(1, [(1.0, {0: 1.0})], [(1.0, {0: 1.0})])) is None
     assert damped(oscillator(1.0, 0.0, 1.0)) is None
 
 
 def test_what_has_no_eigenvalues_is_refused_with_its_cause():
     one, tie = [(1.0, {0: 1.0})], {1: 1.0, 2: -1.0}
     with pytest.raises(PhysicsError, match="mechanism"):
-        damped(OscillatorElements(3, one, one, [(1.0, {0: 1.0}), (1.0, tie)], massless=[1, 2]))
+        damped(FactoredSystem(3, one, one, [(1.0, {0: 1.0}), (1.0, tie)], massless=[1, 2]))
     with pytest.raises(PhysicsError, match="damping is not a finite number"):
         damped(oscillator(1.0, math.nan, 1.0))
     with pytest.raises(PhysicsError, match="range"):

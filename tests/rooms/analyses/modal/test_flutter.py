@@ -14,7 +14,7 @@ from vibcli.analyses.modal.damped import damped
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
 from vibcli.analyses.modal.stability import stability
 from vibcli.analyses.modal.undamped import Mode
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.report.sections.mode_tables import damped_row, mode_row, repeated
 
 ULP = 2.0 ** -53
@@ -35,7 +35,7 @@ def ziegler(load, c=0.0, number=float, dead=False):
     joints = {0: one}, {0: -one, 1: one}
     masses = [(2 * one, {0: one}), (one, {0: one, 1: one})]
     K = {(0, 0): -p, (1, 1): -p} if dead else {(0, 0): -p, (0, 1): p}
-    return OscillatorElements(2, masses, [(one, row) for row in joints], [(number(c), row) for row in joints if c],
+    return FactoredSystem(2, masses, [(one, row) for row in joints], [(number(c), row) for row in joints if c],
                               K={at: x for at, x in K.items() if x})
 
 
@@ -74,7 +74,7 @@ def test_a_dead_load_buckles_the_same_column():
 
 def aerofoil(q):
     """Heave and pitch of an aerofoil with a lift q α ahead of its elastic axis and its mass behind it."""
-    return OscillatorElements(2, M={(0, 0): 1.0, (0, 1): 0.25, (1, 0): 0.25, (1, 1): 0.5},
+    return FactoredSystem(2, M={(0, 0): 1.0, (0, 1): 0.25, (1, 0): 0.25, (1, 1): 0.5},
                               K={(0, 0): 1.0, (0, 1): q, (1, 1): 3.0 - q / 2})
 
 
@@ -94,15 +94,15 @@ def test_binary_flutter_and_divergence_of_an_aerofoil():
 
 def test_dampers_that_push():
     one = [(1.0, {0: 1.0})]
-    mode, = damped(OscillatorElements(1, one, [(1.0, {0: 1.0})], [(-0.5, {0: 1.0})]))
+    mode, = damped(FactoredSystem(1, one, [(1.0, {0: 1.0})], [(-0.5, {0: 1.0})]))
     assert mode.kind == "flutter" and mode.growth_rate == 0.25
     assert mode.omega_d == pytest.approx(math.sqrt(15) / 4, rel=4 * ULP) and mode.zeta == -0.25
-    fast, slow = sorted(damped(OscillatorElements(1, one, [(1.0, {0: 1.0})], C={(0, 0): -2.5})),
+    fast, slow = sorted(damped(FactoredSystem(1, one, [(1.0, {0: 1.0})], C={(0, 0): -2.5})),
                         key=lambda mode: -mode.growth_rate)
     assert (fast.growth_rate, slow.growth_rate) == (2.0, 0.5) and fast.kind == slow.kind == "divergence"
     for seed in range(20):
         elements = families.damped_chain(random.Random(seed), 4, 100.0, 10 ** random.Random(seed).uniform(-8, 2))
-        mirrored = OscillatorElements(4, elements.inertias, elements.springs,
+        mirrored = FactoredSystem(4, elements.inertias, elements.springs,
                                       [(-c, row) for c, row in elements.dampers])
         values, others = ([mode.eigenvalue for mode in damped(e)] for e in (elements, mirrored))
         assert sorted((-x.real, x.imag) for x in others) == sorted((x.real, x.imag) for x in values)
@@ -119,15 +119,15 @@ def test_stable_is_what_does_not_grow():
     assert is_stable(ziegler(1.4, 0.01)) and not is_stable(ziegler(1.5, 0.01))
     assert not is_stable(ziegler(7.0)) and not is_stable(ziegler(1.0, dead=True))
     one, stiff = [(1.0, {0: 1.0})], [(4.0, {0: 1.0})]
-    assert not is_stable(OscillatorElements(1, one, stiff, [(-0.1, {0: 1.0})]))
-    assert not is_stable(OscillatorElements(1, one, stiff, C={(0, 0): -0.1}))
-    assert is_stable(OscillatorElements(1, one, stiff, [(0.1, {0: 1.0})]))
+    assert not is_stable(FactoredSystem(1, one, stiff, [(-0.1, {0: 1.0})]))
+    assert not is_stable(FactoredSystem(1, one, stiff, C={(0, 0): -0.1}))
+    assert is_stable(FactoredSystem(1, one, stiff, [(0.1, {0: 1.0})]))
     held = {"K": {(0, 0): -1.0, (1, 1): -1.0}, "G": {(0, 1): 3.0, (1, 0): -3.0}}
-    assert is_stable(OscillatorElements(2, unit_masses(2), **held))
-    assert not is_stable(OscillatorElements(2, unit_masses(2), dampers=[(0.1, {0: 1.0}), (0.1, {1: 1.0})], **held))
+    assert is_stable(FactoredSystem(2, unit_masses(2), **held))
+    assert not is_stable(FactoredSystem(2, unit_masses(2), dampers=[(0.1, {0: 1.0}), (0.1, {1: 1.0})], **held))
     rotor = {(0, 0): 1.0, (1, 1): 1.0, (0, 1): 0.1, (1, 0): -0.1}     # internal damping turns with the shaft
     for c, stands in ((0.09, False), (0.11, True)):
-        assert is_stable(OscillatorElements(2, unit_masses(2), K=rotor, C={(0, 0): c, (1, 1): c})) == stands
+        assert is_stable(FactoredSystem(2, unit_masses(2), K=rotor, C={(0, 0): c, (1, 1): c})) == stands
 
 
 def test_rows_of_the_report():

@@ -8,7 +8,7 @@ from support import families
 from support.spectra import nearest, rate
 
 from vibcli.analyses.modal.modes import natural_modes
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 
 
 @pytest.fixture(autouse=True)
@@ -24,7 +24,7 @@ def spun(rng, n):
         return families.gyroscopic(rng, n, ratio, size, grounded=False)
     if kind == "indefinite":
         base = families.preloaded(rng, n, ratio)
-        return OscillatorElements(n, base.inertias, base.springs, K=base.K,
+        return FactoredSystem(n, base.inertias, base.springs, K=base.K,
                                   G=families.gyroscopic(rng, n, ratio, size).G)
     return kind(rng, n, ratio, size)
 
@@ -57,5 +57,5 @@ def test_many_coordinates_held_by_spin_do_not_seem_to_grow():
     base = families.chain(rng, n, 10.0)
     g = {(i - 1, i): rng.random() for i in range(1, n)} | {(0, 1): 60.0}
     g |= {(j, i): -x for (i, j), x in g.items()}
-    modes = natural_modes(OscillatorElements(n, base.inertias, base.springs, G=g, K={(0, 0): -40.0, (1, 1): -40.0}))
+    modes = natural_modes(FactoredSystem(n, base.inertias, base.springs, G=g, K={(0, 0): -40.0, (1, 1): -40.0}))
     assert [mode.kind for mode in modes] == ["oscillation"] * n

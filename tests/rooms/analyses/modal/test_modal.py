@@ -17,7 +17,7 @@ from vibcli.analyses.modal import method
 from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.undamped import undamped
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.factored_system import OscillatorElements
+from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.numerics import factored_svd
 from vibcli.numerics.factored_svd import jacobi, pivoted_qr
 from vibcli.numerics.precision import estimated_steps
@@ -156,7 +156,7 @@ def test_rigid_motions_are_counted_not_measured():
             inertias += [(rng.uniform(0.1, 10), {first + i: 1.0}) for i in range(size)]
             springs += [(10 ** rng.uniform(0, 18), {first + i: 1.0, first + (i + 1) % size: -1.0})
                         for i in range(size) if size > 1]
-        modes = undamped(OscillatorElements(len(inertias), inertias, springs))
+        modes = undamped(FactoredSystem(len(inertias), inertias, springs))
         assert sum(mode.rigid for mode in modes) == parts
         assert all(mode.omega == 0 for mode in modes if mode.rigid)
 
@@ -175,7 +175,7 @@ def test_rank_of_rational_rows_and_of_rows_with_rounding():
 def test_cart_with_a_pendulum_on_an_untied_rail_has_one_zero():
     m, g, length = 2.0, 9.81, 0.7
     inertias = [(3.0, {0: 1.0}), (m, {0: 1.0, 1: length})]
-    elements = OscillatorElements(2, inertias, K={(1, 1): m * g * length}, K_size={(1, 1): m * g * length})
+    elements = FactoredSystem(2, inertias, K={(1, 1): m * g * length}, K_size={(1, 1): m * g * length})
     modes = undamped(elements)
     assert [mode.rigid for mode in modes] == [True, False]
     exact = mpmath.sqrt(mpmath.mpf(g) / length * (1 + mpmath.mpf(m) / 3))
@@ -183,7 +183,7 @@ def test_cart_with_a_pendulum_on_an_untied_rail_has_one_zero():
 
 
 def test_negative_springs_make_unstable_modes():
-    elements = OscillatorElements(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})],
+    elements = FactoredSystem(2, [(1.0, {0: 1.0}), (1.0, {1: 1.0})],
                                   [(-3.0, {0: 1.0}), (1.0, {0: 1.0, 1: -1.0}), (1.0, {1: 1.0})])
     first, second = undamped(elements)
     assert first.omega is None and first.growth_rate > 0 and second.growth_rate is None
@@ -198,7 +198,7 @@ class Cancelling:
     def floats(self):
         k = {(i, i): sum(terms) for i, terms in enumerate(self.sums)}
         size = {(i, i): sum(map(abs, terms)) for i, terms in enumerate(self.sums)}
-        return OscillatorElements(2, self.masses(), K=k, K_size=size)
+        return FactoredSystem(2, self.masses(), K=k, K_size=size)
 
     def masses(self):
         return [(1.0, {0: 1.0}), (1.0, {1: 1.0})]
@@ -208,7 +208,7 @@ class Cancelling:
             k = {(i, i): sum(map(mpmath.mpf, terms)) for i, terms in enumerate(self.sums)}
             size = {(i, i): sum(abs(mpmath.mpf(x)) for x in terms) for i, terms in enumerate(self.sums)}
             inertias = [(mpmath.mpf(w), {i: mpmath.mpf(x) for i, x in row.items()}) for w, row in self.masses()]
-            return OscillatorElements(2, inertias, K=k, K_size=size)
+            return FactoredSystem(2, inertias, K=k, K_size=size)
 
 
 def test_rounding_of_preloads_is_bounded_and_escalated():
@@ -227,7 +227,7 @@ def rescaled(elements, a, b, c):
 
     inertias = [(w * 2.0 ** (a + 2 * b * (min(r) % 2)), dict(r)) for w, r in elements.inertias]
     springs = [(k * 2.0 ** (a - 2 * c), row(r)) for k, r in elements.springs]
-    return OscillatorElements(elements.n, inertias, springs)
+    return FactoredSystem(elements.n, inertias, springs)
 
 
 def test_units_change_no_bit():
@@ -251,7 +251,7 @@ def test_order_of_coordinates_does_not_matter(family):
         renamed = [[(w, {place[i]: x for i, x in row.items()}) for w, row in terms]
                    for terms in (elements.inertias, elements.springs)]
         k = {(place[i], place[j]): x for (i, j), x in elements.K.items()}
-        other = OscillatorElements(elements.n, *renamed, K=k, massless=[place[i] for i in elements.massless])
+        other = FactoredSystem(elements.n, *renamed, K=k, massless=[place[i] for i in elements.massless])
         for mode, same in zip(undamped(elements), undamped(other), strict=True):
             assert abs(rate(mode) - rate(same)) <= 4 * EPS * rate(mode)
 
@@ -268,7 +268,7 @@ def test_hundred_digits():
 
 def refused(*args, **kwargs):
     with pytest.raises(PhysicsError) as caught:
-        undamped(OscillatorElements(*args, **kwargs))
+        undamped(FactoredSystem(*args, **kwargs))
     return caught.value
 
 
@@ -321,7 +321,7 @@ def test_jacobi_reads_small_singular_values_of_rows_of_any_size():
 def test_many_masses_in_a_row():
     n = 300
     springs = [(1.0, {i: 1.0, i - 1: -1.0} if i else {0: 1.0}) for i in range(n)]
-    modes = undamped(OscillatorElements(n, [(1.0, {i: 1.0}) for i in range(n)], springs))
+    modes = undamped(FactoredSystem(n, [(1.0, {i: 1.0}) for i in range(n)], springs))
     for j in (0, 1, 150, 299):
         exact = 2 * mpmath.sin(mpmath.pi * (2 * j + 1) / (2 * (2 * n + 1)))
         assert abs(modes[j].omega - exact) <= modes[j].error * exact <= 1e-10 * exact
@@ -330,7 +330,7 @@ def test_many_masses_in_a_row():
 def test_small_systems_import_neither_scipy_nor_mpmath():
     code = ("import sys; from vibcli.analyses.modal.undamped import undamped\n"
             "from vibcli.analyses.modal.damped import damped\n"
-            "from vibcli.mechanics.factored_system import OscillatorElements as E\n"
+            "from vibcli.mechanics.factored_system import FactoredSystem as E\n"
             "rows = [(1.0, {i: 1.0, i - 1: -1.0} if i else {0: 1.0}) for i in range(4)]\n"
             "e = E(4, [(1.0, {i: 1.0}) for i in range(4)], rows, rows[:2])\n"
             "undamped(e); damped(e)\n"

@@ -247,11 +247,11 @@ def test_a_record_of_many_pieces():
 
 def test_modes_that_are_known_replace_those_of_the_matrices():
     from vibcli.analyses.modal.undamped import undamped
-    from vibcli.mechanics.factored_system import OscillatorElements
+    from vibcli.mechanics.factored_system import FactoredSystem
 
     stiffnesses = [1e12, 1.0, 1e8, 3.0]
     rows = [{0: 1.0}, *({i - 1: -1.0, i: 1.0} for i in range(1, 4))]
-    elements = OscillatorElements(4, inertias=[(1.0, {i: 1.0}) for i in range(4)],
+    elements = FactoredSystem(4, inertias=[(1.0, {i: 1.0}) for i in range(4)],
                                   springs=list(zip(stiffnesses, rows, strict=True)))
     modes, K = undamped(elements), chain(stiffnesses)
     for C in (0 * K, 0.01 * np.eye(4)):

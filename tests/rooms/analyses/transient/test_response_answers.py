@@ -254,9 +254,9 @@ def test_amplitude_and_phase_of_the_textbook():
 
 def test_energies_of_modes():
     from vibcli.analyses.modal.undamped import undamped
-    from vibcli.mechanics.factored_system import OscillatorElements
+    from vibcli.mechanics.factored_system import FactoredSystem
 
-    elements = OscillatorElements(2, inertias=[(1.0, {0: 1.0}), (1.0, {1: 1.0})],
+    elements = FactoredSystem(2, inertias=[(1.0, {0: 1.0}), (1.0, {1: 1.0})],
                                   springs=[(1.0, {0: 1.0}), (1.0, {0: -1.0, 1: 1.0}), (1.0, {1: 1.0})])
     motion = linear_motion(np.eye(2), np.zeros((2, 2)), [[2, -1], [-1, 2]], Forcing(2, FREE), [1.0, 0.0], [0.0, 0.0],
                            undamped(elements))
