@@ -151,9 +151,9 @@ def _within(scan, a, ha, b, hb):
     return [] if x is None or abs(scan.at(x)) > ZERO else [x]
 
 
-def bracketed(function, a, fa, b, fb, jumps=False):
+def bracketed(function, a, fa, b, fb):
     """A zero between a and b, by inverse quadratic steps that fall back on halving (Chandrupatla 1997); None where the
-    function is not defined on the way, or jumps, unless a jump counts as a zero."""
+    function is not defined on the way, or jumps."""
     c, fc, t, start = a, fa, 0.5, min(abs(fa), abs(fb))
     for step in range(120):
         x = a + t * (b - a) if t != 0.5 else _middle(a, b)
@@ -167,7 +167,7 @@ def bracketed(function, a, fa, b, fb, jumps=False):
         a, fa = x, fx
         best, least = (a, fa) if abs(fa) < abs(fb) else (b, fb)
         width = abs(b - a)
-        if step == EARLY and least > max(JUMP * start, ZERO) and not jumps:
+        if step == EARLY and least > max(JUMP * start, ZERO):
             return None
         if least == 0.0 or width <= 4 * NARROW * abs(best):
             return best

@@ -5,8 +5,10 @@ from functools import lru_cache
 import numpy as np
 
 from vibcli.numerics.collocation_rule import rule
-from vibcli.numerics.root_finding import bracketed
+from vibcli.numerics.root_finding import last_place
 
+ROUNDS = 100
+NEAR = 4 * 2.0**-52
 WITHIN = 1e-10         # of a window
 
 
@@ -51,23 +53,38 @@ def _room(switching, window, t, q, v):
 
 
 def _zero(switching, window, k, low, high):
-    """The instant at which the room of a switch vanishes."""
+    """The instant at which the room of a switch vanishes, by false position with bisection (Illinois)."""
     def room(tau):
         q, v, _ = window.states(np.array([tau]))
         return _room(switching, window, np.array([window.start + tau]), q, v)[k, 0]
 
     below, above = room(low), room(high)
     if below <= 0:
-        return low if low else _after_start(room, high, above)
-    return bracketed(room, low, below, high, above, jumps=True)
+        return low if low else _after_start(room, high)
+    side = 0
+    for _ in range(ROUNDS):
+        middle = (low * above - high * below) / (above - below)
+        if not low < middle < high:
+            middle = 0.5 * (low + high)
+        value = room(middle)
+        if high - low <= NEAR * (window.start + high) or value == 0:
+            break
+        if value < 0:
+            high, above = middle, value
+            below = 0.5 * below if side < 0 else below
+            side = -1
+        else:
+            low, below = middle, value
+            above = 0.5 * above if side > 0 else above
+            side = 1
+    return middle
 
 
-def _after_start(room, high, above):
+def _after_start(room, high):
     """A switch that has just changed may start from zero: where it comes back to it, 0.0 where it never left."""
     low = high
     for _ in range(60):
         low *= 0.5
-        below = room(low)
-        if below > 0:
-            return bracketed(room, low, below, high, above, jumps=True)
+        if room(low) > 0:
+            return last_place(lambda tau: room(tau) > 0, low, high, ROUNDS)[1]
     return 0.0
