@@ -43,8 +43,11 @@ def _jumps(configuration, node):
     sizes = evaluate([part.args[0] for part in turns], Floats, at)
     turns = [part for part, size in zip(turns, sizes, strict=True) if not abs(size) > 1e-12]
     number = configuration.scene.table.number
-    sides = [substitute([node], {part: number(SIDES[part.name][side]) for part in turns})[0] for side in (0, 1)]
-    left, right = evaluate(sides, Floats, at)
+    try:
+        sides = [substitute([node], {part: number(SIDES[part.name][side]) for part in turns})[0] for side in (0, 1)]
+        left, right = evaluate(sides, Floats, at)
+    except ZeroDivisionError:
+        return True         # one of them has no bound
     return abs(left - right) > SAME * max(abs(left), abs(right))
 
 
