@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from math import isclose
+from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse.admissible_ranges import known
@@ -16,15 +17,16 @@ from vibcli.symbolic.syntax import ExpressionError
 DIGITS, READABLE, TRACE = 60, 70, 1e-20
 
 
-class Solution:
+class Solution(NamedTuple):
     """values: {name: number, None in letters}; forms: {name: closed form or None}; residual of the substitution; fold:
     is this a limit point, at which the equilibrium and an unstable one vanish? counts: in letters, the Conditions
     under which it is a solution."""
 
-    __slots__ = ("counts", "fold", "forms", "residual", "values")
-
-    def __init__(self, values, forms, residual, fold=False, counts=()):
-        self.values, self.forms, self.residual, self.fold, self.counts = values, forms, residual, fold, counts
+    values: dict
+    forms: dict
+    residual: float
+    fold: bool = False
+    counts: tuple = ()
 
 
 class Chosen:

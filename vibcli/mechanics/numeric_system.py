@@ -4,6 +4,7 @@ from functools import cached_property
 from math import isfinite
 
 from vibcli.base.errors import PhysicsError
+from vibcli.base.stage import Costs
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 
@@ -11,8 +12,8 @@ class NumericSystem:
     """`given`: exact values for parameters that the file leaves as symbols."""
 
     def __init__(self, system, given=None):
-        self.system, self.spec, self.work, self.costs = system, system.spec, system.work, system.costs
-        self.given = system.given if given is None else given
+        self.system, self.spec, self.work = system, system.spec, system.work
+        self.given, self.costs = (system.given, system.costs) if given is None else (given, Costs())
 
     @cached_property
     def scene(self):

@@ -2,7 +2,7 @@
 
     system → numeric → configuration → modal            in letters: symbolic            in time: initial → response
 
-Each part knows those to its left only; it is a pure object of its own, and this one holds them.
+Each part is an object of its own and knows those to its left only; a Problem holds them all.
 """
 
 from functools import cached_property

@@ -6,6 +6,8 @@ K and M are the sums of their parts, so the shares of a mode add up to one. A pa
 an inverted pendulum, has a negative share. Of gyroscopic and damped modes they are those of the mean over a period.
 """
 
+from typing import NamedTuple
+
 from vibcli.analyses.modal.modes_precise import WORKING, coinciding
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import inner
@@ -13,16 +15,15 @@ from vibcli.mechanics.inner_products import inner
 NONE = 1e-20    # a share, or of its scale a sum, that is rounding
 
 
-class Shares:
+class Shares(NamedTuple):
     """potential, kinetic: {index of a mode: {name: share}}; dissipation: [(damped mode, {name: share})], None where
     nothing damps. Where there is no such energy, as V of a rigid mode, there are no shares. coinciding: lists of the
     indices of modes of one frequency, whose shapes may be mixed at will."""
 
-    __slots__ = ("coinciding", "dissipation", "kinetic", "potential")
-
-    def __init__(self, potential, kinetic, dissipation, coinciding):
-        self.potential, self.kinetic, self.dissipation = potential, kinetic, dissipation
-        self.coinciding = coinciding
+    potential: dict
+    kinetic: dict
+    dissipation: list
+    coinciding: list
 
 
 def shares(modal):

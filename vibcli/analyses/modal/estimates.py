@@ -7,20 +7,22 @@ Both hold where K is positive definite and nothing gyroscopic acts (Rayleigh 187
 coordinate that measures what the first one with inertia does, lengths or angles, and 0 in the others.
 """
 
+from typing import NamedTuple
+
 from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import along
 
 
-class Estimates:
+class Estimates(NamedTuple):
     """omega, rayleigh, dunkerley in rad/s; deflection: δ by coordinate, its largest part 1; alone: {body: ωⱼⱼ}."""
 
-    __slots__ = ("alone", "deflection", "dunkerley", "omega", "rayleigh")
-
-    def __init__(self, omega, rayleigh, dunkerley, deflection, alone):
-        self.omega, self.rayleigh, self.dunkerley = omega, rayleigh, dunkerley
-        self.deflection, self.alone = deflection, alone
+    omega: float
+    rayleigh: float
+    dunkerley: float
+    deflection: dict
+    alone: dict
 
 
 def estimates(modal):

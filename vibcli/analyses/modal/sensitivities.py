@@ -7,6 +7,8 @@ eigenvector, u itself where there is no G (R. L. Fox & M. P. Kapoor, AIAA Journa
 coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′ − ω²M′)φ/2ω over all shapes φ of them.
 """
 
+from typing import NamedTuple
+
 from vibcli.analyses.modal.modes_precise import SAME, WORKING, by_frequency, coinciding
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inner_products import conjugate, inner, only
@@ -17,7 +19,7 @@ ROUNDING = 1e-25    # of a frequency
 SIMPLE = 1e-10      # relative distance from the next eigenvalue below which one does not count as simple
 
 
-class Sensitivities:
+class Sensitivities(NamedTuple):
     """Derivatives by each independent parameter, as floats.
 
     values: {parameter: number}; omega: {parameter: {index of a mode: ∂ω/∂p}}; damped: [DampedSensitivity], None where
@@ -25,20 +27,20 @@ class Sensitivities:
     remark: why the damped modes are missing, or None.
     """
 
-    __slots__ = ("coinciding", "damped", "omega", "refused", "remark", "values")
+    values: dict
+    omega: dict
+    damped: list
+    remark: str
+    coinciding: list
+    refused: dict
 
-    def __init__(self, values, omega, damped, remark, coinciding, refused):
-        self.values, self.omega, self.damped, self.remark = values, omega, damped, remark
-        self.coinciding, self.refused = coinciding, refused
 
-
-class DampedSensitivity:
+class DampedSensitivity(NamedTuple):
     """∂λ/∂p, ∂ζ/∂p of one damped mode, {parameter: number}; None of an eigenvalue that is not simple."""
 
-    __slots__ = ("eigenvalue", "mode", "zeta")
-
-    def __init__(self, mode, eigenvalue, zeta):
-        self.mode, self.eigenvalue, self.zeta = mode, eigenvalue, zeta
+    mode: object
+    eigenvalue: dict
+    zeta: dict
 
 
 def sensitivities(modal):

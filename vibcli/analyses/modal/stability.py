@@ -4,6 +4,8 @@ Without gyroscopic terms a damper does not change the answer that K gives (Thoms
 them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in.
 """
 
+from typing import NamedTuple
+
 from vibcli.base.errors import Inertless, PhysicsError
 
 STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
@@ -14,13 +16,11 @@ WORDS = {STABLE: "stable", HELD: "stable, but only terms beyond the linear ones 
          FALLING: "unstable: terms beyond the linear ones drive it away"}
 
 
-class Stability:
+class Stability(NamedTuple):
     """kind: one of the WORDS, or OPEN; growth_rate: the largest Re λ > 0 in 1/s, else None."""
 
-    __slots__ = ("growth_rate", "kind")
-
-    def __init__(self, kind, growth_rate=None):
-        self.kind, self.growth_rate = kind, growth_rate
+    kind: str
+    growth_rate: float = None
 
     @property
     def stable(self):

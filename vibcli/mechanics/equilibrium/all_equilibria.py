@@ -2,6 +2,7 @@
 residual and met once, images of it a turn apart included."""
 
 from contextlib import suppress
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,27 +22,28 @@ MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
 SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
 
 
-class Item:
+class Item(NamedTuple):
     """One equilibrium, or a line of them by one of its positions; free: directions {coordinate: component} in which it
     can be moved and stays in equilibrium; singular: is K nearly so?"""
 
-    __slots__ = ("equilibrium", "free", "singular")
+    equilibrium: Equilibrium
+    free: list
+    singular: bool = True
 
-    def __init__(self, equilibrium, free, singular=True):
-        self.equilibrium, self.free, self.singular = equilibrium, free, singular
 
-
-class Equilibria:
+class Equilibria(NamedTuple):
     """items in ascending order of the first coordinate that tells them apart; bounds {coordinate: (least, most)} of
     those searched; complete: is it proved that there are no others; cut: was the search cut short; linear: are the
     forces, so that there is no other? forces: the Forces that were searched; indices: Indices of what is not proved to
     be complete, None where they are not known."""
 
-    __slots__ = ("bounds", "complete", "cut", "forces", "indices", "items", "linear")
-
-    def __init__(self, items, bounds, complete, linear, forces, cut=False, indices=None):
-        self.items, self.bounds, self.complete, self.linear, self.forces = items, bounds, complete, linear, forces
-        self.cut, self.indices = cut, indices
+    items: list
+    bounds: dict
+    complete: bool
+    linear: bool
+    forces: Forces
+    cut: bool = False
+    indices: object = None
 
     @property
     def missed(self):

@@ -39,7 +39,7 @@ def about(configuration, item, forces):
 def settled_alone(numeric, found, position):
     """(Equilibrium, its linear system in floats) of one that is degenerate; `position`: a better one, or None."""
     if position is not None and numeric.scene.loops is None:
-        found = found.at({name: float(value) for name, value in position.items()})
+        found = found._replace(values={name: float(value) for name, value in position.items()})
     from vibcli.mechanics.equilibrium.families import freedom, learnt
 
     forces = learnt(numeric)
@@ -58,9 +58,10 @@ def sharpened(numeric, found):
         if settled and not tiny:
             return found
         position, degenerate = _to_more_digits(numeric, found)
-        found = found.at(found.values, degenerate and not settled)
+        found = found._replace(degenerate=degenerate and not settled)
         if position is not None and max(abs((search.vector(position) - vector) / search.scale)) <= NEAR:
-            found = found.at({name: _but_for_nothing(numeric, name, value) for name, value in position.items()})
+            found = found._replace(
+                values={name: _but_for_nothing(numeric, name, value) for name, value in position.items()})
     return found
 
 

@@ -8,6 +8,7 @@ follow by closing their loops. The end is polished by plain Newton steps until t
 """
 
 import math
+from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
@@ -20,21 +21,17 @@ KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
 STEPS, POLISH, FARTHEST, HUGE = 300, 12, 1e60, 1e140
 
 
-class Equilibrium:
+class Equilibrium(NamedTuple):
     """Coordinates in equilibrium (numbers by name), whether that is the drawn position, and the largest residual
     relative to the magnitudes of its terms and of K q, the largest that the search met; start: the position that
     `equilibrium:` names, whose nearest one it is, or None; degenerate: did Newton's method find K singular there?"""
 
-    __slots__ = ("degenerate", "drawn", "residual", "start", "steps", "values")
-
-    def __init__(self, values, drawn, residual, steps=0, start=None, degenerate=False):
-        self.values, self.drawn, self.residual, self.steps, self.start = values, drawn, residual, steps, start
-        self.degenerate = degenerate
-
-    def at(self, values, degenerate=None):
-        """The same in a place that is better known."""
-        degenerate = self.degenerate if degenerate is None else degenerate
-        return Equilibrium(values, self.drawn, self.residual, self.steps, self.start, degenerate)
+    values: dict
+    drawn: bool
+    residual: float
+    steps: int = 0
+    start: dict = None
+    degenerate: bool = False
 
     @property
     def from_start(self):

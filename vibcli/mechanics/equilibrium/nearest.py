@@ -23,8 +23,7 @@ SAME = 1e-9
 def nearest_equilibrium(numeric, start):
     """The Equilibrium nearest to `start` ({coordinate: float}); PhysicsError where none is found."""
     if numeric.system.is_linear and not numeric.scene.table.called.intersection(KINKED):
-        found = find_equilibrium(numeric, start)
-        return Equilibrium(found.values, found.drawn, found.residual, found.steps, start)
+        return find_equilibrium(numeric, start)._replace(start=start)
     search = _Nearest(numeric, start)
     refusal, fallen = None, None
     try:
@@ -56,7 +55,7 @@ class _Nearest:
         where it is that."""
         forces, place = self.forces, self.best
         if place is None:
-            return Equilibrium(fallen.values, False, fallen.residual, fallen.steps, self.start)
+            return fallen._replace(start=self.start)
         if self.numeric.drawn_numbers is not None:
             drawn = forces.at(forces.vector(self.numeric.drawn_floats))
             if drawn is not None and Found(forces, ()).same(place, drawn):

@@ -5,6 +5,7 @@ Solutions are candidates: a root is squared away, and branches are all offered, 
 """
 
 from fractions import Fraction
+from typing import NamedTuple
 
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
@@ -19,13 +20,12 @@ from vibcli.symbolic.time_limit import within
 CALLS = 8_000_000
 
 
-class SymbolicSolution:
+class SymbolicSolution(NamedTuple):
     """value: the unknown; sine, cosine: of it where it is an angle, else None."""
 
-    __slots__ = ("cosine", "sine", "value")
-
-    def __init__(self, value, sine=None, cosine=None):
-        self.value, self.sine, self.cosine = value, sine, cosine
+    value: object
+    sine: object = None
+    cosine: object = None
 
 
 def solutions(node, unknown, samples):
