@@ -95,6 +95,12 @@ class Body(NamedTuple):
                              normal=self.normal and tuple(new[node] for node in self.normal))
 
 
+def touched(record):
+    """References to the surfaces that a body of this record rolls or slides on."""
+    motions = [record[key] for key in ("roll", "slide") if key in record]
+    return [motion["surface"] for motion in motions if "surface" in motion]
+
+
 def build(record, scene):
     """The body of a record, its frame included; its energies are added to the scene."""
     body = Body(record.name, record)

@@ -1,5 +1,7 @@
 """The order in which bodies can be built: each after the bodies that carry it."""
 
+from vibcli.elements.body import MOTIONS, touched
+
 
 def carriers_first(spec, report):
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
@@ -33,20 +35,11 @@ def carriers_first(spec, report):
 
 def _carriers(record, spec):
     """Names of the bodies that a body's motion refers to."""
-    names = []
-    for key in ("slide", "pin", "roll", "move"):
-        motion = record.get(key)
-        if motion is None:
-            continue
-        names += [motion[k].text for k in ("carrier",) if k in motion]
-        at = motion.get("at")
-        if hasattr(at, "text"):
-            names.append(at.text)
-        if "surface" in motion:
-            surface = (spec.get("surfaces") or {})[motion["surface"].text]
-            names += [surface["body"].text] if "body" in surface else []
-    if "weld" in record:
-        names.append(record["weld"].text)
+    names = [record["weld"].text] if "weld" in record else []
+    motion = next((record[key] for key in MOTIONS if key in record and key != "weld"), {})
+    names += [motion[key].text for key in ("carrier", "at") if hasattr(motion.get(key), "text")]
+    carried = [spec.get("surfaces")[reference.text] for reference in touched(record)]
+    names += [surface["body"].text for surface in carried if "body" in surface]
     points = spec.get("points") or {}
     bodies = [points[n]["body"].text if n in points and "body" in points[n] else n for n in names]
     return [n for n in bodies if n not in points]

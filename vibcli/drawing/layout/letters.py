@@ -2,6 +2,7 @@
 
 from vibcli.base.errors import SpecError
 from vibcli.drawing.layout import plane
+from vibcli.elements.body import touched
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -71,8 +72,8 @@ def _joined(one, two, sketch):
         pivot = sketch.pivot(a)
         if (pivot is not None and pivot.carrier == b) or ("weld" in record and record["weld"].text == b):
             return True
-        surface = sketch.scene.surfaces.get(getattr(record.get("roll", {}).get("surface"), "text", None))
-        if surface is not None and "body" in surface and surface["body"].text == b:
+        surfaces = [sketch.scene.surfaces[reference.text] for reference in touched(record)]
+        if any("body" in surface and surface["body"].text == b for surface in surfaces):
             return True
         for key in ("slide", "move"):
             if key in record and "carrier" in record[key] and record[key]["carrier"].text == b:

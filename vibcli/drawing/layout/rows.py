@@ -53,7 +53,7 @@ def _ends(record, scene):
 
 def motion(body):
     """The field that moves a lumped body."""
-    return body.record["turn"] if body.lumped[0] == "turn" else body.record["slide"]["by"]
+    return body.record[body.lumped[0]]["by"]
 
 
 def rows(scene):

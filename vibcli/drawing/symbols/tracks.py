@@ -4,6 +4,7 @@ from math import isfinite, pi, tau
 
 from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
 from vibcli.drawing.layout import plane
+from vibcli.elements.body import touched
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
@@ -14,12 +15,11 @@ def contacts(name, sketch):
     """[(a place of what is on the surface as drawn, how much room it needs along it)]."""
     found = []
     for body in sketch.scene.bodies.values():
-        for key in ("roll", "slide"):
-            if key in body.record and "surface" in body.record[key] and body.record[key]["surface"].text == name:
-                radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
-                room = MARGIN + radius * (key == "roll")
-                place = sketch.rim(body.name).drawn if key == "roll" else sketch.centre(body.name)
-                found.append((place, room))
+        if any(reference.text == name for reference in touched(body.record)):
+            rolls = "roll" in body.record
+            radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
+            place = sketch.rim(body.name).drawn if rolls else sketch.centre(body.name)
+            found.append((place, MARGIN + radius * rolls))
     for constraint in (sketch.spec.get("constraints") or {}).values():
         if "surface" in constraint and constraint["surface"].text == name:
             at = sketch.attachment(constraint["point"])
