@@ -56,11 +56,7 @@ def _lumped(record, reader):
             reader.report(record.where, f"'{record.name}' turns: it needs an inertia, not only a mass",
                           "give `inertia: J`, `gyration: i` or a shape")
         return
-    if "carrier" in record["slide"]:
-        reader.report(record["slide"].place("carrier"), f"'{record.name}' slides in a carrier but has no place",
-                      "say where both are drawn with `at: [x, y]`, or write its whole displacement as a sum, as in "
-                      "`coordinates: [x1, u]` and `slide: x1 + u`")
-    elif not set(record["slide"]) <= {"by"}:
+    if not set(record["slide"]) <= {"by", "carrier"}:
         reader.report(record.place("slide"), f"'{record.name}' slides along something but has no place",
                       "say where it is drawn with `at: [x, y]`")
     for key in ("inertia", "gyration"):

@@ -14,7 +14,8 @@ ELEMENT = Element(
         "surface": Field(NameOf("the name of a surface", "surfaces"), "the surface that it slides on: `by` is then the "
                          "length of its path on a line (from its first place) or circle (counter-clockwise), and the "
                          "horizontal displacement on a curve"),
-        "carrier": Field(BODY, "the body relative to which it slides; a carried direction turns with it"),
+        "carrier": Field(BODY, "the body relative to which it slides; a carried direction turns with it. Of a body "
+                         "without a place one that slides along the same axis"),
     },
     exclusive=(("along", "surface"), ("carrier", "surface")),
     short="by",
@@ -60,4 +61,4 @@ def _on_surface(slide, body, scene):
 
 
 def lump(slide, scene):
-    return "slide", scene.change(slide["by"])
+    return "slide", scene.along_axis(slide, "slide") + scene.change(slide["by"])

@@ -1,16 +1,19 @@
 """Rotation of a body that has no place: one axis, one angle."""
 
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import MotionField
+from vibcli.language.kinds import BODY, MotionField
 
 ELEMENT = Element(
     "turn",
     "The rotation of a body without a place, about the one axis: `{inertia: J, turn: phi}`.",
-    {"by": Field(MotionField("rad"), "the angle: a coordinate, or an expression of coordinates", required=True)},
+    {
+        "by": Field(MotionField("rad"), "the angle: a coordinate, or an expression of coordinates", required=True),
+        "carrier": Field(BODY, "the body without a place from which the angle is measured; the ground without it"),
+    },
     short="by",
     example="discs_on_a_shaft",
 )
 
 
 def lump(turn, scene):
-    return "turn", scene.change(turn["by"])
+    return "turn", scene.along_axis(turn, "turn") + scene.change(turn["by"])

@@ -65,6 +65,7 @@ class Builder:
         """The services of bodies, points, and what is joined."""
         self.bodies, self.surfaces, self.ground = places.bodies, self.spec.sections.get("surfaces") or {}, places.ground
         self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
+        self.along_axis = places.along_axis
         self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
         self.extent, ends = places.extent, Ends(places)
         self.stretch, self.span, self.length = ends.stretch, ends.span, ends.length

@@ -26,13 +26,27 @@ class Places:
         """That of a body, which must have a place."""
         frame = self.bodies[name.text].frame
         if frame is None:
-            self.report(name.where, f"'{name.text}' has no place, so it carries nothing",
+            self.report(name.where, f"'{name.text}' has no place, so it carries nothing that has one",
                         "say where it is drawn with `at: [x, y]`")
         return frame or self.ground
 
     def carrier(self, record, key="carrier"):
         """The frame of the body that a record names, or the ground."""
         return self.frame(record[key]) if key in record else self.ground
+
+    def along_axis(self, motion, kind):
+        """How far the carrier of a body without a place slides or turns along the axis of both; zero of the ground."""
+        if "carrier" not in motion:
+            return self.table.zero
+        carrier = self.bodies[motion["carrier"].text]
+        if carrier.lumped is not None and carrier.lumped[0] == kind:
+            return carrier.lumped[1]
+        self.report(motion["carrier"].where, *(
+            (f"'{carrier.name}' has a place, so it carries nothing that has none", "say where both are drawn with `at: "
+             "[x, y]`") if carrier.lumped is None else
+            (f"'{carrier.name}' {carrier.lumped[0]}s: it carries nothing that {kind}s",
+             "leave `carrier` out; where one drives the other write an equation between both under `constraints`")))
+        return self.table.zero
 
     def rim(self, body, where):
         """The centre as drawn of the circle about which a body rolls, meshes and carries ropes; of one that is not

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
-from vibcli.drawing.layout.rows import motion
+from vibcli.drawing.layout.rows import carrier, motion
 from vibcli.drawing.symbols import arrow, support
 from vibcli.drawing.symbols.connection import symbol
 
@@ -147,7 +147,7 @@ def arrows(layout, scene, sketch):
         field = motion(body)
         x, y = place.middle[0], place.middle[1] + place.height + 9
         driven = captions.raw(field, scene).mask == scene.time.mask
-        runs = captions.expression(field, sketch, 18) or lettering.words(field.text)
+        runs = _displacement(body, scene, sketch)
         role = "driven" if driven else "coordinate"
         tip = (x + 26, y)
         if place.turns:
@@ -159,6 +159,13 @@ def arrows(layout, scene, sketch):
     for record in (scene.spec.get("forces") or {}).values():
         found += _load(record, layout, sketch)
     return found
+
+
+def _displacement(body, scene, sketch):
+    """The runs of how far a body is displaced or turned: of one that is carried, behind those of its carriers."""
+    field, under = motion(body), carrier(body)
+    own = captions.expression(field, sketch, 18) or lettering.words(field.text)
+    return own if under is None else (*_displacement(scene.bodies[under], scene, sketch), *lettering.words(" + "), *own)
 
 
 def _load(record, layout, sketch):

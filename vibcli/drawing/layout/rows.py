@@ -56,14 +56,20 @@ def motion(body):
     return body.record[body.lumped[0]]["by"]
 
 
+def carrier(body):
+    """The name of the lumped body from which its motion is measured; None of the ground."""
+    return getattr(body.record[body.lumped[0]].get("carrier"), "text", None)
+
+
 def rows(scene):
     """The Rows of a scene, in the order of the file."""
     every = edges(scene)
     names = [name for name in scene.spec.get("bodies") or {} if scene.bodies[name].lumped is not None]
     group = {name: name for name in names}
-    for edge in every:
-        if edge.one is not None and edge.two is not None:
-            old, new = group[edge.two], group[edge.one]
+    pairs = [(edge.one, edge.two) for edge in every] + [(carrier(scene.bodies[name]), name) for name in names]
+    for one, two in pairs:
+        if one is not None and two is not None:
+            old, new = group[two], group[one]
             group = {name: new if own == old else own for name, own in group.items()}
     found = []
     for leader in dict.fromkeys(group.values()):
