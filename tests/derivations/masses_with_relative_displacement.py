@@ -16,7 +16,7 @@ def answers(p):
     def T(q, v):
         return (2 * m * v["x"] ** 2 + m * (v["x"] + v["u"]) ** 2) / 2
 
-    def V(q, v):
+    def V(q):
         return (k * q["x"] ** 2 + k * (q["x"] + q["u"] - q["x"]) ** 2) / 2
 
     relative = [modes[1, i] / modes[0, i] - 1 for i in range(2)]
