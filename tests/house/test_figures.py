@@ -8,10 +8,10 @@ import pytest
 from house.measure import PACKAGE
 
 MOST = {        # methods of House that list or count something
-    "arrows": 94,
+    "arrows": 93,
     "floors": 14,
     "taking_problem": 0,
-    "set_from_outside": 5,
+    "set_from_outside": 3,
     "with_several_bases": 1,
 }
 
