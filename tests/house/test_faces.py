@@ -54,6 +54,14 @@ def test_every_word_of_find_is_answered_by_sections():
     assert {section for found in FOUND_BY.values() for section in found} <= set(of_report.SECTIONS)
 
 
+def test_analyses_of_modes_are_functions_of_their_files_and_what_has_particulars_declares_them():
+    for word, (file, particulars, _) in analyses.ANALYSES.items():
+        path = PACKAGE / "analyses" / f"{file}.py"
+        assert word in analyses.FIND and defines(path, word) == (word in analyses.OF_MODES)
+        assert defines(path, "ELEMENT") == (particulars is not None) and (particulars is None or path.stem == word)
+        assert particulars is None or is_a_line(particulars)
+
+
 def test_symbols_are_the_files_of_their_folder():
     files = {path.stem for path in (PACKAGE / "drawing" / "symbols").glob("*.py")} - {"__init__"}
     assert {file for file, _ in SYMBOLS.values()} == files

@@ -1,4 +1,8 @@
-"""What is computed from the equations of motion; the words by which `find` asks for it, and what each prints."""
+"""What is computed from the equations of motion: the words by which `find` asks for it, what each prints, and files.
+
+Of what is found about modes the file has a function `word(modal, asked)`; ModalAnalysis.result keeps what it finds.
+What is asked with particulars has its ELEMENT there: the keys by which the reader, the manual and the schema know it.
+"""
 
 FIND = {
     "equations": "energies and equations of motion, in full and for small oscillations",
@@ -23,3 +27,12 @@ FIND = {
     "estimates": "bounds of the lowest natural frequency by Rayleigh and Dunkerley beside its exact value; in numbers, "
                  "only where it is asked for",
 }
+ANALYSES = {        # file, what a mapping with particulars says, how it is written where the word alone says too little
+    "response": ("transient/response", "which signals of the motion in time, and until when", None),
+    "frequency_response": ("frequency_response/frequency_response",
+                           "frequency responses of which signals, to which input", None),
+    "shares": ("modal/energy_shares", None, None),
+    "sensitivities": ("modal/sensitivities", None, None),
+    "estimates": ("modal/estimates", None, None),
+}
+OF_MODES = tuple(word for word, row in ANALYSES.items() if row[0].startswith("modal/"))

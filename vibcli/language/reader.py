@@ -21,14 +21,16 @@ class TooManyErrors(Exception):
 class Reader:
     """Collects what reading a file yields beside its values: diagnostics, every reference as (Name, namespaces, what is
     wanted), and by their Scalars every expression, those that move something (a bare name there is a coordinate), those
-    that load or tie it, (name, dimension) of a name that is good in one expression alone, and those in which velocities
-    may stand. `sound` tells whether the scene was read whole, apart from what is asked of it; `files`: what was read
-    beside it; `records`: the names of its records."""
+    that load or tie it, (name, dimension) of a name that is good in one expression alone, those in which velocities
+    may stand, and in `along` (coordinate, unknown factor or None) of those measured as a coordinate is. `sound` tells
+    whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records`: the
+    names of its records."""
 
     def __init__(self, files=None, records=()):
         self.files, self.records = {} if files is None else files, records
         self.diagnostics, self.references, self.named_places = [], [], []
         self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
+        self.along = {}
         self.sound = True
 
     def report(self, where, message, hint=None):

@@ -151,7 +151,7 @@ def _sensitivity(problem, tree, args):
     if mode.rigid:
         raise PhysicsError(f"mode {number} is a rigid-body mode: its frequency has no sensitivity",
                            "ask for that of a mode which oscillates")
-    found = problem.modal.sensitivities
+    found = problem.modal.result("sensitivities")
     if name in found.refused:
         raise PhysicsError(found.refused[name], "see `vibcli solve --insight`")
     rate = found.omega[name][mode.index]
@@ -167,7 +167,7 @@ def _by_parameter(spec, tree):
 
 def _estimate(which):
     def value(problem, tree, args):
-        return getattr(problem.modal.estimates, which), ROUNDING
+        return getattr(problem.modal.result("estimates"), which), ROUNDING
     return value
 
 

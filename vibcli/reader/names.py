@@ -33,7 +33,7 @@ def settle(spec, reader):
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
     circular = _parameters(spec, reader)
-    due = {**_matrices(spec), **_start(spec)}
+    due = {**_matrices(spec), **_start(spec), **_along(spec, reader)}
     _bounded(spec, reader)
     known = dict.fromkeys((*spec.parameters, *spec.coordinates, "t"))
     if "t" not in spec.parameters and "t" not in spec.coordinates:
@@ -235,17 +235,22 @@ def _matrices(spec):
 
 def _start(spec):
     """{scalar: dimension} of what is measured as coordinates and chosen parameters are."""
-    unknown, initial, find = spec.dimensions.unknown, spec.get("initial") or {}, spec.get("find")
+    unknown, initial = spec.dimensions.unknown, spec.get("initial") or {}
     pairs = [(record["value"], units.times(ENERGY, unknown(record["coordinate"].text), -1))
              for record in (spec.get("forces") or {}).values() if "value" in record and "coordinate" in record]
-    pairs += [(value, unknown(name)) for name, value in (spec.get("equilibrium") or {}).items()]
     pairs += [(value, units.times(unknown(name.rstrip("'")), units.TIME, -name.count("'")))
               for name, value in initial.items() if name != RELEASED]
-    pairs += [(bound, unknown(name)) for name, bounds in (find.within.items() if find else ()) for bound in bounds]
     pairs += [(record[bound], unknown(name)) for name, record in (spec.get("choose") or {}).items()
               for bound in ("from", "to") if bound in record]
     pairs += [(record["drawn"], unknown(name)) for name, record in spec.coordinates.items() if "drawn" in record]
     return {expression.scalar: measured for expression, measured in pairs}
+
+
+def _along(spec, reader):
+    """{scalar: dimension} of what is given along coordinates, but for a factor where that is unknown."""
+    unknown = spec.dimensions.unknown
+    return {scalar: unknown(name) if factor is None else units.times(unknown(name), unknown(factor))
+            for scalar, (name, factor) in reader.along.items()}
 
 
 def _bounded(spec, reader):

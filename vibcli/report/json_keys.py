@@ -1,15 +1,14 @@
 """All keys of --json: what each means. Dots lead into objects, [] into lists."""
 
+from vibcli.analyses import OF_MODES
 from vibcli.report.keys import Key, documented
 from vibcli.report.sections.design_parameters import CHOSEN
 from vibcli.report.sections.equations_of_motion import ENERGY, EQUATIONS, MATRICES
 from vibcli.report.sections.equilibria import EQUILIBRIA, SEARCH
 from vibcli.report.sections.equilibrium import EQUILIBRIUM, STICKING
-from vibcli.report.sections.estimates import ESTIMATES
 from vibcli.report.sections.frequency_response import FREQUENCY_RESPONSE
+from vibcli.report.sections.insight import insight
 from vibcli.report.sections.response import MOTION
-from vibcli.report.sections.sensitivities import SENSITIVITIES
-from vibcli.report.sections.shares import SHARES
 from vibcli.report.sections.spectrum import DAMPED_MODES, MODES, POLYNOMIAL
 from vibcli.report.sections.statics import REACTIONS
 
@@ -23,5 +22,5 @@ KEYS = dict(documented((
     Key("remark", "why a scene in letters, or one with a kink at rest, has no equilibrium, matrices and modes here, in "
         "words; absent otherwise"),
     MODES, DAMPED_MODES, MOTION, FREQUENCY_RESPONSE,
-    Key("insight", "only where `find` or --insight asks for it", of=(SHARES, SENSITIVITIES, ESTIMATES)), POLYNOMIAL,
+    Key("insight", "only where `find` or --insight asks for it", of=insight(OF_MODES)), POLYNOMIAL,
     Key("cases", "{name: the same keys}, where the file has cases"))))

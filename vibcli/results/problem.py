@@ -7,6 +7,7 @@ Each part is an object of its own and knows those to its left only; a Problem ho
 
 from functools import cached_property
 
+from vibcli.analyses import OF_MODES
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.stage import Stage
 from vibcli.mechanics.configuration import Configuration
@@ -16,7 +17,7 @@ from vibcli.mechanics.symbolic_system import SymbolicSystem
 from vibcli.mechanics.system import MechanicalSystem
 
 STAGES = ("scene", "linearisation", "equilibrium", "linear_system", "modes", "damped", "energies", "equations",
-          "closed_forms", "equilibria", "reactions", "shares", "sensitivities", "estimates")
+          "closed_forms", "equilibria", "reactions", *OF_MODES)
 
 
 class Problem:

@@ -118,5 +118,5 @@ motion: full
 def test_it_has_its_share_of_the_kinetic_energy():
     found = problem(HEAD + "bodies: {one: {mass: m1, slide: x1}}\n"
                     "springs: {s: {k: k1, between: [ground, one]}}\ninerters: {i: {b: b, between: [ground, one]}}\n")
-    shares = found.modal.shares.kinetic[1] if hasattr(found, "modal") else found.shares.kinetic[1]
+    shares = found.modal.result("shares").kinetic[1] if hasattr(found, "modal") else found.shares.kinetic[1]
     assert shares == pytest.approx({"one": m1 / (m1 + b), "i": b / (m1 + b)})

@@ -26,7 +26,7 @@ class Shares(NamedTuple):
     coinciding: list
 
 
-def shares(modal):
+def shares(modal, _):
     """The Shares of a system."""
     import mpmath
 

@@ -25,7 +25,7 @@ class Estimates(NamedTuple):
     alone: dict
 
 
-def estimates(modal):
+def estimates(modal, _):
     """The Estimates of a system; PhysicsError where the bounds do not hold."""
     import mpmath
 

@@ -1,7 +1,9 @@
 """The modes of a system about one of its equilibria, and what is derived from them."""
 
 from functools import cached_property
+from importlib import import_module
 
+from vibcli.analyses import ANALYSES
 from vibcli.base.stage import Stage
 
 MOST = 10_000       # steps of a million products
@@ -15,6 +17,7 @@ class ModalAnalysis:
         self.configuration, self.free = configuration, free
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
+        self._results = {}
 
     @cached_property
     def scene(self):
@@ -108,23 +111,11 @@ class ModalAnalysis:
 
         return self.solved(sharp_damped, self.configuration, lambda: self.sharp_modes)
 
-    @Stage
-    def shares(self):
-        """Whose energy the modes have."""
-        from vibcli.analyses.modal.energy_shares import shares
-
-        return shares(self)
-
-    @Stage
-    def sensitivities(self):
-        """Derivatives of frequencies and damping ratios by the parameters."""
-        from vibcli.analyses.modal.sensitivities import sensitivities
-
-        return sensitivities(self)
-
-    @Stage
-    def estimates(self):
-        """Estimates of the lowest frequency by Rayleigh and Dunkerley."""
-        from vibcli.analyses.modal.estimates import estimates
-
-        return estimates(self)
+    def result(self, word):
+        """What the analysis of a word of `find` finds of these modes, as the file asks for it; found once."""
+        if word not in self._results:
+            questions = self.spec.get("find")
+            asked = None if questions is None else questions.about(word)
+            find = getattr(import_module("vibcli.analyses." + ANALYSES[word][0].replace("/", ".")), word)
+            self._results[word] = self.costs.measured(word, lambda: find(self, asked))
+        return self._results[word]

@@ -43,7 +43,7 @@ class DampedSensitivity(NamedTuple):
     zeta: dict
 
 
-def sensitivities(modal):
+def sensitivities(modal, _):
     """The Sensitivities of a system."""
     import mpmath
 

@@ -1,70 +1,26 @@
-"""Questions of a scene: words, the search for all equilibria, motions in time and frequency responses."""
+"""Questions of a scene: words, the search for all equilibria, and analyses with particulars."""
 
-from vibcli.analyses import FIND
+from vibcli.analyses import ANALYSES, FIND, OF_MODES
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import Choice, Kind, Many, OneOf, Quantity
-from vibcli.language.reader import Expression
+from vibcli.language.kinds import Choice, Many, OneOf, Quantity
+from vibcli.language.named_elements import Lazy
 from vibcli.language.sections.equilibrium import ByCoordinate
-from vibcli.symbolic.parser import parse
-from vibcli.symbolic.syntax import ExpressionError
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
 RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
-INSIGHT = ("shares", "sensitivities", "estimates")
+INSIGHT = tuple(word for word in OF_MODES if ANALYSES[word][1] is None)      # what needs no particulars
 ALWAYS = ("equations", "energies", "equilibrium", "frequencies", "modes", "damping", "virtual_work")
 ON_REQUEST = tuple(word for word in FIND if word not in ALWAYS)         # found only where they are asked for
+WITH_PARTICULARS = {word: row for word, row in ANALYSES.items() if row[1] is not None}
+AT_LENGTH = (SEARCH, *WITH_PARTICULARS)
+WRITTEN = {SEARCH: f"{{{SEARCH}: all}}"} | {word: form for word, (_, _, form) in WITH_PARTICULARS.items() if form}
 
 
-class _Signal(Kind):
-    """An expression of signals; what its names mean is settled when all are known."""
-
-    wants = "a signal such as x, x' or s.force"
-
-    def read(self, node, reader):
-        if not isinstance(node, Scalar) or not node.text.strip():
-            return reader.expected(node, self.wants)
-        try:
-            return Expression(node, parse(node.text))
-        except ExpressionError as error:
-            return reader.report(node.place(error.offset, error.width), error.message, error.hint)
-
-    def schema(self):
-        return {"type": "string"}
+def _room(file):
+    return "analyses." + file.rpartition("/")[0]
 
 
-class _Frequency(Quantity):
-    """An angular frequency, or one in Hz, which counts 2π."""
-
-    wants, sample = "a frequency (rad/s or Hz)", "20 rad/s or 5 Hz"
-
-
-class _Input(_Signal):
-    wants = "the name of a force, driven point or coordinate"
-
-
-_SIGNALS = Many(_Signal(), 1, 50, "a list of signals")
-_IN_TIME = Element(
-    "response",
-    "The motion in time: which signals, and until when.",
-    {
-        "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
-        "until": Field(Quantity("s"), "the end of the motion; some periods, or until it has died out, if left out"),
-    },
-    example="bump_in_the_road",
-)
-_IN_FREQUENCY = Element(
-    "frequency_response",
-    "Frequency responses of signals to a unit of an input.",
-    {
-        "of": Field(_SIGNALS, "the signals; the coordinates if left out"),
-        "to": Field(_Input(), "the input, a unit of it; of a coordinate the generalised force on it; the first of "
-                    "these if left out"),
-        "from": Field(_Frequency("Hz"), "where plots and saved numbers begin"),
-        "up_to": Field(_Frequency("Hz"), "where they end"),
-    },
-    example="frequency_response",
-)
 ELEMENT = Element(
     "request",
     "A question with particulars. Of all equilibria: each within bounds, with its residual and whether it is stable, "
@@ -78,14 +34,12 @@ ELEMENT = Element(
         "within": Field(ByCoordinate(Many(Quantity(), 2, 2, "two bounds [least, most]"),
                                      "a mapping from coordinates to bounds [least, most]"),
                         "bounds of coordinates in the search, such as {phi: [-90 deg, 90 deg]}"),
-        RESPONSE: Field(_IN_TIME, "which signals of the motion in time, and until when"),
-        FREQUENCY_RESPONSE: Field(_IN_FREQUENCY, "frequency responses of which signals, to which input"),
+        **{word: Field(Lazy(word, _room(file)), about) for word, (file, about, _) in WITH_PARTICULARS.items()},
     },
-    exclusive=((SEARCH, RESPONSE, FREQUENCY_RESPONSE), ("within", RESPONSE), ("within", FREQUENCY_RESPONSE)),
-    needs=((SEARCH, RESPONSE, FREQUENCY_RESPONSE),),
+    exclusive=(AT_LENGTH, *(("within", word) for word in WITH_PARTICULARS)),
+    needs=(AT_LENGTH,),
     example="buckled_post",
 )
-AT_LENGTH = (SEARCH, RESPONSE, FREQUENCY_RESPONSE)
 
 
 class Questions(list):
@@ -128,8 +82,8 @@ class _Question(OneOf):
     """A word, or a question with particulars."""
 
     def read(self, node, reader):
-        if isinstance(node, Scalar) and node.text == SEARCH:
-            return reader.expected(node, self.wants, f"write {{{SEARCH}: all}}")
+        if isinstance(node, Scalar) and node.text in WRITTEN:
+            return reader.expected(node, self.wants, f"write {WRITTEN[node.text]}")
         return super().read(node, reader)
 
 
@@ -150,6 +104,6 @@ class _Find(OneOf):
         return Questions(items if isinstance(items, list) else [items])
 
 
-_WORDS = Choice(*(word for word in FIND if word != SEARCH))
-_ONE = _Question(f"{_WORDS.wants}, or {{{SEARCH}: all}}", scalar=_WORDS, mapping=ELEMENT)
+_WORDS = Choice(*(word for word in FIND if word not in WRITTEN))
+_ONE = _Question(f"{_WORDS.wants}, or {' or '.join(WRITTEN.values())}", scalar=_WORDS, mapping=ELEMENT)
 QUESTIONS = _Find("a list of questions", sequence=Many(_ONE, 1, 20, "a list of questions"), mapping=_ONE)

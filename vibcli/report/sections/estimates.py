@@ -4,20 +4,20 @@ from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.report.blocks import Name, TableBlock, maths, paragraph, section, separated
 from vibcli.report.keys import Key
-from vibcli.report.sections.insight import NOTHING, ROWS, require_numbers
+from vibcli.report.sections.insight import ROWS, off, require_numbers
 
 
 def estimates(problem, _):
     require_numbers(problem, "estimates")
     title = "Estimates of the lowest natural frequency"
     try:
-        found = problem.modal.estimates
+        found = problem.modal.result("estimates")
     except PhysicsError as error:
         yield from section(title, paragraph(f"None: {error.message}."))
         return
-    rows = (("Rayleigh (from above)", figure(found.rayleigh), _off(found.rayleigh, found.omega)),
+    rows = (("Rayleigh (from above)", figure(found.rayleigh), off(found.rayleigh, found.omega)),
             ("exact", figure(found.omega), ""),
-            ("Dunkerley (from below)", figure(found.dunkerley), _off(found.dunkerley, found.omega)))
+            ("Dunkerley (from below)", figure(found.dunkerley), off(found.dunkerley, found.omega)))
     deflection = [maths(Name(name), " = ", figure(x, digits=4)) for name, x in list(found.deflection.items())[:ROWS]]
     alone = [f"{name}: {figure(x)} rad/s" for name, x in list(found.alone.items())[:ROWS]]
     yield from section(
@@ -28,21 +28,16 @@ def estimates(problem, _):
         if len(found.alone) > 1 else None)
 
 
-def _off(value, exact):
-    off = 100 * (value / exact - 1)
-    return "0 %" if abs(off) < NOTHING else f"{off:+.2g} %".replace("-", "−")
-
-
 
 def _estimates(problem):
     try:
-        found = problem.modal.estimates
+        found = problem.modal.result("estimates")
     except PhysicsError as error:
-        return ESTIMATES.row(*[None] * 5, error.message)
-    return ESTIMATES.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, None)
+        return KEY.row(*[None] * 5, error.message)
+    return KEY.row(found.omega, found.rayleigh, found.dunkerley, found.deflection, found.alone, None)
 
 
-ESTIMATES = Key("estimates", "of the lowest natural frequency; null each where the bounds do not hold", _estimates, of=(
+KEY = Key("estimates", "of the lowest natural frequency; null each where the bounds do not hold", _estimates, of=(
     Key("omega", "its exact value"),
     Key("rayleigh", "Rayleigh's quotient of the static deflection, an upper bound of omega"),
     Key("dunkerley", "Dunkerley's lower bound of omega"),

@@ -1,7 +1,10 @@
 """Tables of numbers by name and mode, which shares and sensitivities are told in."""
 
+from importlib import import_module
+
 from vibcli.language.parameters import require_values
 from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.sections import SECTIONS
 
 COLUMNS, ROWS = 8, 40       # of a table; the rest is in the JSON
 NOTHING = 1e-9              # per cent
@@ -18,6 +21,11 @@ def grid(title, columns, write, *told):
                    paragraph(f"… {' and '.join(left)}: see --json", hang=None) if left else None, *told) if rows else ()
 
 
+def insight(words):
+    """The keys of the JSON of what is found about modes, each said in the file that writes the section of a word."""
+    return tuple(import_module(f"vibcli.report.sections.{SECTIONS[word][0]}").KEY for word in words)
+
+
 def require_numbers(problem, word):
     """Refuse a scene with symbols."""
     if problem.numeric.has_free_symbols:
@@ -27,3 +35,9 @@ def require_numbers(problem, word):
 def numbered(indices):
     """The numbers of modes one after the other."""
     return ", ".join(map(str, indices))
+
+
+def off(value, exact):
+    """How far an estimate is off, in per cent."""
+    found = 100 * (value / exact - 1)
+    return "0 %" if abs(found) < NOTHING else f"{found:+.2g} %".replace("-", "−")

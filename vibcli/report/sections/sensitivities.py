@@ -9,7 +9,7 @@ from vibcli.report.sections.insight import grid, numbered, require_numbers
 
 def sensitivities(problem, _):
     require_numbers(problem, "sensitivities")
-    found = problem.modal.sensitivities
+    found = problem.modal.result("sensitivities")
     heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes if mode.omega]
     tables = [
         *grid("Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
@@ -65,7 +65,7 @@ def _remarks(found):
 
 
 def _sensitivities(problem):
-    found = problem.modal.sensitivities
+    found = problem.modal.result("sensitivities")
     omega = {mode.index: float(mode.omega) for mode in problem.modal.modes if mode.omega}
     entries = []
     for name, value in found.values.items():
@@ -74,7 +74,7 @@ def _sensitivities(problem):
             (one.mode.index, one.eigenvalue[name], one.zeta and one.zeta[name])
             for one in found.damped if one.eigenvalue]
         entries.append(PARAMETERS.row(name, value, modes, damped, found.refused.get(name)))
-    return SENSITIVITIES.row(entries, found.coinciding, found.remark)
+    return KEY.row(entries, found.coinciding, found.remark)
 
 
 PARAMETERS = Key("parameters", "a list, one entry to each parameter", each=(
@@ -90,8 +90,8 @@ PARAMETERS = Key("parameters", "a list, one entry to each parameter", each=(
             lambda one: [one[1].real, one[1].imag]),
         Key("zeta", "derivative of zeta by p; null where there is no zeta", lambda one: one[2]))),
     Key("refusal", "why there is no derivative by p, or null")))
-SENSITIVITIES = Key("sensitivities", "exact derivatives by the parameters that no others define, the shift of the "
-                    "equilibrium included", _sensitivities, of=(
+KEY = Key("sensitivities", "exact derivatives by the parameters that no others define, the shift of the equilibrium "
+          "included", _sensitivities, of=(
     PARAMETERS,
     Key("coinciding", "lists of the modes whose frequencies coincide: their derivatives are those of the frequencies "
         "in ascending order as p grows"),

@@ -8,7 +8,7 @@ from vibcli.report.sections.insight import NOTHING, grid, numbered, require_numb
 
 def shares(problem, _):
     require_numbers(problem, "shares")
-    found = problem.modal.shares
+    found = problem.modal.result("shares")
     potential = [(f"mode {i}", column) for i, column in found.potential.items() if column]
     lowering = any(share < -NOTHING / 100 for _, column in potential for share in column.values())
     told = [paragraph("(negative: it lowers the stiffness of the mode)", hang=None)] * lowering
@@ -32,8 +32,8 @@ def _damped_head(mode):
     return f"mode {mode.index}" + (f" (λ = {figure(float(mode.eigenvalue.real), digits=4)})" if real else "")
 
 
-SHARES = Key("shares", "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",
-             lambda problem: problem.modal.shares, of=(
+KEY = Key("shares", "whose energy each mode has, in fractions of one; negative those of what lowers the stiffness",
+          lambda problem: problem.modal.result("shares"), of=(
     Key("modes", "a list, one entry to each mode", lambda found: [
         {"index": i, "potential": found.potential[i], "kinetic": found.kinetic[i]} for i in found.kinetic], each=(
             Key("index", "number of the mode"),

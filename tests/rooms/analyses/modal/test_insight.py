@@ -124,7 +124,7 @@ def differences(values, rest, name):
 @pytest.mark.parametrize("which", SCENES)
 def test_sensitivities_are_the_differences_of_the_pipeline(which):
     values, rest = SCENES[which]
-    found = scene(values, rest).modal.sensitivities
+    found = scene(values, rest).modal.result("sensitivities")
     assert not found.refused and not found.coinciding and list(found.values) == list(values)
     swept = 0
     for name in values:
@@ -145,14 +145,15 @@ def test_the_comparison_would_see_a_fixed_equilibrium():
     values, rest = SCENES["sagging spring pendulum"]
     found = scene(values, rest)
     assert not found.configuration.equilibrium.drawn
-    swing = found.modal.sensitivities.omega["k"][1]
+    swing = found.modal.result("sensitivities").omega["k"][1]
     assert abs(swing) > 1e-4        # ∂ω/∂k at a fixed place is not this
 
 
 def test_mass_of_a_massless_coordinate():
     """Of ω² = k/m with k in series, a small mass at the joint: ω′/ω = −(k₂/(k₁ + k₂))²/2m."""
     values, rest = SCENES["massless coordinate"]
-    found = scene(values | {"mu": "0 kg"}, rest.replace("{slide: y}", "{mass: mu, slide: y}")).modal.sensitivities
+    found = scene(values | {"mu": "0 kg"}, rest.replace("{slide: y}", "{mass: mu, slide: y}")).modal.result(
+        "sensitivities")
     omega = math.sqrt(500 * 700 / 1200 / 3)
     assert found.omega["mu"][1] == pytest.approx(-omega / 6 * (700 / 1200) ** 2, rel=1e-14)
 
@@ -175,7 +176,7 @@ def random_chain(seed):
 @pytest.mark.parametrize("seed", range(8))
 def test_identities_of_random_chains(seed):
     n, chain = random_chain(seed)
-    shares, found = chain.modal.shares, chain.modal.sensitivities
+    shares, found = chain.modal.result("shares"), chain.modal.result("sensitivities")
     for mode in chain.modal.modes:
         omega = float(mode.omega)
         logs = {name: found.values[name] * found.omega[name][mode.index] / omega for name in found.values}
@@ -184,7 +185,7 @@ def test_identities_of_random_chains(seed):
         for i in range(n):      # the logarithmic sensitivity is half the share of the energy
             assert logs[f"k{i}"] == pytest.approx(shares.potential[mode.index][f"s{i}"] / 2, abs=1e-14)
             assert logs[f"m{i}"] == pytest.approx(-shares.kinetic[mode.index][f"b{i}"] / 2, abs=1e-14)
-    estimate = chain.modal.estimates
+    estimate = chain.modal.result("estimates")
     assert estimate.rayleigh >= estimate.omega * (1 - 1e-15) >= estimate.dunkerley * (1 - 2e-15)
     whole = sum(1 / float(mode.omega) ** 2 for mode in chain.modal.modes)
     assert estimate.dunkerley == pytest.approx(whole**-0.5, rel=1e-13)
@@ -203,7 +204,7 @@ def test_estimates_of_lengths_and_angles_together():
         bodies: {bar: {mass: m, inertia: J, at: [0, 0], move: [0, y, phi]}}
         points: {A: {body: bar, at: [-a, 0]}, B: {body: bar, at: [b, 0]}}
         springs: {s: {k: k, between: [A, [-a, -1 m]]}, r: {k: n, between: [B, [b, -1 m]]}}
-        """).modal.estimates
+        """).modal.result("estimates")
         assert found.rayleigh == pytest.approx(rayleigh, rel=1e-13)
         assert found.dunkerley == pytest.approx(dunkerley, rel=1e-13)
         assert found.deflection["y"] == pytest.approx(deflection[0] / max(deflection, key=abs), rel=1e-13)
@@ -213,7 +214,7 @@ def test_scaling_of_units():
     """Other units of mass and time: Σ over masses and stiffnesses is 0, over stiffnesses and g ½."""
     values, rest = SCENES["rod on a sagging mass, preload and damper"]
     numeric = scene(values, rest)
-    found = numeric.modal.sensitivities
+    found = numeric.modal.result("sensitivities")
     for mode in numeric.modal.modes:
         logs = {name: found.values[name] * found.omega[name][mode.index] / float(mode.omega) for name in values}
         assert sum(logs[name] for name in ("m", "k", "N", "kt", "J")) == pytest.approx(0, abs=1e-14)
@@ -222,7 +223,7 @@ def test_scaling_of_units():
 
 @pytest.mark.parametrize("which", SCENES)
 def test_shares_add_up_to_one(which):
-    found = scene(*SCENES[which]).modal.shares
+    found = scene(*SCENES[which]).modal.result("shares")
     columns = [*found.potential.values(), *found.kinetic.values(), *(shares for _, shares in found.dissipation or ())]
     sums = [sum(column.values()) for column in columns if column]
     assert sums == pytest.approx([1] * len(sums), rel=1e-13)
@@ -243,7 +244,7 @@ def test_shares_of_a_hanging_rod():
         springs:
           s: {{k: k, between: [A, [0, -(L + h)]], preload: N}}
           t: {{torsion: kt, between: [ground, rod]}}
-        """).modal.shares.potential[1]
+        """).modal.result("shares").potential[1]
     parts = {"s": 0, "t": 20, "tension of s": N * L * (L + h) / h, "the weights": m * g * L / 2}
     assert found == pytest.approx({name: part / sum(parts.values()) for name, part in parts.items()}, rel=1e-13)
 
@@ -257,9 +258,11 @@ def test_negative_shares():
         springs: {{t: {{torsion: kt, between: [ground, bob]}}}}
         """
     K = 15 - 9.81
-    assert problem(text.format(15)).modal.shares.potential[1] == pytest.approx({"t": 15 / K, "the weights": -9.81 / K})
+    assert problem(text.format(15)).modal.result("shares").potential[1] == pytest.approx(
+        {"t": 15 / K, "the weights": -9.81 / K})
     K = 5 - 9.81
-    assert problem(text.format(5)).modal.shares.potential[1] == pytest.approx({"t": 5 / K, "the weights": -9.81 / K})
+    assert problem(text.format(5)).modal.result("shares").potential[1] == pytest.approx(
+        {"t": 5 / K, "the weights": -9.81 / K})
 
 
 def test_shares_of_dampers():
@@ -267,7 +270,7 @@ def test_shares_of_dampers():
         bodies: {a: {mass: 2, slide: x}, b: {mass: 2, slide: y}}
         springs: {s: {k: 800, between: [ground, a]}, t: {k: 800, between: [a, b]}, u: {k: 800, between: [ground, b]}}
         dampers: {d: {c: 3, between: [a, b]}, e: {c: 1, between: [ground, a]}, f: {c: 1, between: [ground, b]}}
-        """).modal.shares
+        """).modal.result("shares")
     first, second = (shares for _, shares in found.dissipation)
     assert first == {"d": 0.0, "e": pytest.approx(0.5), "f": pytest.approx(0.5)}
     assert second == pytest.approx({"d": 12 / 14, "e": 1 / 14, "f": 1 / 14})
@@ -275,14 +278,15 @@ def test_shares_of_dampers():
 
 def test_no_shares_where_there_is_no_energy():
     found = problem("bodies: {a: {mass: 2, slide: x}, b: {mass: 2, slide: y}}\n"
-                    "springs: {s: {k: 800, between: [a, b]}}\ndampers: {d: {c: 3, between: [a, b]}}").modal.shares
+                    "springs: {s: {k: 800, between: [a, b]}}\ndampers: {d: {c: 3, between: [a, b]}}").modal.result(
+                        "shares")
     assert found.potential[1] == {} and found.kinetic[1] == {"a": 0.5, "b": 0.5}
     assert [shares for _, shares in found.dissipation] == [{"d": 1.0}]
 
 
 def test_a_stiff_spring_has_a_small_share():
     """c₀ as a rigid link: its share is that of F²/K, with the force F that passes through it."""
-    found = scene(*SCENES["stiff chain"]).modal.shares.potential[1]
+    found = scene(*SCENES["stiff chain"]).modal.result("shares").potential[1]
     omega2 = 800 / 8
     inertia = 6 * omega2      # of b and c at unit amplitude
     assert found["t"] == pytest.approx(inertia**2 / 8e16 / 800, rel=1e-9)
@@ -297,7 +301,7 @@ def test_coinciding_frequencies_split():
     rest = """
         bodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}, c: {mass: m, slide: z}}
         springs: {s: {k: k1, between: [a, b]}, t: {k: k, between: [b, c]}, u: {k: k, between: [c, a]}}"""
-    found = scene(values, rest).modal.sensitivities
+    found = scene(values, rest).modal.result("sensitivities")
     assert found.coinciding == [[2, 3]]
     with mpmath.workdps(60):
         start = spectra(values, rest)[0]
@@ -310,7 +314,7 @@ def test_coinciding_frequencies_split():
 
 def test_a_double_eigenvalue_has_no_derivative():
     text = SCENES["over-damped"][1]
-    found = scene({"m": "2 kg", "k": "50 N/m", "c": "20 N*s/m"}, text).modal.sensitivities
+    found = scene({"m": "2 kg", "k": "50 N/m", "c": "20 N*s/m"}, text).modal.result("sensitivities")
     assert [(one.eigenvalue, one.zeta) for one in found.damped] == [(None, None)] * 2
     assert found.omega["k"][1] == pytest.approx(0.05)
 
@@ -318,7 +322,8 @@ def test_a_double_eigenvalue_has_no_derivative():
 def test_zeta_of_one_mass():
     """ζ = c/(2√(km)), under- and over-damped."""
     for c in ("3", "60"):
-        found = scene({"m": "2 kg", "k": "80 N/m", "c": f"{c} N*s/m"}, SCENES["over-damped"][1]).modal.sensitivities
+        found = scene({"m": "2 kg", "k": "80 N/m", "c": f"{c} N*s/m"}, SCENES["over-damped"][1]).modal.result(
+            "sensitivities")
         zeta = float(c) / (2 * math.sqrt(160))
         for one in found.damped:
             assert one.zeta == pytest.approx({"m": -zeta / 4, "k": -zeta / 160, "c": zeta / float(c)}, rel=1e-14)
@@ -335,7 +340,7 @@ def test_an_equilibrium_that_does_not_persist():
         bodies:
           block: {mass: m, at: [0, 0], slide: x}
           bob: {mass: m, at: [0, -L], pin: {at: [0, 0], carrier: block, by: phi}}
-        """.replace("k: 300 N/m, ", "")).modal.sensitivities
+        """.replace("k: 300 N/m, ", "")).modal.result("sensitivities")
     assert list(found.refused) == ["a"] and "does not persist" in found.refused["a"]
     assert found.omega["g"] == {2: pytest.approx(math.sqrt(2 * 9.81) / 2 / 9.81)}
 
@@ -351,11 +356,12 @@ def test_quantities_refused(quantity, words):
 
 def test_estimates_refused():
     with pytest.raises(PhysicsError, match="gyroscopic"):
-        _ = scene(*SCENES["gyroscopic"]).modal.estimates
+        _ = scene(*SCENES["gyroscopic"]).modal.result("estimates")
     with pytest.raises(PhysicsError, match="unstable"):
-        _ = problem("coordinates: [x]\nmatrices: {M: [[1]], K: [[-4]]}").modal.estimates
+        _ = problem("coordinates: [x]\nmatrices: {M: [[1]], K: [[-4]]}").modal.result("estimates")
     with pytest.raises(PhysicsError, match="massless"):
-        _ = problem("coordinates: [x, y]\nmatrices: {M: [[1, 0], [0, 0]], K: [[4, 1], [1, -1]]}").modal.estimates
+        _ = problem("coordinates: [x, y]\nmatrices: {M: [[1, 0], [0, 0]], K: [[4, 1], [1, -1]]}").modal.result(
+            "estimates")
 
 
 def test_too_many_coordinates():
@@ -363,13 +369,13 @@ def test_too_many_coordinates():
     text = ("bodies:\n" + "".join(f"  b{i}: {{mass: 1, slide: x{i}}}\n" for i in range(n))
             + "springs:\n" + "".join(f"  s{i}: {{k: 1, between: [ground, b{i}]}}\n" for i in range(n)))
     with pytest.raises(PhysicsError, match="up to 80"):
-        _ = problem(text).modal.shares
+        _ = problem(text).modal.result("shares")
 
 
 def test_letters_are_refused():
     with pytest.raises(PhysicsError, match="needs numbers"):
         _ = problem("parameters: {k: }\nbodies: {a: {mass: 1, slide: x}}\n"
-                    "springs: {s: {k: k, between: [ground, a]}}").modal.sensitivities
+                    "springs: {s: {k: k, between: [ground, a]}}").modal.result("sensitivities")
 
 
 def test_which_parameters_may_be_asked_for():
