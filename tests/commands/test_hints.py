@@ -12,7 +12,7 @@ from support.wrong_scenes import BAD, expected
 import vibcli
 from vibcli.cli import COMMANDS, group, run
 from vibcli.language.dimension_check import unit_of_a_number
-from vibcli.manual import words
+from vibcli.manual.index import words
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.quantity import named
 from vibcli.symbolic.parser import parse

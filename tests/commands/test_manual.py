@@ -18,10 +18,12 @@ from vibcli.elements import ELEMENTS
 from vibcli.language.document.document import read, read_file
 from vibcli.language.fields import Element
 from vibcli.language.named_elements import load
-from vibcli.manual import nearest_words, overview, page, scenes, schema, topics, words
+from vibcli.manual import scenes, topics
 from vibcli.manual.aliases import ALIASES
 from vibcli.manual.catalogue import FACES, Catalogue
-from vibcli.manual.index import Index
+from vibcli.manual.index import Index, nearest_words, page, words
+from vibcli.manual.json_schema import schema
+from vibcli.manual.overview import overview
 from vibcli.quantities import FAMILIES
 from vibcli.reader.read import SECTIONS, read_spec
 from vibcli.reader.sections.find import FIND

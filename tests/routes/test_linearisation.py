@@ -13,9 +13,9 @@ from support.scenes import problem_of
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.check.instances import Instances
-from vibcli.mechanics.autonomous import without_time
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.mechanics.lagrange import equation_of
+from vibcli.mechanics.linearise import without_time
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 

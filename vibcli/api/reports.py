@@ -94,7 +94,7 @@ def _insight(problem, words, sections):
 def _frequencies(problem, parts, normalise, digits, sections):
     """Equilibrium, matrices and modes; null with a remark where the other parts stand without them."""
     from vibcli.report import keys
-    from vibcli.report.sections.spectrum import EQUILIBRIUM, MATRICES, frequencies_data
+    from vibcli.report.sections.spectrum import frequencies_data
 
     try:
         return frequencies_data(problem, normalise, digits)
@@ -104,6 +104,9 @@ def _frequencies(problem, parts, normalise, digits, sections):
             raise
         found = dict.fromkeys(("equilibrium", "matrices", "modes", "damped")) | {"remark": error.message}
         if isinstance(error, Inertless):
+            from vibcli.report.sections.equations_of_motion import MATRICES
+            from vibcli.report.sections.equilibrium import EQUILIBRIUM
+
             found |= keys.data([EQUILIBRIUM, MATRICES], problem)
         return found
 

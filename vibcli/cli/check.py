@@ -1,6 +1,5 @@
 """`vibcli check PATH…`: the answers in problem files against the results."""
 
-import json
 import os
 
 import click
@@ -41,6 +40,8 @@ def command(paths, settings, as_json, quiet, patience):
         else:
             _print(file, verdicts, quiet, code in (3, 4))
     if as_json:
+        import json
+
         click.echo(json.dumps(data, ensure_ascii=False, allow_nan=False, indent=1))
     else:
         click.echo(_summary(counts))

@@ -7,9 +7,7 @@ from math import ceil
 
 import click
 
-from vibcli.api.source import file_source, problem_of
 from vibcli.base.errors import SpecError
-from vibcli.base.work import Work
 
 MOST = 600      # steps of a million products, for --digits
 _sources = {}
@@ -66,6 +64,10 @@ def _set_color(context, parameter, value):
 def load(file, settings=(), patience=1):
     """The Problem of a file, with its reading timed; SpecError or a usage error where it cannot be read. patience:
     the factor of what its long work may take."""
+    from vibcli.api.source import file_source, problem_of
+    from vibcli.base.work import Work
+    from vibcli.cli.progress import teller
+
     try:
         source = file_source(file)
     except FileNotFoundError:
@@ -74,8 +76,6 @@ def load(file, settings=(), patience=1):
     _sources[source.file] = source.lines
     if source.node is None:
         raise SpecError(source.diagnostics)
-    from vibcli.cli.progress import teller
-
     return problem_of(source, _settings(settings, source.node), Work(patience, teller()))
 
 

@@ -4,7 +4,7 @@ import click
 
 
 def _complete(context, parameter, incomplete):
-    from vibcli.manual import words
+    from vibcli.manual.index import words
 
     return [word for word in words() if word.startswith(incomplete)]
 
@@ -17,11 +17,17 @@ def command(word):
     Without a WORD an overview of all there is; `spring.preload` is a key of one element.
     """
     from vibcli.base.diagnostics import quoted
-    from vibcli.manual import nearest_words, overview, page
 
     text = " ".join(word)
+    if not text.strip():
+        from vibcli.manual.overview import overview
+
+        click.echo(overview())
+        return
+    from vibcli.manual.index import nearest_words, page
+
     try:
-        click.echo(page(text) if text.strip() else overview())
+        click.echo(page(text))
     except KeyError:
         near = nearest_words(text)
         hint = "did you mean " + " or ".join(near) + "?" if near else "`vibcli explain` lists what there is"

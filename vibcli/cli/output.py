@@ -1,7 +1,5 @@
 """Printing the results of one file: as a report in some format, or as one JSON document."""
 
-import json
-
 import click
 
 from vibcli.api import reports
@@ -98,6 +96,8 @@ def _settled(problem, thorough, digits):
 
 
 def _print_json(found, output):
+    import json
+
     first, *cases = found
     if cases:
         found[first]["cases"] = {case: found[case] for case in cases}

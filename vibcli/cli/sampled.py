@@ -1,6 +1,5 @@
 """What the commands that plot and save curves share: options, signals given as text, the files that they write."""
 
-import shutil
 from functools import reduce
 from pathlib import Path
 
@@ -67,6 +66,8 @@ def show_curves(plot, saves, force, title, figure, columns=None):
     from vibcli.report.formats.curves import curve_file, in_terminal
 
     if plot:
+        import shutil
+
         click.echo("\n" + in_terminal(figure(), min(shutil.get_terminal_size().columns, WIDEST)))
     for path in saves:
         write(path, curve_file(Path(path).suffix.lower(), title, figure, columns), force)

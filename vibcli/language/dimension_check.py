@@ -4,7 +4,6 @@ import re
 
 from vibcli.base import units
 from vibcli.base.spelling import nearest
-from vibcli.language import unit_brackets
 from vibcli.language.record_calls import own
 from vibcli.symbolic.parser import FUNCTIONS, VALUE
 from vibcli.symbolic.semantics import (
@@ -173,7 +172,11 @@ def _primes(spec, reader, expression, name, primes, start, end):
 
 def _bracketed(expression, name, start):
     """Of a unit in brackets, 2 N*(s/m): what is wrong and what to write; None of another name."""
-    text = unit_brackets.opened(expression.text, start) if name in units.UNITS else None
+    if name not in units.UNITS:
+        return None
+    from vibcli.language.unit_brackets import opened
+
+    text = opened(expression.text, start)
     if text is None:
         return None
     return f"unknown name '{name}'", f"units take brackets for exponents alone: write {text}"

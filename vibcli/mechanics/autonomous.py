@@ -8,45 +8,18 @@ coefficients (a shaken pivot) are refused by name.
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import at_position, residual_terms
+from vibcli.mechanics.linearise import expanded_terms, load_at_rest, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.delta_functions import at_impulses
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced
+from vibcli.symbolic.normal_form import collected
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
 MATRICES = ("M", "C", "G", "drag")
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
-
-
-def without_time(scene, node):
-    """The terms of an expression that do not depend on the time."""
-    time = scene.time.mask
-    if not node.mask & time:
-        return node
-    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
-                                   if not any(atom.mask & time for atom, _ in monomial)})
-
-
-def load_at_rest(scene, term):
-    """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
-    time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
-    rest = dict.fromkeys(scene.v, scene.table.zero)
-    force, steady_part = substitute([term.weight, term.steady], rest)
-    parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
-    turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
-    constant = without_time(scene, force - steady_part)
-    return steady_part, turning, force - steady_part - constant, constant
-
-
-def _terms(scene, node):
-    try:
-        return reduced(expanded(node))
-    except (TooLong, ZeroDivisionError):
-        raise PhysicsError("the terms of this scene that depend on time are too long to be told from those that do not",
-                           "describe the driven motion in fewer steps") from None
 
 
 def steady(scene, form):
@@ -178,7 +151,7 @@ def _negative(scene, terms):
 
 
 def _whole(scene, node):
-    return collected(scene.table, _terms(scene, node)) if node.mask & scene.time.mask else node
+    return collected(scene.table, expanded_terms(scene, node)) if node.mask & scene.time.mask else node
 
 
 def with_time(scene, node):
@@ -186,7 +159,7 @@ def with_time(scene, node):
     time = scene.time.mask
     if not node.mask & time:
         return scene.table.zero
-    return collected(scene.table, {monomial: value for monomial, value in _terms(scene, node).items()
+    return collected(scene.table, {monomial: value for monomial, value in expanded_terms(scene, node).items()
                                    if any(atom.mask & time for atom, _ in monomial)})
 
 

@@ -11,8 +11,9 @@ the same vanishes: where it does not, there are no small oscillations (`steady`,
 
 from fractions import Fraction
 
-from vibcli.mechanics.autonomous import INSTANTS, load_at_rest
+from vibcli.mechanics.autonomous import INSTANTS
 from vibcli.mechanics.energies import dissipation, potential
+from vibcli.mechanics.linearise import load_at_rest
 from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate

@@ -13,10 +13,10 @@ them to the excitation; and so are loads that depend on the time, the F₀ in F�
 to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
-from vibcli.mechanics.autonomous import load_at_rest, without_time
+from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation
 from vibcli.symbolic.derivatives import gradient, substitute
-from vibcli.symbolic.normal_form import textbook
+from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
 from vibcli.symbolic.rationals import ONE
 
 
@@ -173,3 +173,31 @@ def _negated(slopes):
 def _at_rest(entries, rest):
     values = substitute(list(entries.values()), rest) if entries else ()
     return {key: node for key, node in zip(entries, values, strict=True) if not node.is_zero}
+
+
+def without_time(scene, node):
+    """The terms of an expression that do not depend on the time."""
+    time = scene.time.mask
+    if not node.mask & time:
+        return node
+    return collected(scene.table, {monomial: value for monomial, value in expanded_terms(scene, node).items()
+                                   if not any(atom.mask & time for atom, _ in monomial)})
+
+
+def load_at_rest(scene, term):
+    """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
+    time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
+    rest = dict.fromkeys(scene.v, scene.table.zero)
+    force, steady_part = substitute([term.weight, term.steady], rest)
+    parts = steady_part.args if steady_part.op == "sum" else ((steady_part, ONE),)
+    turning = scene.table.sum(*((node, c) for node, c in parts if node.mask & scene.time.mask))
+    constant = without_time(scene, force - steady_part)
+    return steady_part, turning, force - steady_part - constant, constant
+
+
+def expanded_terms(scene, node):
+    try:
+        return reduced(expanded(node))
+    except (TooLong, ZeroDivisionError):
+        raise PhysicsError("the terms of this scene that depend on time are too long to be told from those that do not",
+                           "describe the driven motion in fewer steps") from None

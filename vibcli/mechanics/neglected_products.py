@@ -9,7 +9,8 @@ a stiffness that varies in time (parametric excitation). Loads in time are small
 are, so that their products are not kept.
 """
 
-from vibcli.mechanics.autonomous import INSTANTS, load_at_rest, with_time
+from vibcli.mechanics.autonomous import INSTANTS, with_time
+from vibcli.mechanics.linearise import load_at_rest
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import textbook

@@ -6,6 +6,8 @@ from vibcli.base.errors import PhysicsError, defined_as_drawn
 from vibcli.base.stage import Costs, Stage
 from vibcli.base.work import Work
 
+SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction acts
+
 
 class MechanicalSystem:
     """A scene and what follows from it in letters. `given`: exact values for parameters that the file leaves as
@@ -64,6 +66,8 @@ class MechanicalSystem:
     @Stage
     def linearisation(self):
         """The Linearisation of the scene, its excitation left out."""
+        if not self.scene.vibrating.timed:
+            return self.time_dependent_linearisation
         from vibcli.mechanics.autonomous import steady
 
         return steady(self.scene.vibrating, self.time_dependent_linearisation)
@@ -132,7 +136,9 @@ class MechanicalSystem:
 
     @cached_property
     def sticking(self):
-        """Where dry friction holds the scene at rest; None where nothing does."""
+        """Where dry friction holds the scene at rest; None where nothing does, or loops are closed numerically."""
+        if self.scene.loops is not None or not self.scene.table.called.intersection(SENSES):
+            return None
         from vibcli.mechanics.equilibrium.dry_friction import sticking
 
         return sticking(self)

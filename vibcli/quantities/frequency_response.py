@@ -5,11 +5,10 @@ from math import isfinite, pi, tau
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.dimensions import signal_tree_dimension
-from vibcli.quantities.quantity import COMPLEX, Declaration
+from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
 RATE = units.parse_unit("rad/s").dimension
-ERROR = 1e-12
 
 
 def wrapped(angle):

@@ -13,6 +13,7 @@ from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 ALL = "all of them: vibcli explain quantities"
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
+ERROR = 1e-12           # of what is read off linear motions and frequency responses
 SIGNAL = "signal"       # the unit of a number of a signal: that of the signal
 NUMBER, COMPLEX, PERIOD, COUNT, TRUTH = "number", "complex", "period", "count", "truth"     # kinds of values
 OF_SIGNAL, FUNCTION, EQUATION = "signal", "function", "equation"        # a signal again; of coordinates and velocities

@@ -3,11 +3,10 @@
 from math import isfinite
 
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.frequency_response import ERROR
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.matrices import dimension as entry_dimension
 from vibcli.quantities.matrices import largest as largest_entry
-from vibcli.quantities.quantity import NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared
+from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared
 from vibcli.symbolic.syntax import QuantityRef
 
 

@@ -9,7 +9,6 @@ from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Record
 from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.dimensions import asked_dimension
-from vibcli.quantities.matrices import entry_dimension
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
 from vibcli.symbolic.syntax import NameRef
@@ -227,7 +226,11 @@ def _circles(spec):
 
 def _matrices(spec):
     """{scalar: dimension} of the entries of M, C, K."""
-    names, matrices = list(spec.coordinates), spec.get("matrices") or {}
+    if "matrices" not in spec.sections:
+        return {}
+    from vibcli.quantities.matrices import entry_dimension
+
+    names, matrices = list(spec.coordinates), spec.get("matrices")
     return {entry.scalar: entry_dimension(key, spec.dimensions.unknown(q), spec.dimensions.unknown(r))
             for key, rows in matrices.items() for q, row in zip(names, rows, strict=False)
             for r, entry in zip(names, row, strict=False)}

@@ -11,7 +11,6 @@ from vibcli.analyses import OF_MODES
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 from vibcli.base.stage import Stage
 from vibcli.mechanics.configuration import Configuration
-from vibcli.mechanics.initial_state import InitialState
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.symbolic_system import SymbolicSystem
 from vibcli.mechanics.system import MechanicalSystem
@@ -33,7 +32,6 @@ class Problem:
         self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
         self.system, self.work, self.costs = modal.system, modal.work, modal.costs
         self.symbolic = SymbolicSystem(self.configuration, ModalAnalysis)
-        self.initial = InitialState(self.configuration)
         self.choice, self.earlier, self.end, self.signed = choice, earlier or {}, end, signed
         self._cases, self._curves = {}, {}
 
@@ -96,6 +94,13 @@ class Problem:
         systems = [problem.system for problem in (self, *(self.case(name) for name in self.spec.cases))]
         systems += [system.preloaded for system in systems if system.preloaded is not None]
         return [system.scene for system in systems]
+
+    @cached_property
+    def initial(self):
+        """The InitialState of its motion."""
+        from vibcli.mechanics.initial_state import InitialState
+
+        return InitialState(self.configuration)
 
     @Stage
     def closed_forms(self):

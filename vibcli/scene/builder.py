@@ -1,6 +1,7 @@
 """The scene while it is built: the services by which elements make their functions of the coordinates, and to which
 they contribute."""
 
+from vibcli.base.errors import Diagnostic, SpecError
 from vibcli.elements import ELEMENTS
 from vibcli.language.named_elements import load
 from vibcli.language.parameter_samples import sample_values
@@ -8,8 +9,7 @@ from vibcli.language.parameters import Parameters
 from vibcli.language.reader import Reference
 from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
-from vibcli.scene.constraints import Constraint
-from vibcli.scene.contents import Contents
+from vibcli.scene.contents import Constraint, Contents
 from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.displacements import Displacements
 from vibcli.scene.ends import Ends
@@ -19,8 +19,6 @@ from vibcli.scene.frame import Frame
 from vibcli.scene.geometry import Geometry
 from vibcli.scene.laws import Law
 from vibcli.scene.places import Places
-from vibcli.scene.reports import Reports
-from vibcli.symbolic.antiderivatives import from_zero
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
@@ -175,6 +173,8 @@ class Builder:
 
     def integrated(self, force, x, where):
         """∫₀ˣ force dx; None where it is not found, which is reported."""
+        from vibcli.symbolic.antiderivatives import from_zero
+
         found = from_zero(force, x)
         if found is None:
             self.report(where, "the energy of this law is not found", "write it as a sum of powers, |d|^n, sines and "
@@ -214,6 +214,28 @@ class Builder:
     def add_matrix(self, key, nodes):
         """M, C or K given outright."""
         self.contents.matrices[key] = nodes
+
+
+class Reports:
+    """Diagnostics: kept while a scene is built; of one that is finished raised, since nobody looks at what is kept any
+    more."""
+
+    __slots__ = ("diagnostics", "finished")
+
+    def __init__(self):
+        self.diagnostics, self.finished = [], False
+
+    def report(self, where, message, hint=None):
+        """Something is wrong at a place of the file."""
+        self.diagnostics.append(Diagnostic(where, message, hint))
+        if self.finished:
+            raise SpecError(self.diagnostics[-1:])
+
+    def finish(self):
+        """The scene is built: SpecError where it is wrong."""
+        if self.diagnostics:
+            raise SpecError(self.diagnostics)
+        self.finished = True
 
 
 def _samples(spec, free, given, attempt):

@@ -6,7 +6,6 @@ that all which is derived from z later is exact to any order.
 """
 
 from math import isfinite
-from typing import NamedTuple
 
 from vibcli.scene.closed_loops import Loops, nearby
 from vibcli.scene.scene import Closure, Freedom
@@ -15,30 +14,6 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 
 LOOSE = 1e-7
-
-
-class Constraint(NamedTuple):
-    """One condition node = 0 of the constraint `name` (a part of it: `name.x`); `form` is one of
-    equation, join, link, point, gear, belt, rope, release."""
-
-    name: str
-    node: object
-    where: object
-    form: str
-
-    @property
-    def nodes(self):
-        """The expressions of the coordinates that it is made of."""
-        return [self.node]
-
-    def over(self, new):
-        """Itself with its expressions replaced, {node: node}."""
-        return self._replace(node=new[self.node])
-
-    @property
-    def whole(self):
-        """The name of the constraint that this is a part of."""
-        return self.name.partition(".")[0]
 
 
 def closed(scene):

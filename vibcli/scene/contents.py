@@ -5,6 +5,30 @@ from typing import NamedTuple
 TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
 
 
+class Constraint(NamedTuple):
+    """One condition node = 0 of the constraint `name` (a part of it: `name.x`); `form` is one of
+    equation, join, link, point, gear, belt, rope, release."""
+
+    name: str
+    node: object
+    where: object
+    form: str
+
+    @property
+    def nodes(self):
+        """The expressions of the coordinates that it is made of."""
+        return [self.node]
+
+    def over(self, new):
+        """Itself with its expressions replaced, {node: node}."""
+        return self._replace(node=new[self.node])
+
+    @property
+    def whole(self):
+        """The name of the constraint that this is a part of."""
+        return self.name.partition(".")[0]
+
+
 class Contents(NamedTuple):
     """`points`: {name: (drawn, present)}; `energies`: T, V and Φ that are written out, and the laws once they are
     settled; `static_preloads`: [(symbol, record)] of unknown tensions; `shaken`: {kind: terms} as functions of the

@@ -2,7 +2,6 @@
 
 from typing import NamedTuple
 
-from vibcli.scene.bounded_motion import stays_bounded
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import textbook
 
@@ -59,6 +58,8 @@ class Displacements:
 
     def waves(self, node):
         """Does a function of the time stay bounded, so that it counts as a small displacement?"""
+        from vibcli.scene.bounded_motion import stays_bounded
+
         return stays_bounded(node, self.time, self.expressions.sample)
 
     def release(self, body):

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
-from vibcli.scene.bounded_motion import stays_bounded
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.geometry import Geometry
 from vibcli.scene.laws import switches
@@ -191,6 +190,8 @@ class Scene:
     @cached_property
     def oscillating(self):
         """The driven displacements that come and go, so that they count as small ones."""
+        from vibcli.scene.bounded_motion import stays_bounded
+
         return [symbol for symbol, node in self.driven.items() if stays_bounded(node, self.time, self.sample)]
 
     @property

@@ -3,7 +3,6 @@
 import re
 from fractions import Fraction
 
-from vibcli.base.unit_suggestions import TAKEN, unit_meant
 from vibcli.base.units import UNITS
 from vibcli.symbolic.syntax import ExpressionError, Number, UnitPower
 
@@ -56,6 +55,8 @@ def _unit_power(match):
 
 
 def _unknown_unit(text, match, start, at):
+    from vibcli.base.unit_suggestions import TAKEN, unit_meant
+
     word = match.group(2)
     meant = None if word == "pi" else unit_meant(word)
     product = f"a product is written with *: {text[start:at]}*{word}"

@@ -19,7 +19,7 @@ from vibcli.api.response import SampledResponse
 from vibcli.api.values import QuantityValue
 from vibcli.check.verdicts import check
 from vibcli.cli import run
-from vibcli.manual import page
+from vibcli.manual.index import page
 from vibcli.manual.python import EXAMPLE
 
 ROOT = Path(__file__).parents[3]

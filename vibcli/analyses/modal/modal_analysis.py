@@ -26,23 +26,27 @@ class ModalAnalysis:
     @Stage
     def modes(self):
         """The modes of the system without its dampers; none where it would not oscillate."""
-        from vibcli.analyses.modal.massless_coordinates import only_damped
         from vibcli.analyses.modal.modes import natural_modes
 
         elements = self.configuration.linear_system
-        if elements.massless and only_damped(elements):
-            return []
+        if elements.massless:
+            from vibcli.analyses.modal.massless_coordinates import only_damped
+
+            if only_damped(elements):
+                return []
         return self.solved(natural_modes, elements, *self.configuration.sources)
 
     @cached_property
     def zero_modes(self):
         """What each mode without frequency is: free, held or falling (mechanics/equilibrium/zero_modes.py)."""
+        rigid = [mode for mode in self.modes if mode.rigid]
+        if not rigid:
+            return {}
         from vibcli.mechanics.equilibrium.zero_modes import FREE, zero_modes
 
-        rigid = [mode for mode in self.modes if mode.rigid]
-        if self.free and len(rigid) == self.free:
+        if len(rigid) == self.free:
             return dict.fromkeys((mode.index for mode in rigid), FREE)
-        return zero_modes(self.configuration, rigid) if rigid else {}
+        return zero_modes(self.configuration, rigid)
 
     @Stage
     def damped(self):

@@ -45,10 +45,8 @@ class Sticking(NamedTuple):
 
 
 def sticking(system):
-    """The Sticking of a scene; None where no friction holds it, and where its loops are closed numerically."""
+    """The Sticking of a scene without loops that are closed numerically; None where no friction holds it."""
     scene = system.scene
-    if scene.loops is not None or not scene.table.called.intersection(("sign", "abs", "min", "max")):
-        return None
     equations = [equation_of(scene, i) for i in range(len(scene.q))]
     symbols, bounds = _senses(scene, equations)
     if not symbols:

@@ -9,9 +9,9 @@ from fractions import Fraction
 from functools import cached_property
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady, without_time
+from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
-from vibcli.mechanics.linearise import linearise
+from vibcli.mechanics.linearise import linearise, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.static_preload import take_over
 from vibcli.symbolic.derivatives import gradient, substitute

@@ -50,13 +50,6 @@ def _signed(number):
     return str(number).replace("-", "−")
 
 
-def equilibrium_warning(problem):
-    """A warning where the equilibrium of a problem is near a bifurcation, else None."""
-    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
-
-    return bifurcation_warning(stiffness_condition(problem.modal))
-
-
 def _listed(problem):
     """[(what was found, the problem about it, its Stability)]"""
     return [(item, about, judged(about.modal))
@@ -64,8 +57,12 @@ def _listed(problem):
 
 
 def _warning(problem, found):
-    """The same of one of a list, where its stability may be open."""
-    return None if found.kind == OPEN else equilibrium_warning(problem)
+    """A warning where an equilibrium is near a bifurcation; None of one whose stability is open."""
+    if found.kind == OPEN:
+        return None
+    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
+
+    return bifurcation_warning(stiffness_condition(problem.modal))
 
 
 def _table(problem, listed):

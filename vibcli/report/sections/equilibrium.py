@@ -4,7 +4,6 @@ from math import inf, isfinite
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
-from vibcli.notation.scene_language import language
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
@@ -26,8 +25,8 @@ def equilibrium(problem, _):
 
 
 def _in_numbers(problem):
+    from vibcli.analyses.modal.bifurcation_distance import bifurcation_warning, stiffness_condition
     from vibcli.analyses.modal.stability import WORDS
-    from vibcli.report.sections.equilibria import equilibrium_warning
 
     found = problem.configuration.equilibrium
     try:
@@ -39,7 +38,7 @@ def _in_numbers(problem):
     told = separated(maths(Name(name), " = ", *measured(value, problem.system.dimension(name)))
                      for name, value in values)
     where = "the drawn position" if found.drawn else "shifted from the drawn position"
-    warning = None if stable.startswith("a kink") else equilibrium_warning(problem)
+    warning = None if stable.startswith("a kink") else bifurcation_warning(stiffness_condition(problem.modal))
     where += "; without friction" if problem.system.sticking is not None else ""
     return [paragraph(*told, f"   ({where})"), _from_start(problem),
             paragraph(f"{stable}; residual {figure(found.residual, digits=2)} of the forces", hang=None),
@@ -156,6 +155,7 @@ EQUILIBRIUM = Key("equilibrium", "the equilibrium reached from the drawn positio
 
 def _sticking(problem):
     from vibcli.mechanics.equilibrium.dry_friction import span
+    from vibcli.notation.scene_language import language
 
     found, table = problem.system.sticking, problem.scene.table
     told = []

@@ -4,10 +4,8 @@ from math import tau
 
 from vibcli.analyses.modal.normalisation import WORDS
 from vibcli.base.errors import Inertless
-from vibcli.notation.scene_language import language
 from vibcli.report.blocks import TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
-from vibcli.report.sections.equations_of_motion import MATRICES
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
 
@@ -115,6 +113,7 @@ POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = 
 
 def frequencies_data(problem, normalise="first", digits=None):
     """What `vibcli frequencies --json` prints."""
+    from vibcli.report.sections.equations_of_motion import MATRICES
     from vibcli.report.sections.statics import REACTIONS
 
     asked = "reactions" in problem.spec.get("find", ()) and not problem.numeric.has_free_symbols
@@ -147,6 +146,8 @@ def _modes(problem, modes, damped, normalise, turn):
 
 def _closed_forms(problem):
     """{modes, damped, characteristic_polynomial where there is one} in letters; None where no form is readable."""
+    from vibcli.notation.scene_language import language
+
     forms, names, table = problem.closed_forms, problem.scene.coordinates, problem.scene.table
     if forms is None:
         return {"modes": None, "damped": None}
