@@ -122,13 +122,8 @@ def _spots(name, look, sketch):
         points = [sketch.frames[name].point(p) for p in look.pieces[0].points]
         return [points[len(points) * i // 8] for i in (3, 1, 5, 7)]
     part = max((part for part in look.outlines if part.fill != "paper"), default=look.pieces[-1],
-               key=lambda part: plane.distance(*_corners(part)))
-    return [plane.middle(*_corners(part))]
-
-
-def _corners(part):
-    left, bottom, right, top = plane.bounds(part.points)
-    return (left, bottom), (right, top)
+               key=lambda part: plane.distance(*plane.corners(part.points)))
+    return [plane.middle(*plane.corners(part.points))]
 
 
 def _gravity(sketch, box):

@@ -1,15 +1,14 @@
 """One panel by Matplotlib: its curves, ticks, labels and legend."""
 
 import math
-from itertools import pairwise
 
 from vibcli.plots import style
 from vibcli.plots.marking import draw_marks, draw_names
-from vibcli.plots.ticks import decade
+from vibcli.plots.response import turns
+from vibcli.plots.ticks import OF_A_TURN, decade
 from vibcli.plots.words import shortened, width
 
 _MARGIN = 0.05              # of the height, above and below the curves
-_OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
 _LONGEST, _AN_INCH = 60, 8  # columns of a label; of one that is written upwards, to an inch of the panel
 _IN_A_ROW = 80              # columns of a row of the legend, of which each entry's line takes some
 _OF_A_LINE = 8
@@ -60,7 +59,7 @@ def _scale(axis, shown, most):
         axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: decade(value, plain)))
     elif shown.degrees and shown.high - shown.low >= 90:
         axis.set_major_locator(ticker.MultipleLocator(next(
-            (step for step in _OF_A_TURN if shown.high - shown.low < 6 * step), _OF_A_TURN[-1])))
+            (step for step in OF_A_TURN if shown.high - shown.low < 6 * step), OF_A_TURN[-1])))
     else:
         axis.set_major_locator(ticker.MaxNLocator(most, steps=(1, 2, 5, 10)))
         axis.set_major_formatter(ticker.ScalarFormatter())
@@ -97,19 +96,13 @@ def _curves(axes, sheet):
 
 
 def _line(axes, sheet, runs, colour, dashes, width, order):
-    if sum(map(_turns, runs)) > style.CROWDED:
+    if sum(turns([y for _, y in run]) for run in runs) > style.CROWDED:
         width, dashes = 0.5 * width, "-"
     artist, = axes.plot(*_values(sheet, runs), color=colour, linestyle=dashes, linewidth=width, zorder=order,
                         solid_joinstyle="round", scalex=False, scaley=False)
     axes.plot(*_values(sheet, [run for run in runs if len(run) == 1]), linestyle="", marker="o", markersize=3,
               color=colour, scalex=False, scaley=False)
     return artist
-
-
-def _turns(run):
-    """How often a line turns between up and down."""
-    steps = [b - a for (_, a), (_, b) in pairwise(run)]
-    return sum(a * b < 0 for a, b in pairwise(steps))
 
 
 def _values(sheet, runs):

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from vibcli.plots.canvas import Canvas
 from vibcli.plots.curves import draw
-from vibcli.plots.paper import equal_scales, sheets
+from vibcli.plots.paper import scaled, sheets
 from vibcli.plots.ticks import ticks
 from vibcli.plots.words import printable, shortened
 from vibcli.plots.words import width as columns_of
@@ -18,7 +18,7 @@ def braille(figure, width=80, height=20):
     """The figure in lines of at most `width` columns; `height`: rows of a panel of usual height, without its axes."""
     columns = min(max(width, NARROWEST), WIDEST)
     found = [(sheet, max(FEWEST_ROWS, round(height * sheet.panel.tall))) for sheet in sheets(figure)]
-    found = [(_equal(sheet, columns, rows), rows) for sheet, rows in found]
+    found = [(scaled(sheet, (columns - _EQUAL_MARGIN) / (2 * rows)), rows) for sheet, rows in found]
     labels = [_y_ticks(sheet.y, Canvas(columns, rows)) for sheet, rows in found]
     margin = max((columns_of(label) for ticks in labels for label in ticks.values()), default=0) + 2
     lines = _wrapped(printable(figure.title), columns)
@@ -32,14 +32,6 @@ def braille(figure, width=80, height=20):
             lines.append(" " * (margin - 2 - columns_of(label)) + label + (" ┤" if label else " │") + line)
         lines += _x_axis(sheet, canvas, margin)
     return "\n".join(line.rstrip() for line in lines)
-
-
-def _equal(sheet, columns, rows):
-    """The sheet with one scale where its panel wants it; a dot is as wide as high."""
-    if not sheet.panel.equal:
-        return sheet
-    x, y = equal_scales(sheet.x, sheet.y, (columns - _EQUAL_MARGIN) / (2 * rows))
-    return sheet._replace(x=x, y=y)
 
 
 def _wrapped(text, columns):

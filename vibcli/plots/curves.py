@@ -38,7 +38,8 @@ def draw(canvas, sheet):
 
 def _line(canvas, sheet, runs, layer, pattern):
     for run in runs:
-        canvas.polyline(layer, _dots(canvas, sheet, run), pattern)
+        points = thinned(run, sheet.x, 2 * canvas.columns)
+        canvas.polyline(layer, [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in points], pattern)
         if len(run) == 1:
             canvas.write(*_cell(canvas, sheet, *run[0]), "o")
 
@@ -48,11 +49,6 @@ def _sample(pattern):
     sample = Canvas(6, 1)
     sample.polyline(sample.layer(), [(0, 2), (11, 2)], pattern)
     return sample.lines()[0]
-
-
-def _dots(canvas, sheet, run):
-    """The points of a run in dots, those that fall on one column of dots thinned out."""
-    return [canvas.dots(sheet.x.part(x), sheet.y.part(y)) for x, y in thinned(run, sheet.x, 2 * canvas.columns)]
 
 
 def _cell(canvas, sheet, x, y):

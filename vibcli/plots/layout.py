@@ -4,7 +4,7 @@ from textwrap import wrap
 
 from vibcli.plots import style
 from vibcli.plots.axes import draw
-from vibcli.plots.paper import equal_scales, sheets
+from vibcli.plots.paper import scaled, sheets
 from vibcli.plots.words import printable, shortened
 
 _LINE, _WORD, _LINES = 66, 40, 3      # columns of a line and of a word of the title; its lines
@@ -14,7 +14,7 @@ def drawn(figure):
     """The Matplotlib figure, complete."""
     from matplotlib.figure import Figure
 
-    found = [_equal(sheet) for sheet in sheets(figure)]
+    found = [scaled(sheet, style.RATIO) for sheet in sheets(figure)]
     heights = [_height(sheet.panel, len(found)) for sheet in found]
     page = Figure(figsize=(style.WIDTH, sum(heights) or style.HEIGHT), facecolor="white", layout="constrained")
     grid = page.add_gridspec(max(len(found), 1), 1, height_ratios=heights or None)
@@ -23,14 +23,6 @@ def drawn(figure):
     words = [shortened(word, _WORD) for word in printable(figure.title).split()]
     page.suptitle("\n".join(wrap(" ".join(words), _LINE, max_lines=_LINES, placeholder="…")))
     return page
-
-
-def _equal(sheet):
-    """The sheet with one scale for both axes where its panel wants it."""
-    if not sheet.panel.equal:
-        return sheet
-    x, y = equal_scales(sheet.x, sheet.y, style.RATIO)
-    return sheet._replace(x=x, y=y)
 
 
 def _height(panel, panels):

@@ -51,9 +51,13 @@ def sheets(figure):
         raise PhysicsError(f"a figure of {len(panels)} panels is too large, {MOST_PANELS} are the most",
                            "show fewer signals or modes at once")
     drawn = [tuple(_strokes(curve, panel) for curve in panel.curves) for panel in panels]
-    ranges = [_limits([x for runs in strokes for run in runs for x, _ in run], panel.x_log, panel.x_range)
-              for panel, strokes in zip(panels, drawn, strict=True)]
-    return [Sheet(panel, Axis(*_shared(panels, ranges, i), panel.x_log), _y_axis(panel, drawn[i]), drawn[i],
+    points = [[point for runs in strokes for run in runs for point in run] for strokes in drawn]
+    ranges = [_limits([x for x, _ in found], panel.x_log, panel.x_range)
+              for panel, found in zip(panels, points, strict=True)]
+    heights = [_limits([y for _, y in found], panel.y_log, panel.y_range)
+               for panel, found in zip(panels, points, strict=True)]
+    return [Sheet(panel, Axis(*_shared(panels, ranges, i), panel.x_log),
+                  Axis(*heights[i], panel.y_log, panel.degrees), drawn[i],
                   not _shares_x(panel, *panels[i + 1:i + 2]), not _repeats(panel, *panels[max(i - 1, 0):i]))
             for i, panel in enumerate(panels)]
 
@@ -87,11 +91,6 @@ def _shared(panels, ranges, i):
         last += 1
     group = ranges[first:last + 1]
     return min(low for low, _ in group), max(high for _, high in group)
-
-
-def _y_axis(panel, strokes):
-    values = [y for runs in strokes for run in runs for _, y in run]
-    return Axis(*_limits(values, panel.y_log, panel.y_range), panel.y_log, panel.degrees)
 
 
 def _place(value, log):
@@ -172,12 +171,15 @@ def _extremes(group):
     return [group[i] for i in kept]
 
 
-def equal_scales(x, y, ratio):
-    """Both axes with one scale, for paper `ratio` times as wide as high: the one with room to spare is widened."""
-    width, height = x.high - x.low, y.high - y.low
+def scaled(sheet, ratio):
+    """The sheet, with one scale where its panel wants it, for paper `ratio` times as wide as high: the axis with room
+    to spare is widened."""
+    width, height = sheet.x.high - sheet.x.low, sheet.y.high - sheet.y.low
+    if not sheet.panel.equal:
+        return sheet
     if width < ratio * height:
-        return _widened(x, ratio * height), y
-    return x, _widened(y, width / ratio)
+        return sheet._replace(x=_widened(sheet.x, ratio * height))
+    return sheet._replace(y=_widened(sheet.y, width / ratio))
 
 
 def _widened(axis, length):

@@ -34,14 +34,14 @@ def _panels(t, t_label, unit, group):
     """One panel for the signals of a unit, or one for each, in the same scale, where they turn too often."""
     factor, unit = readable(max(largest(values) for _, values, _, _ in group), unit)
     together = _panel(t, t_label, unit, factor, group)
-    if not 1 < len(group) <= _MOST_APART or max(_turns(curve.y) for curve in together.curves) <= _MOST_TURNS:
+    if not 1 < len(group) <= _MOST_APART or max(turns(curve.y) for curve in together.curves) <= _MOST_TURNS:
         return [together]
     values = [y for curve in together.curves for y in curve.y if math.isfinite(y)]
     scale = (min(values), max(values)) if values and min(values) < max(values) else None
     return [_panel(t, t_label, unit, factor, [one])._replace(tall=0.6, y_range=scale) for one in group]
 
 
-def _turns(values):
+def turns(values):
     """How often a signal turns between up and down."""
     steps = [b - a for a, b in pairwise(values)]
     return sum(a * b < 0 for a, b in pairwise(steps))

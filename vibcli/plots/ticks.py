@@ -4,7 +4,7 @@ import math
 
 from vibcli.plots.prefixes import power
 
-_OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
+OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
 _PLAIN = range(-3, 5)      # decades that are written out: 0.001 … 10000
 
 
@@ -24,7 +24,7 @@ def _candidates(low, high, log, degrees):
     if log:
         yield from _log_candidates(low, high)
     elif degrees and high - low >= 90:
-        for step in _OF_A_TURN:
+        for step in OF_A_TURN:
             yield _multiples(low, high, step, 0)
     else:
         yield from _linear(low, high)

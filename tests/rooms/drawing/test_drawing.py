@@ -21,7 +21,7 @@ from vibcli.cli import run
 from vibcli.drawing import animation, vibration
 from vibcli.drawing.canvas import pillow_canvas
 from vibcli.drawing.canvas.matplotlib_canvas import MARGIN, figure, picture
-from vibcli.drawing.canvas.primitives import Arc, Circle, Hatch, LetterRuns, Polygon, Polyline, extent
+from vibcli.drawing.canvas.primitives import Circle, Hatch, LetterRuns, Polygon, extent
 from vibcli.drawing.drawing import draw
 from vibcli.drawing.layout import compose, lettering, plane
 from vibcli.drawing.symbols import SYMBOLS, mode_shape, rope, sliding
@@ -167,12 +167,12 @@ def test_ropes_are_tangents():
     chain = stage.ropes["hoist"]
     pulleys = [(stage.sketch.now(stop.at), stop.radius) for stop in chain if stop.sense]
     assert len(pulleys) == 2
-    lines = [part for part in rope.draw(chain, stage.sketch) if isinstance(part, Polyline)]
+    parts = rope.draw(chain, stage.sketch)
+    lines, arcs = ([part.points for part in parts if (len(part.points) > 2) == bent] for bent in (False, True))
     for centre, radius in pulleys:
-        near = [plane.distance(centre, plane.nearest_on(centre, *part.points)) for part in lines]
+        near = [plane.distance(centre, plane.nearest_on(centre, *points)) for points in lines]
         assert sorted(near)[:2] == pytest.approx([radius, radius])
-    arcs = [part for part in rope.draw(chain, stage.sketch) if isinstance(part, Arc)]
-    assert all(abs(abs(part.end - part.start) - math.pi) < 1e-9 for part in arcs)
+    assert [plane.distance(arc[0], arc[-1]) / 2 for arc in arcs] == pytest.approx([radius for _, radius in pulleys])
 
 
 def test_hatching_lies_on_its_side():

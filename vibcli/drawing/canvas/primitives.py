@@ -58,22 +58,6 @@ class Circle(NamedTuple):
         return [(*points, points[0])]
 
 
-class Arc(NamedTuple):
-    """A part of a circle between two angles in radians."""
-
-    centre: tuple
-    radius: float
-    start: float
-    end: float
-    role: str = "ink"
-    width: float = 1.1
-    dashed: bool = False
-    layer: int = ELEMENT
-
-    def strokes(self):
-        return [plane.arc(self.centre, self.radius, self.start, self.end)]
-
-
 class Hatch(NamedTuple):
     """A line of the ground, hatched on its left (side 1) or right (−1)."""
 

@@ -119,24 +119,20 @@ def _disc(place, angle):
 def _walls(layout):
     """The ground: a floor under boxes, walls at the ends."""
     places = list(layout.places.values())
-    height = max(place.height for place in places)
-    foot = layout.y - height - (0 if places[0].turns else 2 * support.ROLLER)
-    first, last = places[0].middle[0] - places[0].half, places[-1].middle[0] + places[-1].half
-    left = layout.left if layout.left is not None else first - 16
-    right = layout.right if layout.right is not None else last + 16
-    head = max(layout.y + height, layout.top + 8 if layout.row.lanes else 0.0)
-    found = []
     if places[0].turns:
         foot, head = layout.y - 22, max(layout.y + 22, layout.top + 8 if layout.row.lanes else layout.y)
-    points = [*([(left, head)] if layout.left is not None else []),
-              *([(left, foot), (right, foot)] if not places[0].turns else []),
-              *([(right, head)] if layout.right is not None else [])]
-    if not places[0].turns:
-        found.append(Hatch(tuple(points), -1))
-    else:
-        found += [Hatch(((left, head), (left, foot)), -1)] if layout.left is not None else []
-        found += [Hatch(((right, head), (right, foot)), 1)] if layout.right is not None else []
-    return found
+        return [Hatch(((x, head), (x, foot)), side) for x, side in ((layout.left, -1), (layout.right, 1))
+                if x is not None]
+    height = max(place.height for place in places)
+    foot, head = layout.y - height - 2 * support.ROLLER, max(layout.y + height,
+                                                             layout.top + 8 if layout.row.lanes else 0.0)
+    left = [(places[0].middle[0] - places[0].half - 16, foot)]
+    right = [(places[-1].middle[0] + places[-1].half + 16, foot)]
+    if layout.left is not None:
+        left = [(layout.left, head), (layout.left, foot)]
+    if layout.right is not None:
+        right = [(layout.right, foot), (layout.right, head)]
+    return [Hatch((*left, *right), -1)]
 
 
 def arrows(layout, scene, sketch):

@@ -65,10 +65,9 @@ def along(start, end):
     return lambda s, t=0.0: (start[0] + s * e[0] + t * n[0], start[1] + s * e[1] + t * n[1])
 
 
-def around(centre, radius, start, sense=1):
-    """As `along` on an arc: from the angle `start` on, counter-clockwise or clockwise, the left being inwards of the
-    former."""
-    return lambda s, t=0.0: polar(centre, radius - sense * t, start + sense * s / radius)
+def around(centre, radius, start):
+    """As `along` on an arc: from the angle `start` on, counter-clockwise."""
+    return lambda s, t=0.0: polar(centre, radius - t, start + s / radius)
 
 
 def arc(centre, radius, start, end):
@@ -135,3 +134,9 @@ def bounds(points):
     """(left, bottom, right, top) of points."""
     xs, ys = [x for x, _ in points], [y for _, y in points]
     return min(xs), min(ys), max(xs), max(ys)
+
+
+def corners(points):
+    """The lower left and the upper right corner of the box about points."""
+    left, bottom, right, top = bounds(points)
+    return (left, bottom), (right, top)

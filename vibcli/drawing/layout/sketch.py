@@ -96,22 +96,27 @@ class Sketch:
 
     def centre(self, name):
         """The mass centre of a body as drawn."""
-        key = ("centre", name)
+        return self._kept(("centre", name), self.scene.bodies[name].centre)
+
+    def _kept(self, key, place):
+        """A place as drawn, evaluated once."""
         if key not in self.numbers:
-            self.numbers[key] = [self.scene.number(part) for part in self.scene.bodies[name].centre]
+            self.numbers[key] = [self.scene.number(part) for part in place]
         x, y = self.numbers[key]
         return x * self.scale, y * self.scale
+
+    def rolling_radius(self, name):
+        """The radius of a body's circle on paper; 0 of what has none."""
+        body = self.scene.bodies.get(name)
+        return self.scene.number(body.rolling_radius) * self.scale if body and body.rolling_radius else 0.0
 
     def rim(self, end):
         """The Attachment of what a rope, belt or gear runs about: the centre of a body's circle, or another place."""
         body = self.scene.bodies.get(getattr(end, "text", end) if not isinstance(end, list) else None)
         if body is None or body.name not in self.frames:
             return self.attachment(end)
-        key = ("rim", body.name)
-        if key not in self.numbers:
-            self.numbers[key] = [self.scene.number(part) for part in self.scene.rim(body, body.record.where)]
-        x, y = self.numbers[key]
-        return Attachment(body.name, (x * self.scale, y * self.scale))
+        place = self._kept(("rim", body.name), self.scene.rim(body, body.record.where))
+        return Attachment(body.name, place)
 
     def attachment(self, end):
         """The Attachment of an end: a place [x, y], or the name of a point or body; None without a place."""

@@ -15,7 +15,9 @@ class Ties:
     def __init__(self, sketch):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
         self.toothed, self.rims, self.arms, self.pegs, self.ends = set(), set(), set(), [], []
-        self._points(sketch)
+        for record in (sketch.spec.get("points") or {}).values():
+            if "body" in record:
+                self._carries(record["body"].text, sketch.pair(record["at"]))
         for body in sketch.scene.bodies.values():
             self._body(body, sketch)
         for record in (sketch.spec.get("surfaces") or {}).values():
@@ -29,11 +31,6 @@ class Ties:
         for rope in self.implied:
             if rope.radius:
                 self._rim(rope.wheel, rope.radius)
-
-    def _points(self, sketch):
-        for record in (sketch.spec.get("points") or {}).values():
-            if "body" in record:
-                self._carries(record["body"].text, sketch.pair(record["at"]))
 
     def _body(self, body, sketch):
         if body.name not in sketch.frames:

@@ -22,14 +22,14 @@ def look_of(body, sketch, ties):
     if "parts" in record or record.get("shape", "particle") != "particle":
         return _shaped(record, sketch, toothed=name in ties.toothed)
     centre = sketch.centre(name)
-    surfaces = ties.surfaces.get(name, ())
-    if any("line" in surface for surface in surfaces):
-        return sliding.platform(body, sketch, next(surface for surface in surfaces if "line" in surface))
-    if any("curve" in surface for surface in surfaces):
-        return sliding.bowl(next(surface for surface in surfaces if "curve" in surface), sketch)
-    if any("circle" in surface for surface in surfaces):
-        surface = surfaces[0]
-        rim = plane.circle(sketch.pair(surface["circle"]), sketch.length(surface["radius"]))
+    carried = {kind: surface for surface in reversed(ties.surfaces.get(name, ()))
+               for kind in ("line", "curve", "circle") if kind in surface}
+    if "line" in carried:
+        return sliding.platform(body, sketch, carried["line"])
+    if "curve" in carried:
+        return sliding.bowl(carried["curve"], sketch)
+    if "circle" in carried:
+        rim = plane.circle(sketch.pair(carried["circle"]["circle"]), sketch.length(carried["circle"]["radius"]))
         return Look([Polygon(tuple(rim), None, width=2.2)], "hoop")
     if name in ties.rims:
         return _rim(sketch.rim(name).drawn, max(ties.radii[name]))

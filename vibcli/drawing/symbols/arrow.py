@@ -2,7 +2,7 @@
 
 from math import cos, pi, sin
 
-from vibcli.drawing.canvas.primitives import ARROW, Arc, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ARROW, Polygon, Polyline
 from vibcli.drawing.layout import plane
 
 HEAD, WING = 6.5, 2.3
@@ -29,14 +29,14 @@ def round_(centre, radius, start, end, role, width=1.2):
     stop = end - sense * min(0.8 * HEAD / radius, 0.5 * abs(end - start))
     tip = plane.polar(centre, radius, end)
     base = plane.polar(centre, radius, end - sense * min(HEAD / radius, 0.6 * abs(end - start)))
-    return [Arc(centre, radius, start, stop, role, width, layer=ARROW),
+    return [Polyline(tuple(plane.arc(centre, radius, start, stop)), role, width, layer=ARROW),
             head(tip, plane.unit(plane.minus(tip, base)), role)]
 
 
-def over(place, role, width=1.2, rx=12.0, ry=5.0):
+def over(place, role, width=1.2):
     """An arrow round a shaft that is seen from the side."""
     angles = [1.15 * pi - 1.2 * pi * i / 16 for i in range(17)]
-    points = [(place[0] + rx * cos(angle), place[1] + ry * sin(angle)) for angle in angles]
+    points = [(place[0] + 12.0 * cos(angle), place[1] + 5.0 * sin(angle)) for angle in angles]
     tip = points[-1]
     return [Polyline(tuple(points[:-2]), role, width, layer=ARROW),
             head(tip, plane.unit(plane.minus(tip, points[-3])), role)]

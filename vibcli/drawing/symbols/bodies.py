@@ -32,8 +32,8 @@ def marks(sketch, looks):
     found = []
     for name, look in looks.items():
         if look.kind in ("disc", "ring", "wheel", "hub", "rim"):
-            left, bottom, right, top = plane.bounds(look.pieces[-1].points)
-            centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
+            low, high = plane.corners(look.pieces[-1].points)
+            centre, radius = plane.middle(low, high), (high[0] - low[0]) / 2
             spoke = Polyline((centre, plane.polar(centre, radius, pi / 2)), layer=BODY)
             found.append(carried(spoke, sketch.frames[name]))
     return found

@@ -164,8 +164,7 @@ def _round(motion, sketch, looks):
     centre, look = sketch.now(motion.about), looks[motion.body]
     points = [sketch.frames[motion.body].point(p) for part in look.pieces for p in part.points]
     far = max(plane.distance(centre, p) for p in points)
-    box = plane.bounds(points)
-    axis = plane.minus(((box[0] + box[2]) / 2, (box[1] + box[3]) / 2), centre)
+    axis = plane.minus(plane.middle(*plane.corners(points)), centre)
     found = []
     if look.kind in ("rod", "bar") and plane.distance(axis, (0, 0)) < 0.15 * far:
         axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)

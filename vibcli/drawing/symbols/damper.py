@@ -32,7 +32,7 @@ def along_an_arc(turn, drawn):
                                              plane.polar((0.0, 0.0), 1.0, begin - pi / 2), 6.0)
     middle = (begin + end) / 2
     where = plane.polar(turn.centre, ARC + 7, middle), plane.polar((0, 0), 1.0, middle)
-    return [*drawn(plane.around(turn.centre, ARC, begin, 1), ARC * (end - begin)), *wall], where
+    return [*drawn(plane.around(turn.centre, ARC, begin), ARC * (end - begin)), *wall], where
 
 
 def _bent(at, length):

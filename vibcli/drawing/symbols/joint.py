@@ -4,6 +4,7 @@ from math import pi
 from typing import NamedTuple
 
 from vibcli.drawing.layout import plane
+from vibcli.drawing.layout.sketch import Attachment
 from vibcli.drawing.symbols.connection import symbol
 
 
@@ -28,7 +29,7 @@ def elements(sketch):
         if any(name in sketch.frames for name in names):
             body, other = _turning(names, sketch)
             at = sketch.pivot(body)
-            found.append((record, at if at is not None else _still(body, sketch), body, other))
+            found.append((record, at or Attachment(body, sketch.centre(body)), body, other))
     return found
 
 
@@ -43,16 +44,9 @@ def _turning(names, sketch):
     return (one, two) if pivot is not None and pivot.carrier == two else (two, one)
 
 
-def _still(body, sketch):
-    from vibcli.drawing.layout.sketch import Attachment
-
-    return Attachment(body, sketch.centre(body))
-
-
 def _heading(body, joint, looks, sketch):
     """The direction of a body from a joint, as drawn."""
-    left, bottom, right, top = plane.bounds([p for part in looks[body].pieces for p in part.points])
-    away = plane.minus(((left + right) / 2, (bottom + top) / 2), joint)
+    away = plane.minus(plane.middle(*plane.corners([p for part in looks[body].pieces for p in part.points])), joint)
     return plane.heading(away) if plane.distance(away, (0, 0)) > 1.0 else pi / 2
 
 

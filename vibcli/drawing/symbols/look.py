@@ -6,6 +6,8 @@ from typing import NamedTuple
 from vibcli.drawing.canvas.primitives import JOINT, Circle, Polygon, Polyline
 from vibcli.drawing.layout import plane
 
+PITCH, TOOTH = 7.0, 1.7         # of a gear: from tooth to tooth along its circle, half the height of a tooth
+
 
 class Look(NamedTuple):
     """Primitives of a body as drawn; its `core` is a polygon at whose edge springs end, None where they run to the
@@ -22,11 +24,6 @@ class Look(NamedTuple):
     def outlines(self):
         return [part for part in self.pieces if not isinstance(part, Polyline)]
 
-    def size(self):
-        """The larger side of its box."""
-        left, bottom, right, top = plane.bounds([p for part in self.pieces for p in part.points])
-        return max(right - left, top - bottom)
-
     def area(self):
         return max((plane.area(list(part.points)) for part in self.outlines), default=0.0)
 
@@ -40,13 +37,13 @@ def centre_mark(centre):
     return [Circle(centre, 2.0, "ink", layer=JOINT)]
 
 
-def teeth(points, pitch=7.0, height=1.7):
+def teeth(points):
     """The outline of a gear about its pitch circle."""
     left, bottom, right, top = plane.bounds(points)
     centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2
-    count = max(8, round(tau * radius / pitch))
+    count = max(8, round(tau * radius / PITCH))
     found = []
     for i in range(count):
         for part, side in ((0.0, -1), (0.12, 1), (0.5, 1), (0.62, -1)):
-            found.append(plane.polar(centre, radius + side * height, tau * (i + part) / count))
+            found.append(plane.polar(centre, radius + side * TOOTH, tau * (i + part) / count))
     return found

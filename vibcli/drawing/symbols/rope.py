@@ -4,7 +4,7 @@ from itertools import pairwise
 from math import sqrt, tau
 from typing import NamedTuple
 
-from vibcli.drawing.canvas.primitives import Arc, Polyline
+from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.layout.sketch import Attachment
 from vibcli.drawing.layout.ties import SIDES
@@ -53,10 +53,7 @@ def _edge(stop, other, looks):
 def _radius(item, side, sketch):
     if "radius" in item:
         return sketch.length(item["radius"])
-    body = sketch.scene.bodies.get(getattr(item[side], "text", None))
-    if body is None or body.rolling_radius is None:
-        return 0.0
-    return sketch.scene.number(body.rolling_radius) * sketch.scale
+    return sketch.rolling_radius(getattr(item[side], "text", None))
 
 
 def _contact(raw):
@@ -104,7 +101,8 @@ def draw(chain, sketch, role="rope", closed=False):
             start = plane.heading(plane.minus(arriving[1], centre))
             turn = stop.sense * (plane.heading(plane.minus(leaving[0], centre)) - start) % tau
             if turn < tau - 1e-6:
-                found.append(Arc(centre, stop.radius, start, start + stop.sense * turn, role, 1.6))
+                arc = plane.arc(centre, stop.radius, start, start + stop.sense * turn)
+                found.append(Polyline(tuple(arc), role, 1.6))
     return found
 
 
@@ -113,14 +111,8 @@ def belt(record, sketch):
     ends = [sketch.rim(name) for name in record["belt"]]
     if None in ends:
         return []
-    radii = [_pitch(record, i, sketch) for i in range(2)]
+    radii = [sketch.length(radius) for radius in record.get("radii", ())] or [
+        sketch.rolling_radius(name.text) for name in record["belt"]]
     second = -1 if record.get("crossed") else 1
     chain = [DrawnStop(ends[0], radii[0], 1), DrawnStop(ends[1], radii[1], second), DrawnStop(ends[0], radii[0], 1)]
     return draw(chain, sketch, "belt", closed=True)
-
-
-def _pitch(record, i, sketch):
-    if "radii" in record:
-        return sketch.length(record["radii"][i])
-    body = sketch.scene.bodies[record["belt"][i].text]
-    return sketch.scene.number(body.rolling_radius) * sketch.scale

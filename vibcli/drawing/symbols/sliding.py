@@ -52,7 +52,7 @@ def _hook(body, centre, sketch):
     for name, other in sketch.scene.bodies.items():
         wheel = name in sketch.frames and name != body.name and other.rolling_radius is not None
         if wheel and plane.distance(sketch.rim(name).drawn, centre) < 1e-6:
-            return sketch.scene.number(other.rolling_radius) * sketch.scale + 14.0
+            return sketch.rolling_radius(name) + 14.0
     return 0.0
 
 

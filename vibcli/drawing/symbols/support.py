@@ -26,16 +26,16 @@ def wall(place, outward, half=WALL):
     return [Hatch((plane.plus(place, side, half), plane.plus(place, side, -half)), 1, layer=BEHIND)]
 
 
-def shaken_wall(place, outward, half=WALL):
+def shaken_wall(place, outward):
     """A support that is driven: a bar without ground behind it."""
     side = plane.left(outward)
-    ends = [plane.plus(place, side, half), plane.plus(place, side, -half)]
+    ends = [plane.plus(place, side, WALL), plane.plus(place, side, -WALL)]
     return [Polygon((*ends, plane.plus(ends[1], outward, 4), plane.plus(ends[0], outward, 4)), "driven", layer=BEHIND)]
 
 
-def floor(place, along, half, role="ground"):
+def floor(place, along, half):
     """A flat piece of ground under what slides; it lies to the right of `along`."""
-    return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, role, layer=SURFACE)]
+    return [Hatch((plane.plus(place, along, -half), plane.plus(place, along, half)), -1, layer=SURFACE)]
 
 
 def dot(place):

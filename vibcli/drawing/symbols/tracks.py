@@ -17,9 +17,8 @@ def contacts(name, sketch):
     for body in sketch.scene.bodies.values():
         if any(reference.text == name for reference in touched(body.record)):
             rolls = "roll" in body.record
-            radius = sketch.scene.number(body.rolling_radius) * sketch.scale if body.rolling_radius else 0.0
             place = sketch.rim(body.name).drawn if rolls else sketch.centre(body.name)
-            found.append((place, MARGIN + radius * rolls))
+            found.append((place, MARGIN + sketch.rolling_radius(body.name) * rolls))
     for constraint in (sketch.spec.get("constraints") or {}).values():
         if "surface" in constraint and constraint["surface"].text == name:
             at = sketch.attachment(constraint["point"])
