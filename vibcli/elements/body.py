@@ -7,7 +7,7 @@ parallel axis theorem; a part with `cut: true` counts negative.
 
 from typing import NamedTuple
 
-from vibcli.elements import ELEMENTS, body_checks, rim
+from vibcli.elements import ELEMENTS, body_checks
 from vibcli.elements.shapes import LAWS, NEEDS
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Flag, Many, Quantity
@@ -37,6 +37,8 @@ PART = Element("part", "One of several shapes welded into a body.",
                {**_SHAPE, "cut": Field(Flag(), "`true`: a hole of this shape")},
                exclusive=(("mass", "density"), ("at", "from")), needs=(("mass", "density"), ("at", "from")),
                settle=body_checks.part, example="welded_parts")
+ROUND = tuple(shape for shape, sizes in NEEDS.items() if "radius" in sizes)
+CLOSE = 1e-9
 MOTIONS = tuple(name for name, (section, _) in ELEMENTS.items() if section is None)
 ELEMENT = Element(
     "body",
@@ -128,7 +130,7 @@ def _with_inertia(body, scene, placed):
                          "a hole lies within the shape that it is cut from")
         if not any(part.get("cut") for part in record["parts"]) and not {"inertia", "gyration"} & set(record):
             body = body._replace(pieces=[piece[:3] for piece in pieces])
-        rims, radius = rim.of_parts(record, pieces, scene)
+        rims, radius = _rims_of_parts(record, pieces, scene)
     else:
         mass, centre, inertia, drawn, radius = _piece(record, scene, False, placed)
         rims = [] if radius is None else [drawn]
@@ -137,6 +139,35 @@ def _with_inertia(body, scene, placed):
     elif "gyration" in record:
         inertia = mass * scene.positive(record["gyration"], f"the radius of gyration of '{body.name}'", zero=True) ** 2
     return body._replace(mass=mass, inertia=inertia, centre=centre, rims=rims, rolling_radius=radius)
+
+
+def _rims_of_parts(record, pieces, scene):
+    """(centres as drawn, radius) of the circles of a body of parts, its holes where nothing else is round; `at` of the
+    body names the centre outright. The radius is None where the circles are of several sizes."""
+    rims = [(piece[3], piece[4], part.get("cut", False)) for part, piece in zip(record["parts"], pieces, strict=True)
+            if part.get("shape") in ROUND]
+    rims = [rim for rim in rims if not rim[2]] or rims
+    if "at" in record:
+        at = scene.pair(record["at"])
+        rims, centres = [rim for rim in rims if _same(rim[0], at, scene)], [at]
+    else:
+        centres = _different([rim[0] for rim in rims], scene)
+    radii = _different([(rim[1], scene.table.zero) for rim in rims], scene)
+    return centres, radii[0][0] if len(radii) == 1 else None
+
+
+def _different(places, scene):
+    found = []
+    for place in places:
+        if not any(_same(place, other, scene) for other in found):
+            found.append(place)
+    return found
+
+
+def _same(one, two, scene):
+    near, far = (sum(abs(scene.number(part)) for part in parts)
+                 for parts in ([a - b for a, b in zip(one, two, strict=True)], [*one, *two]))
+    return near <= CLOSE * far
 
 
 def _piece(record, scene, cut, placed=True):

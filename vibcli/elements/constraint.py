@@ -6,6 +6,7 @@
 """
 
 from vibcli.elements import rope
+from vibcli.elements.ends import angle_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, PLACE, EquationField, Flag, Many, NameOf, Quantity
 from vibcli.symbolic.derivatives import substitute
@@ -158,7 +159,7 @@ def _gear(record, scene):
     """Equal velocities at the pitch point, or of the belt."""
     belt = "belt" in record
     names = record["belt" if belt else "gear"]
-    angles = [scene.angle_of(name) for name in names]
+    angles = [angle_of(name, scene) for name in names]
     if None in angles:
         return
     before = len(scene.diagnostics)

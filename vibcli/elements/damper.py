@@ -1,5 +1,6 @@
 """Dampers between two ends: Φ = ½ c ḋ², the integral of a law, or R |ḋ| of dry friction, d being their distance."""
 
+from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Quantity
@@ -43,7 +44,7 @@ def build(record, scene):
     torsion = record.get("torsion")
     given = record.get("c", torsion)
     c = None if given in (None, True) else scene.lower(given)
-    stretch = scene.stretch(record, torsion is not None)
+    stretch = ends.stretch(record, scene, torsion is not None)
     if stretch is None:
         return
     if "law" not in record and "friction" not in record:

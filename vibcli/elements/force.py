@@ -4,6 +4,7 @@ A force with a `carrier` keeps its direction in that body (a follower force). An
 acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 """
 
+from vibcli.elements.ends import angle_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
 
@@ -53,7 +54,7 @@ def build(record, scene):
     if "value" in record:
         scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))
     elif "moment" in record:
-        angle = scene.angle_of(record["body"], "write `at:` and `force:`")
+        angle = angle_of(record["body"], scene, "write `at:` and `force:`")
         if angle is not None:
             scene.add_force(*scene.load(record["moment"]), angle)
     elif "unbalance" in record:

@@ -1,5 +1,6 @@
 """Inerters between two ends (Smith 2002): T = ½ b ṡ², s being the stretch; the force is b s̈."""
 
+from vibcli.elements import ends
 from vibcli.elements.torsion import settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Quantity
@@ -35,6 +36,6 @@ def build(record, scene):
     """Add the kinetic energy of an inerter to the scene."""
     torsion = "torsion" in record
     b = scene.positive(record["torsion" if torsion else "b"], f"the inertance of '{record.name}'")
-    stretch = scene.stretch(record, torsion)
+    stretch = ends.stretch(record, scene, torsion)
     if stretch is not None:
         scene.add_inerter(b, stretch)

@@ -50,7 +50,7 @@ def _on_line(roll, body, drawn, scene, surface, radius, carrier):
     x0, y0 = drawn
     height = (y0 - ay) * ex - (x0 - ax) * ey
     side = scene.sign(height)
-    scene.require_equal(abs_of(height, side), radius, roll.where,
+    scene.require_equal(scene.absolute(height), radius, roll.where,
                         f"'{body.name}' does not touch its line as drawn: its centre is {{}} m away, its radius {{}} m",
                         "move the body or the line until they touch")
     if "swing" in roll:
@@ -64,10 +64,6 @@ def _on_line(roll, body, drawn, scene, surface, radius, carrier):
         travel = -(turn - carrier.angle) * side * radius
     place = carrier.point(x0 + travel * ex, y0 + travel * ey)
     return body._replace(normal=carrier.turned(-side * ey, side * ex), frame=scene.new_frame(drawn, place, turn))
-
-
-def abs_of(node, sign):
-    return node if sign > 0 else -node
 
 
 def _on_circle(roll, body, drawn, scene, surface, radius, carrier):

@@ -187,6 +187,4 @@ def _direction(scene, ex, ey):
 def _root(scene, square):
     """√square, without a root where it is a perfect square."""
     root = root_of_square(square)
-    if root is None:
-        return square.table.sqrt(square)
-    return root if scene.sign(root) > 0 else -root
+    return square.table.sqrt(square) if root is None else scene.absolute(root)

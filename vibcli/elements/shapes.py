@@ -26,14 +26,6 @@ class Uniform(NamedTuple):
     offset: object = None
 
 
-def _disc(table, radius):
-    return Uniform(radius * radius / 2, table.pi * radius * radius, radius)
-
-
-def _ring(table, radius):
-    return Uniform(radius * radius, 2 * table.pi * radius, radius)
-
-
 def _sector(table, radius, half):
     offset = 2 * radius * table.call("sin", half) / (3 * half)
     return Uniform(radius * radius / 2 - offset * offset, half * radius * radius, radius, offset)
@@ -44,21 +36,13 @@ def _arch(table, radius, half):
     return Uniform(radius * radius - offset * offset, 2 * half * radius, radius, offset)
 
 
-def _rectangle(table, width, height):
-    return Uniform((width * width + height * height) / 12, width * height)
-
-
-def _ellipse(table, a, b):
-    return Uniform((a * a + b * b) / 4, table.pi * a * b)
-
-
-def _rod(table, length):
-    return Uniform(length * length / 12, length)
-
-
-def _particle(table):
-    return Uniform(table.zero, None)
-
-
-LAWS = {"particle": _particle, "disc": _disc, "ring": _ring, "rod": _rod, "rectangle": _rectangle,
-        "ellipse": _ellipse, "sector": _sector, "arch": _arch}
+LAWS = {
+    "particle": lambda table: Uniform(table.zero, None),
+    "disc": lambda table, radius: Uniform(radius * radius / 2, table.pi * radius * radius, radius),
+    "ring": lambda table, radius: Uniform(radius * radius, 2 * table.pi * radius, radius),
+    "rod": lambda table, length: Uniform(length * length / 12, length),
+    "rectangle": lambda table, width, height: Uniform((width * width + height * height) / 12, width * height),
+    "ellipse": lambda table, a, b: Uniform((a * a + b * b) / 4, table.pi * a * b),
+    "sector": _sector,
+    "arch": _arch,
+}

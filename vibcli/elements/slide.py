@@ -2,6 +2,7 @@
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, MotionField, NameOf, vector
+from vibcli.symbolic.derivatives import gradient
 
 ELEMENT = Element(
     "slide",
@@ -29,7 +30,9 @@ def build(slide, body, scene):
     if "surface" in slide:
         return _on_surface(slide, body, scene)
     carrier = scene.carrier(slide)
-    ex, ey = scene.direction(slide["along"]) if "along" in slide else (scene.table.one, scene.table.zero)
+    ex, ey = scene.table.one, scene.table.zero
+    if "along" in slide:
+        ex, ey = scene.unit(*scene.pair(slide["along"]), slide["along"][0].where)
     u = scene.change(slide["by"])
     x, y = carrier.point(x0 + u * ex, y0 + u * ey)
     return body._replace(frame=scene.new_frame((x0, y0), (x, y), carrier.angle))
@@ -52,12 +55,22 @@ def _on_surface(slide, body, scene):
     else:
         off, x = y0 - scene.height_of(surface, x0), x0 + u
         y = scene.height_of(surface, x)
-        normal = scene.unit_normal(y, u)
-    off = off if scene.sign(off) > 0 else -off
-    scene.require_equal(off, scene.table.zero, slide.where, f"'{body.name}' is {{}} m off its surface as drawn",
-                        "draw it on the surface", size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
+        normal = _upward_normal(y, u)
+    scene.require_equal(scene.absolute(off), scene.table.zero, slide.where,
+                        f"'{body.name}' is {{}} m off its surface as drawn", "draw it on the surface",
+                        size=1e-9 * (abs(scene.number(x0)) + abs(scene.number(y0))))
     normal = carrier.turned(*normal)
     return body._replace(normal=normal, frame=scene.new_frame((x0, y0), carrier.point(x, y), carrier.angle))
+
+
+def _upward_normal(y, u):
+    """(−y′, 1)/√(1 + y′²) of a curve, y being a function of the displacement u."""
+    slope = y.table.zero
+    for x, partial in gradient(y).items():
+        if x in gradient(u):
+            slope = partial / gradient(u)[x]
+    length = y.table.sqrt(slope * slope + 1)
+    return -slope / length, 1 / length
 
 
 def lump(slide, scene):

@@ -5,6 +5,7 @@ counts: N + k (d − d_drawn). Stretch, tension and preload are positive in leng
 beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0) where they push.
 """
 
+from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Choice, Kind, OneOf, Quantity
@@ -71,16 +72,16 @@ def build(record, scene):
     preload = _preload(record, scene)
     if "free_length" in record and "between" in record:
         free = scene.positive(record["free_length"], "the free length", zero=True)
-        dx, dy = scene.span(record)
-        if dx is None or scene.moving(record, dx if dx.mask else dy) is None:
+        dx, dy = ends.span(record, scene)
+        if dx is None or ends.moving(record, scene, dx if dx.mask else dy) is None:
             return
         if free.is_zero and not nonlinear:
             scene.add_spring(k, preload, dx)
             scene.add_spring(k, preload, dy)
-        elif (length := scene.length(record, dx, dy)) is not None:
+        elif (length := ends.length(record, scene, dx, dy)) is not None:
             _add(record, scene, k, preload, length - free)
         return
-    stretch = scene.stretch(record, torsion)
+    stretch = ends.stretch(record, scene, torsion)
     if stretch is None:
         return
     if "preload" in record and "stretch" in record:

@@ -12,7 +12,6 @@ from vibcli.scene.build_order import carriers_first
 from vibcli.scene.contents import Constraint, Contents
 from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.displacements import Displacements
-from vibcli.scene.ends import Ends
 from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
@@ -54,8 +53,8 @@ class Builder:
         self.positive, self.number, self.sign = expressions.positive, expressions.number, expressions.sign
         self.agree, self.vanishes = expressions.agree, expressions.vanishes
         self.require_equal, self.terms_with = expressions.require_equal, expressions.terms_with
-        self.unit, self.direction, self.distance = geometry.unit, geometry.direction, geometry.distance
-        self.height_of, self.unit_normal = geometry.height_of, geometry.unit_normal
+        self.unit, self.distance, self.absolute = geometry.unit, geometry.distance, geometry.absolute
+        self.height_of = geometry.height_of
         self.symbol, self.at_drawn = self.coordinates.symbol, self.coordinates.at_drawn
         self.v, self.a = self.coordinates.v, self.coordinates.a
 
@@ -65,9 +64,7 @@ class Builder:
         self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
         self.along_axis = places.along_axis
         self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
-        self.extent, ends = places.extent, Ends(places)
-        self.stretch, self.span, self.length = ends.stretch, ends.span, ends.length
-        self.moving, self.angle_of = ends.moving, ends.angle_of
+        self.extent = places.extent
 
     def _offer_displacements(self, displacements):
         """The services of what is driven, and of supports that give way."""

@@ -1,6 +1,6 @@
 """Directions and distances of a scene, as expressions."""
 
-from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, root_of_square, textbook
 from vibcli.symbolic.rationals import ONE
@@ -24,16 +24,16 @@ class Geometry:
             return self.table.one, self.table.zero
         return dx / length, dy / length
 
-    def direction(self, expressions):
-        """The unit vector along a direction of a file."""
-        return self.unit(*self.expressions.pair(expressions), expressions[0].where)
+    def absolute(self, node):
+        """A node or its opposite, so that it is positive as drawn."""
+        return node if self.sign(node) > 0 else -node
 
     def distance(self, dx, dy):
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
         dx0, dy0 = self.at_drawn(dx, dy)
         for along, across in ((dx, dy), (dy, dx)):
             if is_zero(across):
-                return along if self.sign(along) > 0 else -along
+                return self.absolute(along)
         if not dx.mask and not dy.mask:
             return self.table.sqrt(textbook(dx * dx + dy * dy))
         if is_zero(dx * dy0 - dy * dx0):
@@ -41,7 +41,7 @@ class Geometry:
         square = dx * dx + dy * dy
         root = root_of_square(square)
         if root is not None:
-            return root if self.sign(root) > 0 else -root
+            return self.absolute(root)
         return self.table.sqrt(textbook(square) if square.mask & self.time.mask else square)
 
     def unrooted(self, nodes):
@@ -52,19 +52,10 @@ class Geometry:
                      if e.denominator == 2 and base.mask} if part.op == "product" else {}
             if any(root is not None for root in roots.values()):
                 factors = [(base, e) if (root := roots.get(base)) is None else
-                           (root if self.sign(root) > 0 else -root, 2 * e) for base, e in part.args]
+                           (self.absolute(root), 2 * e) for base, e in part.args]
                 simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
         return substitute(nodes, simpler) if simpler else nodes
 
     def height_of(self, surface, x):
         """f(x) of a curve y = f(x)."""
         return self.expressions.lower(surface["curve"], (surface["in"], x))
-
-    def unit_normal(self, y, u):
-        """The upward normal (−y′, 1)/√(1 + y′²) of a curve, y being a function of the displacement u."""
-        slope = self.table.zero
-        for x, partial in gradient(y).items():
-            if x in gradient(u):
-                slope = partial / gradient(u)[x]
-        length = self.table.sqrt(slope * slope + 1)
-        return -slope / length, 1 / length
