@@ -85,6 +85,11 @@ class Body(NamedTuple):
         return any(key in self.record for key in MOTIONS)
 
     @property
+    def touched(self):
+        """Names of the surfaces that it rolls or slides on."""
+        return [reference.text for reference in touched(self.record)]
+
+    @property
     def nodes(self):
         """The expressions of the coordinates that it is made of."""
         frame = self.frame.nodes if self.frame is not None else []

@@ -152,6 +152,8 @@ LUMPED = [
     [
         ("block: {mass: m, slide: x}", "translates by x; springs and dampers act along the axis."),
         ("disc: {inertia: J, turn: phi}", "turns by phi; torsion springs and dampers act on it."),
+        ("trolley: {mass: m, slide: {by: u, carrier: car}}", "u is measured from the car, which has no place either; "
+         "so is psi of `turn: {by: psi, carrier: motor}` from the motor."),
     ],
     "Its motion may be an expression, which states a gear, a rope or a rack: `slide: r*phi`, `turn: -z1/z2*phi`. "
     "Lumped bodies are joined with one another and with `ground`.",

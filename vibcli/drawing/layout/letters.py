@@ -2,7 +2,6 @@
 
 from vibcli.base.errors import SpecError
 from vibcli.drawing.layout import plane
-from vibcli.elements.body import touched
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -72,7 +71,7 @@ def _joined(one, two, sketch):
         pivot = sketch.pivot(a)
         if (pivot is not None and pivot.carrier == b) or ("weld" in record and record["weld"].text == b):
             return True
-        surfaces = [sketch.scene.surfaces[reference.text] for reference in touched(record)]
+        surfaces = [sketch.scene.surfaces[name] for name in sketch.scene.bodies[a].touched]
         if any("body" in surface and surface["body"].text == b for surface in surfaces):
             return True
         for key in ("slide", "move"):

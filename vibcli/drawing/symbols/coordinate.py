@@ -166,7 +166,10 @@ def _round(motion, sketch, looks):
     far = max(plane.distance(centre, p) for p in points)
     axis = plane.minus(plane.middle(*plane.corners(points)), centre)
     found = []
-    if look.kind in ("rod", "bar") and plane.distance(axis, (0, 0)) < 0.15 * far:
+    low, high = plane.corners(points)
+    sides = sorted(plane.minus(high, low))
+    slender = look.kind in ("rod", "bar") or (look.kind == "rectangle" and 4 * sides[0] < sides[1])
+    if slender and plane.distance(axis, (0, 0)) < 0.15 * far:
         axis = plane.minus(max(points, key=lambda p: round(plane.distance(centre, p), 3)), centre)
     if plane.distance(axis, (0, 0)) < 0.15 * far:
         for gap in (6.0, 11.0, 17.0, 25.0):

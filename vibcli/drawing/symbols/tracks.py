@@ -4,7 +4,6 @@ from math import isfinite, pi, tau
 
 from vibcli.drawing.canvas.primitives import SURFACE, Circle, Hatch
 from vibcli.drawing.layout import plane
-from vibcli.elements.body import touched
 from vibcli.symbolic.evaluation import Floats, evaluate
 
 SPREAD, MARGIN, FAR, SMALL = 0.35 * pi, 22.0, 120.0, 16.0  # of a circle beside what is inside it; beyond what rolls
@@ -15,7 +14,7 @@ def contacts(name, sketch):
     """[(a place of what is on the surface as drawn, how much room it needs along it)]."""
     found = []
     for body in sketch.scene.bodies.values():
-        if any(reference.text == name for reference in touched(body.record)):
+        if name in body.touched:
             rolls = "roll" in body.record
             place = sketch.rim(body.name).drawn if rolls else sketch.centre(body.name)
             found.append((place, MARGIN + sketch.rolling_radius(body.name) * rolls))
