@@ -21,7 +21,7 @@ from vibcli.analyses.modal.method import (
     form_of,
 )
 from vibcli.analyses.modal.scaling import exponent
-from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared
+from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared, within_floats
 
 GOAL = 160
 WANTED = 60
@@ -40,15 +40,7 @@ def damped(elements, precise=None, exact=None, digits=None):
     """
     if form_of(elements) == SQUARES:
         return None
-    import numpy as np
-
-    try:
-        with np.errstate(all="ignore"):
-            return _damped(elements, precise, exact, digits)
-    except OverflowError:
-        from vibcli.analyses.modal.mode_numbers import beyond
-
-        raise beyond() from None
+    return within_floats(_damped, elements, precise, exact, digits)
 
 
 def _damped(elements, precise, exact, digits):
@@ -79,6 +71,7 @@ def _damped(elements, precise, exact, digits):
 def damped_digits(elements, precise, exact, digits):
     """The damped modes to `digits` correct digits, in numbers of mpmath."""
     from vibcli.analyses.modal.damped_modes import collected
+    from vibcli.analyses.modal.damped_shapes_precise import shapes
     from vibcli.analyses.modal.mode_numbers import Digits
     from vibcli.numerics.precision import working_bits
 
@@ -92,7 +85,7 @@ def damped_digits(elements, precise, exact, digits):
             answer = CertifiedEigenvalues(elements, precise(dps), goal, wanted, decimal(dps))
             if answer.settled(-digits * math.log2(10)):
                 break
-    return collected(answer, Digits, answer.shapes_in_digits())
+    return collected(answer, Digits, shapes(answer.system, answer.found, answer.scale))
 
 
 def _exactly(exact, elements):
@@ -203,9 +196,3 @@ class CertifiedEigenvalues:
         out = basis @ np.array([d.x for d in self.found]).T
         lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]
         return out * np.where(lead == 0, 1.0, np.abs(lead) / np.where(lead == 0, 1.0, lead))
-
-    def shapes_in_digits(self):
-        """The same in numbers of mpmath."""
-        from vibcli.analyses.modal.damped_shapes_precise import shapes
-
-        return shapes(self.system, self.found, self.scale)

@@ -8,7 +8,7 @@ import math
 from typing import NamedTuple
 
 from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, choose
-from vibcli.analyses.modal.rigid_body_modes import rigid_count
+from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.scaling import mechanism, scaling
 from vibcli.base.errors import Inertless
 
@@ -58,11 +58,16 @@ def undamped(elements, precise=None, digits=None):
     `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
     without it the floats are taken for exact. `digits`: this many correct digits, and numbers of mpmath.
     """
+    return within_floats(_undamped, elements, precise, digits)
+
+
+def within_floats(solve, *data):
+    """What solves for modes; the refusal of those that floats cannot hold."""
     import numpy as np
 
     try:
         with np.errstate(all="ignore"):
-            return _undamped(elements, precise, digits)
+            return solve(*data)
     except OverflowError:
         from vibcli.analyses.modal.mode_numbers import beyond
 
@@ -95,7 +100,7 @@ def prepared(elements, dragged=False):
         check_ties(elements)
         if len(elements.massless) == elements.n:
             raise Inertless
-    return scale, rigid_count(elements.n, *spring_rows(elements)) if factored(elements) else None
+    return scale, elements.n - rank(elements.n, *spring_rows(elements)) if factored(elements) else None
 
 
 def certain(elements, scale, zeros, precise):

@@ -6,6 +6,8 @@ bound of its second derivative; what is composed of such sums follows by interva
 
 import numpy as np
 
+from vibcli.analyses.excitation.forcing import Segment
+from vibcli.analyses.transient.forcing_arrays import Timeline
 from vibcli.analyses.transient.isolating_intervals import EPSILON, Cells, fastest, instants
 from vibcli.analyses.transient.jets import Jet, Jets
 from vibcli.symbolic.array_arithmetic import Arrays
@@ -15,18 +17,6 @@ from vibcli.symbolic.interval_arithmetic import Interval, exact
 LOST = 1e-290       # what underflows in products counts as 0
 FINEST = 1e6        # first stretches within the time that is looked at, where no speed is known
 WORTH = 8           # exponentials whose values take as long as one bound
-
-
-class Segments:
-    """starts: of the segments between which all is smooth but for corners and jumps of its own."""
-
-    def __init__(self, starts):
-        self.starts = starts
-        self.lengths = np.append(np.diff(starts), np.inf)
-
-    def place(self, times):
-        segment = np.searchsorted(self.starts, times, "right") - 1
-        return segment, times - self.starts[segment]
 
 
 class Leaf:
@@ -88,7 +78,7 @@ class Composition:
     def __init__(self, node, leaves, floats, time, check, end):
         self.node, self.leaves, self.floats, self.time, self.check = node, leaves, floats, time, check
         self.starts = np.unique(np.concatenate([np.zeros(1), *(leaf.starts for leaf in leaves.values())]))
-        self.timeline = Segments(self.starts)
+        self.timeline = Timeline(0, [Segment(start) for start in self.starts.tolist()])
         self.segments = {name: np.searchsorted(leaf.starts, self.starts, "right") - 1 for name, leaf in leaves.items()}
         self.later = {name: self.starts - leaf.starts[self.segments[name]] for name, leaf in leaves.items()}
         self.nodes = [nodes for leaf in leaves.values() for nodes in leaf.nodes] or [(complex(FINEST / end),)]

@@ -102,14 +102,7 @@ class ExponentialSum:
 
     def at(self, segment, tau):
         """The values at the times `tau` after the starts of the segments."""
-        late = tau >= self.since
-        with np.errstate(all="ignore"):
-            if late.all():
-                y = real_sum(self._here(segment), tau)
-            else:
-                y = np.empty(len(tau))
-                y[late] = real_sum(self._here(segment[late]), tau[late])
-                y[~late] = real_sum(self.unsplit._here(segment[~late]), tau[~late])
+        y = self._summed(real_sum, segment, tau)
         if not np.isfinite(y).all():
             raise PhysicsError("the motion grows beyond the range of floating-point numbers",
                                hint="ask for an earlier time: the system is unstable")
@@ -117,14 +110,18 @@ class ExponentialSum:
 
     def bound(self, segment, early, late):
         """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments."""
-        whole = early >= self.since
+        return self._summed(largest_sum, segment, early, late)
+
+    def _summed(self, function, segment, *times):
+        """A function of all terms and times, of the unsplit terms before `since`."""
+        late = times[0] >= self.since
         with np.errstate(all="ignore"):
-            if whole.all():
-                return largest_sum(self._here(segment), early, late)
-            total = np.empty(len(early))
-            total[whole] = largest_sum(self._here(segment[whole]), early[whole], late[whole])
-            total[~whole] = largest_sum(self.unsplit._here(segment[~whole]), early[~whole], late[~whole])
-            return total
+            if late.all():
+                return function(self._here(segment), *times)
+            total = np.empty(len(segment))
+            for whole, part in ((self, late), (self.unsplit, ~late)):
+                total[part] = function(whole._here(segment[part]), *(time[part] for time in times))
+        return total
 
     def _here(self, segment):
         """(power, nodes, which of the times lie where a term acts, its coefficients there) of every term."""

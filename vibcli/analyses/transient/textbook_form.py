@@ -101,15 +101,17 @@ def fractions(nodes):
         groups.append([node]) if near is None else near.append(node)
     found = {}
     for group in groups:
-        mean, m = sum(group) / len(group), len(group)
-        series = np.zeros(m, complex)
-        series[0] = 1.0
-        for other in groups:
-            if other is not group:
-                gap = mean - sum(other) / len(other)
-                factor = (-1 / gap) ** np.arange(m) / gap
-                for _ in other:
-                    series = np.convolve(series, factor)[:m]
-        for k in range(m):
-            found[mean, k] = complex(series[m - 1 - k]) / math.factorial(k)
+        mean = sum(group) / len(group)
+        others = [sum(other) / len(other) for other in groups if other is not group for _ in other]
+        for k, c in enumerate(expanded(mean, len(group), others)):
+            found[mean, k] = c
     return found
+
+
+def expanded(node, count, others):
+    """[c] of the Σ c tᵏ e^{λt} that a node λ so many times adds beside others: a Taylor series of 1/Π(p − other)."""
+    series = np.eye(1, count, dtype=complex)[0]
+    for other in others:
+        gap = node - other
+        series = np.convolve(series, (-1 / gap) ** np.arange(count) / gap)[:count]
+    return [complex(c) / math.factorial(k) for k, c in enumerate(series[::-1])]
