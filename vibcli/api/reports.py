@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Inertless, Kinked, NotInLetters, PhysicsError
-from vibcli.reader.sections.find import INSIGHT, ON_REQUEST, RESPONSES
+from vibcli.reader.sections.find import INSIGHT, OF_MODES, ON_REQUEST, RESPONSES
 from vibcli.report.blocks import paragraph, section
 from vibcli.report.document import EVERYTHING, Report
 from vibcli.report.wanted import Wanted
@@ -12,7 +12,7 @@ from vibcli.report.wanted import Wanted
 if TYPE_CHECKING:
     from vibcli.results.problem import Problem
 
-SLOPES = ("frequencies", "modes", "damping", *INSIGHT)         # what needs a slope of the forces
+SLOPES = ("frequencies", "modes", "damping", *OF_MODES)       # what needs a slope of the forces
 FOUND_BY = {"equations": ("energies", "equations"), "energies": ("energies",),
             "equilibrium": ("equilibrium", "virtual_work"), "frequencies": ("frequencies",), "modes": ("modes",),
             "damping": ("damping",), "virtual_work": ("virtual_work",)} | {word: (word,) for word in ON_REQUEST}
@@ -71,7 +71,7 @@ def data(problem: "Problem", parts: Sequence[str], normalise: str, digits: int |
             beside = word not in parts and problem.numeric.has_free_symbols
             write = response.response_data if word == "response" else frequency_response.frequency_response_data
             found[word] = None if beside else write(problem, wanted or Wanted())
-    if words := [word for word in sections if word in INSIGHT]:
+    if words := [word for word in sections if word in OF_MODES]:
         found["insight"] = _insight(problem, words, sections)
     return found
 
