@@ -222,7 +222,8 @@ def test_json_keys_are_those_that_are_printed(capsys):
     printed = set()
     for name, *options in (("mass_spring_damper", "--insight"), ("given_matrices",), ("bead_on_a_rail",),
                            ("hanging_rod",), ("mast_on_two_stays",), ("ropes_and_links",), ("buckled_post",),
-                           ("forced_vibration",), ("frequency_response",), ("dry_friction",)):
+                           ("forced_vibration",), ("frequency_response",), ("dry_friction",),
+                           ("shear_frame_by_ritz",)):
         code, out, _ = call(capsys, "solve", "--json", *options, scenes.path(name))
         assert code == 0
         printed |= _paths(json.loads(out))

@@ -26,6 +26,8 @@ FIND = {
                      "of the equilibrium included; in numbers, only where it is asked for",
     "estimates": "bounds of the lowest natural frequency by Rayleigh and Dunkerley beside its exact value; in numbers, "
                  "only where it is asked for",
+    "ritz": "`{ritz: {shapes: [{x1: 1, x2: 2}]}}`: upper bounds of the lowest natural frequencies by assumed shapes, "
+            "beside the exact values: Rayleigh's quotient of one shape, Ritz's method of several; in numbers",
 }
 ANALYSES = {        # file, what a mapping with particulars says, how it is written where the word alone says too little
     "response": ("transient/response", "which signals of the motion in time, and until when", None),
@@ -34,5 +36,7 @@ ANALYSES = {        # file, what a mapping with particulars says, how it is writ
     "shares": ("modal/energy_shares", None, None),
     "sensitivities": ("modal/sensitivities", None, None),
     "estimates": ("modal/estimates", None, None),
+    "ritz": ("modal/ritz", "bounds of the lowest natural frequencies by assumed shapes",
+             "{ritz: {shapes: [{x1: 1, x2: 2}]}}"),
 }
 OF_MODES = tuple(word for word, row in ANALYSES.items() if row[0].startswith("modal/"))

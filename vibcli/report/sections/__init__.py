@@ -18,6 +18,7 @@ SECTIONS = {
     "shares": ("shares", "what each element has of the energy of a mode"),
     "sensitivities": ("sensitivities", "how frequencies change with parameters"),
     "estimates": ("estimates", "estimates of Rayleigh and Dunkerley"),
+    "ritz": ("ritz", "bounds of frequencies by assumed shapes"),
     "schematic": ("illustrations", "the figure of the scene"),
     "mode_pictures": ("illustrations", "figures of the mode shapes"),
 }
