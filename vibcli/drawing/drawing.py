@@ -56,7 +56,8 @@ def annotations(stage, found, where):
         if runs:
             made.append(space.put(runs, places, "driven"))
     for name, (middle, normal) in where.items():
-        made.append(space.put(_element(name, sketch), _beside(middle, normal)))
+        beside = [plane.plus(middle, normal, side) for side in (7.0, -7.0)]
+        made.append(space.put(_element(name, sketch), beside))
     for length in dimension.lengths(sketch):
         drawn = dimension.draw(length, space)
         if drawn is not None:
@@ -83,10 +84,6 @@ def _shaken(stage):
         named.add(text)
         found.append((parts, runs, [ends[1], start]))
     return found
-
-
-def _beside(middle, normal):
-    return [plane.plus(middle, normal, 7.0), plane.plus(middle, normal, -7.0)]
 
 
 def _element(name, sketch):

@@ -3,7 +3,7 @@
 import io
 import warnings
 
-from vibcli.plots import library, style
+from vibcli.plots import style
 
 _OPTIONS = {      # neither date nor version; less time for the last tenth of a PNG's size
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 4}},
@@ -11,9 +11,19 @@ _OPTIONS = {      # neither date nor version; less time for the last tenth of a 
     "pdf": {"metadata": {"Creator": None, "Producer": None, "CreationDate": None}}}
 
 
+def library():
+    """Matplotlib, which says nothing of the folder that it would keep its cache in; imported where it draws."""
+    import logging
+
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
+    import matplotlib
+
+    return matplotlib
+
+
 def picture(figure, kind):
     """The bytes of a PNG, SVG or PDF."""
-    matplotlib = library.matplotlib()
+    matplotlib = library()
     with matplotlib.rc_context(), warnings.catch_warnings():
         warnings.simplefilter("ignore")      # letters that no font has are drawn as boxes
         matplotlib.rcParams.update(_settings(matplotlib.rcParamsDefault))

@@ -22,7 +22,13 @@ def ticks(low, high, fits, log=False, degrees=False):
 
 def _candidates(low, high, log, degrees):
     if log:
-        yield from _log_candidates(low, high)
+        if high - low < 1:
+            for found in _linear(10.0 ** low, 10.0 ** high):
+                yield [(math.log10(value), label) for value, label in found if value > 0]
+        for within in (range(1, 10), (1, 2, 5), (1, 3)):
+            yield _in_decades(low, high, within)
+        for step in (1, 2, 3, 4, 5, 10, 20, 50, 100, 200, 400):
+            yield _in_decades(low, high, (1,), step)
     elif degrees and high - low >= 90:
         for step in OF_A_TURN:
             yield _multiples(low, high, step, 0)
@@ -59,16 +65,6 @@ def decimal(n, exponent):
     rest = stripped[:1] + ("." + stripped[1:] if stripped[1:] else "")
     ten = power(exponent + len(digits) - 1)
     return sign + (ten if rest == "1" else f"{rest}·{ten}")
-
-
-def _log_candidates(low, high):
-    if high - low < 1:
-        for found in _linear(10.0 ** low, 10.0 ** high):
-            yield [(math.log10(value), label) for value, label in found if value > 0]
-    for within in (range(1, 10), (1, 2, 5), (1, 3)):
-        yield _in_decades(low, high, within)
-    for step in (1, 2, 3, 4, 5, 10, 20, 50, 100, 200, 400):
-        yield _in_decades(low, high, (1,), step)
 
 
 def _in_decades(low, high, within, step=1):

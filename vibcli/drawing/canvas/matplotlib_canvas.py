@@ -5,7 +5,7 @@ import io
 from vibcli.drawing.canvas.palette import COLOURS
 from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
 from vibcli.drawing.layout import lettering
-from vibcli.plots import library
+from vibcli.plots.picture import library
 
 MARGIN, DPI, WIDEST, SALT = 10.0, 150, 6000, "vibcli"
 SETTINGS = ("savefig.", "svg.", "pdf.", "path.", "text.", "agg.", "font.", "patch.")
@@ -68,7 +68,7 @@ def _letters(part):
 
 def picture(primitives, kind, box=None, dpi=DPI):
     """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
-    matplotlib = library.matplotlib()
+    matplotlib = library()
     left, bottom, right, top = box or extent(primitives)
     dpi = min(dpi, 72 * WIDEST / max(right - left, top - bottom))
 

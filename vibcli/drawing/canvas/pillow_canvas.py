@@ -82,9 +82,9 @@ def _letters(text, pen, place, fine):
     from PIL import ImageFont
 
     from vibcli.drawing.layout import lettering
-    from vibcli.plots import library
+    from vibcli.plots.picture import library
 
-    matplotlib = library.matplotlib()
+    matplotlib = library()
     run, = lettering.words(text)
     file = f"{matplotlib.get_data_path()}/fonts/ttf/{lettering.file_of(run.text, False)}"
     pen.text(place, run.text, fill=COLOURS["ink"], font=ImageFont.truetype(file, run.size * fine), anchor="ls")

@@ -134,6 +134,6 @@ def _fixed_ends(stage, sketch):
         if "link" in record:
             a, b = (sketch.attachment(end) for end in record["link"])
             ends += [(a, plane.unit(plane.minus(a.drawn, b.drawn))), (b, plane.unit(plane.minus(b.drawn, a.drawn)))]
-    bearings = bodies.fixed_pivots(stage.sketch, stage.looks)
+    bearings = bodies.fixed_pivots(stage.sketch)
     return [(end, out) for end, out in ends if (sketch.is_fixed(end.carrier) or end.carrier in sketch.moving_points)
              and (round(end.drawn[0], 3), round(end.drawn[1], 3)) not in bearings]

@@ -8,7 +8,7 @@ from functools import cache, lru_cache
 
 from vibcli.drawing.canvas.primitives import LetterRuns, Run
 from vibcli.notation.plain import GREEK, Plain, split_name
-from vibcli.plots import library
+from vibcli.plots.picture import library
 
 SIZE, SMALL, LOWER, RAISE = 11.5, 0.72, -0.22, 0.38
 ASCENT, DESCENT = 0.70, 0.22
@@ -83,7 +83,7 @@ def size(runs):
 
 @cache
 def font(file):
-    matplotlib = library.matplotlib()
+    matplotlib = library()
     from matplotlib.ft2font import FT2Font
 
     return FT2Font(f"{matplotlib.get_data_path()}/fonts/ttf/{file}")

@@ -57,8 +57,7 @@ def layouts(found, scene, left, top):
 
 
 def draw(layout, moved):
-    """The primitives of a row; `moved`: {body: displacement in points, or angle}. Also where its elements are, as
-    {name: (middle, normal)}."""
+    """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
     places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
               for name, place in layout.places.items()}
     found, where = _walls(layout), {}

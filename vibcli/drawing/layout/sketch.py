@@ -142,6 +142,11 @@ class Sketch:
         found = self.attachment(pin["at"])
         return Attachment(carrier or found.carrier, found.drawn)
 
+    def pivots(self):
+        """{name: the Attachment of its pin} of bodies that have a place."""
+        found = {name: self.pivot(name) for name in self.scene.bodies if name in self.frames}
+        return {name: pivot for name, pivot in found.items() if pivot is not None}
+
     def frame(self, carrier):
         return STILL if carrier is None else self.frames[carrier]
 

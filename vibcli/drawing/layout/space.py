@@ -61,15 +61,10 @@ class Space:
             for j in range(floor((bottom - margin) / CELL), floor((top + margin) / CELL) + 1):
                 yield i, j
 
-    def cost(self, box):
-        """The cost of writing in a box."""
+    def cost(self, box, least=0.0):
+        """The cost of writing in a box; on the body that is named strokes alone count, which cost at `least` 1."""
         get = self.cells.get
-        return sum(get(key, 0.0) for key in self._cells(box))
-
-    def strokes(self, box):
-        """The cost of writing in a box that lies on the body that is named."""
-        get = self.cells.get
-        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= 1.0)
+        return sum(cost for key in self._cells(box) if (cost := get(key, 0.0)) >= least)
 
     def path(self, points):
         """The cost of an arrow along a path."""
@@ -88,7 +83,7 @@ class Space:
         best = None
         for x, y in inside:
             box = x - width / 2, y - height / 2, x + width / 2, y + height / 2
-            best = min(best or (1e9, None), (self.strokes(box), box))
+            best = min(best or (1e9, None), (self.cost(box, 1.0), box))
         for reach in REACHES:
             if best is not None and best[0] <= FARNESS * reach:
                 break

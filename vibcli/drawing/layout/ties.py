@@ -95,8 +95,7 @@ class Ties:
             self.pegs.append((sketch.attachment(on), radius or 0.0))
 
     def nearest(self, place, sketch):
-        """How far the nearest other place is at which something is joined, pinned or centred; None where there is
-        none."""
+        """How far the nearest other place is at which something is joined, pinned or centred, if there is any."""
         places = [end.drawn for pair in self.ends for end in pair]
         places += [sketch.centre(name) for name in sketch.scene.bodies if name in sketch.frames]
         places += [point for points in self.carried.values() for point in points]

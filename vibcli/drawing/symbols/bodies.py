@@ -11,8 +11,7 @@ RAIL, WOUND = 17.0, 18.0
 
 
 def draw(sketch, looks, room):
-    """All bodies with their pins and floors, large ones first; `room`: {body: (how far back, how far on)} that it
-    slides, in points."""
+    """All bodies with their pins and floors, large ones first; `room`: {body: (points back, points on) it slides}."""
     found = []
     for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
         found += [carried(part, sketch.frames[name]) for part in look.pieces]
@@ -44,14 +43,11 @@ def _pins(sketch, looks):
     found, grounded = [], {}
     wound = {_rounded(at.drawn) for record, at, _, other in joint.elements(sketch)
              if record.element.name == "spring" and not other}
-    for name, body in sketch.scene.bodies.items():
-        pivot = sketch.pivot(name) if name in looks else None
-        if pivot is None:
-            continue
+    for name, pivot in sketch.pivots().items():
         if sketch.is_fixed(pivot.carrier):
             points = [point for part in looks[name].pieces for point in part.points]
             grounded.setdefault(_rounded(pivot.drawn), (pivot, []))[1].extend(points)
-        elif body.moves:
+        else:
             found += support.hinge(sketch.now(pivot))
     for key, (pivot, points) in grounded.items():
         height = WOUND if key in wound else support.HEIGHT
@@ -72,10 +68,9 @@ def down_of(place, points):
                key=lambda direction: round(reach(direction)) + 5 * abs(direction[0]) + (direction[1] > 0))
 
 
-def fixed_pivots(sketch, looks):
+def fixed_pivots(sketch):
     """Rounded places of all bearings."""
-    pivots = [sketch.pivot(name) for name in looks]
-    return {_rounded(pivot.drawn) for pivot in pivots if pivot and sketch.is_fixed(pivot.carrier)}
+    return {_rounded(pivot.drawn) for pivot in sketch.pivots().values() if sketch.is_fixed(pivot.carrier)}
 
 
 def _floor(name, look, sketch, room):
@@ -112,21 +107,15 @@ def _floor(name, look, sketch, room):
 def _hangs(name, sketch):
     """Does anything hang from the pin of this body?"""
     _, y0 = sketch.centre(name)
-    for other in sketch.scene.bodies:
-        pivot = sketch.pivot(other) if other in sketch.frames else None
-        if pivot is not None and pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6:
-            return True
-    return False
+    return any(pivot.carrier == name and sketch.centre(other)[1] < y0 - 1e-6
+               for other, pivot in sketch.pivots().items())
 
 
 def _guides(name, box, sketch):
     """Walls on either side of a body that slides upright and is pinned to others."""
-    joined = False
+    joined = any(pivot.carrier == name for pivot in sketch.pivots().values())
     for record in (sketch.spec.get("constraints") or {}).values():
         joined |= any(getattr(end, "text", None) == name for key in ("join", "link") for end in record.get(key, ()))
-    for other in sketch.scene.bodies:
-        pivot = sketch.pivot(other) if other in sketch.frames else None
-        joined |= pivot is not None and pivot.carrier == name
     if not joined:
         return []
     left, bottom, right, top = box

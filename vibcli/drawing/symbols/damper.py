@@ -22,8 +22,7 @@ def about(_record, turn):
 
 
 def along_an_arc(turn, drawn):
-    """What `drawn(at, length)` draws along an arc about a joint, to a wall where the ground holds it; also where it is:
-    (middle, normal)."""
+    """What `drawn(at, length)` draws along an arc about a joint, to a wall on the ground; also where it is."""
     start, held = turn.held or (0.0, 0.0)
     span = (start - turn.heading) % tau
     span = span if turn.held and 0.3 * pi < span < 1.7 * pi else SPAN
