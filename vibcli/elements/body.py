@@ -195,30 +195,21 @@ def _piece(record, scene, cut, placed=True):
         angle = scene.lower(record["angle"]) if "angle" in record else table.zero
         centre = (drawn[0] + uniform.offset * table.call("cos", angle),
                   drawn[1] + uniform.offset * table.call("sin", angle))
-    mass = _mass(record, scene, uniform)
-    if mass is not None and cut:
-        mass = -mass
-    inertia = None if mass is None else mass * uniform.gyration2
-    return mass, centre, inertia, drawn, uniform.radius
-
-
-def _mass(record, scene, uniform):
     if "mass" in record:
-        return scene.positive(record["mass"], "the mass", zero=True)
-    if "density" not in record:
-        return None
-    return scene.positive(record["density"], "the density", zero=True) * uniform.measure
+        mass = scene.positive(record["mass"], "the mass", zero=True)
+    elif "density" in record:
+        mass = scene.positive(record["density"], "the density", zero=True) * uniform.measure
+    else:
+        return None, centre, None, drawn, uniform.radius
+    mass = -mass if cut else mass
+    return mass, centre, mass * uniform.gyration2, drawn, uniform.radius
 
 
 def _welded(pieces):
     """Mass, mass centre and J_C of several pieces."""
-    mass = sum((piece[0] for piece in pieces[1:]), pieces[0][0])
-    x = sum((piece[0] * piece[1][0] for piece in pieces[1:]), pieces[0][0] * pieces[0][1][0]) / mass
-    y = sum((piece[0] * piece[1][1] for piece in pieces[1:]), pieces[0][0] * pieces[0][1][1]) / mass
-    inertia = None
-    for m, (px, py), own, _, _ in pieces:
-        term = own + m * ((px - x) ** 2 + (py - y) ** 2)
-        inertia = term if inertia is None else inertia + term
+    mass = sum(m for m, *_ in pieces)
+    x, y = (sum(m * centre[i] for m, centre, *_ in pieces) / mass for i in (0, 1))
+    inertia = sum(own + m * ((px - x) ** 2 + (py - y) ** 2) for m, (px, py), own, _, _ in pieces)
     return mass, (x, y), inertia
 
 

@@ -50,7 +50,7 @@ def build(record, scene):
     if "law" not in record and "friction" not in record:
         scene.add_damper(c, stretch)
         return
-    v = scene.law_variable(damper=True)
+    v = scene.table.variable("the rate")
     energy = scene.table.zero if c is None else c * v * v * HALF
     if "law" in record:
         found = scene.integrated(scene.lower(record["law"], ("v", v)), v, record["law"].where)

@@ -33,8 +33,7 @@ ELEMENT = Element(
 
 
 def build(roll, body, scene):
-    """A rolling body with its frame, whose reference point is the centre of the rolling circle, and the normal of
-    the surface."""
+    """A rolling body with its frame about the centre of the rolling circle, and the normal of the surface."""
     surface = scene.surfaces[roll["surface"].text]
     if "flat" in roll:
         return _flat(roll, body, scene.rim(body, roll.where), scene, surface, scene.carrier(surface, "body"))

@@ -9,6 +9,7 @@ from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Choice, Kind, OneOf, Quantity
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
 
 
@@ -93,7 +94,7 @@ def _add(record, scene, k, preload, stretch):
     if k is not None and "acts" not in record and "gap" not in record:
         scene.add_spring(k, preload, stretch)
         return
-    d, zero = scene.law_variable(), scene.table.zero
+    d, zero = scene.table.variable("the deflection"), scene.table.zero
     if k is not None:
         energy = k * d * d * HALF
         stretch = stretch + preload / k     # of a cable or stop under load: where its tension would vanish
@@ -102,12 +103,12 @@ def _add(record, scene, k, preload, stretch):
         energy = scene.integrated(law, d, record["law"].where)
         if energy is None:
             return
-        if ("acts" in record or "gap" in record) and scene.number(scene.value_at(law, d)):
+        if ("acts" in record or "gap" in record) and scene.number(*substitute([law], {d: zero})):
             scene.report(record["law"].where, f"the law of '{record.name}' begins with a force at d = 0",
                          "a one-sided law starts from zero force; a cable under load has a `preload`")
             return
     if "acts" in record or "gap" in record:
-        energy = sum((scene.value_at(energy, d, u) for u in _beyond_the_gap(record, scene, d)), zero)
+        energy = sum((substitute([energy], {d: u})[0] for u in _beyond_the_gap(record, scene, d)), zero)
     scene.add_law(stretch, d, energy)
 
 

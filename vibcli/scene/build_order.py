@@ -7,30 +7,24 @@ def carriers_first(spec, report):
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
     bodies = spec.get("bodies") or {}
     needs = {name: _carriers(record, spec) for name, record in bodies.items()}
-    order, state, circular = [], {}, False
+    order, circular = {}, False
     for start in bodies:
-        stack = [start]
-        while stack:
-            name = stack[-1]
-            if state.get(name) == "done":
-                stack.pop()
-                continue
-            state[name] = "open"
-            waiting = [other for other in needs[name] if state.get(other) != "done"]
-            if not waiting:
-                state[name] = "done"
-                order.append(name)
-                stack.pop()
-            elif state.get(waiting[0]) == "open":
-                circle = [n for n in stack[stack.index(waiting[0]):] if state[n] == "open"]
-                message = (f"'{name}' carries itself" if waiting[0] == name else
+        path = [start]
+        while path:
+            name = path[-1]
+            carrier = next((other for other in needs[name] if other not in order), None)
+            if carrier is None or name in order:
+                order[name] = path.pop()
+            elif carrier in path:
+                circle = path[path.index(carrier):]
+                message = (f"'{name}' carries itself" if carrier == name else
                            "these bodies carry one another: " + " → ".join([*circle, circle[0]]))
                 report(bodies[circle[0]].where, message, "one of them must be carried by the ground")
-                state.update(dict.fromkeys(circle, "done"))
+                order.update(dict.fromkeys(circle))
                 circular = True
             else:
-                stack.append(waiting[0])
-    return [] if circular else order
+                path.append(carrier)
+    return [] if circular else list(order)
 
 
 def _carriers(record, spec):

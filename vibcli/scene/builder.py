@@ -15,10 +15,9 @@ from vibcli.scene.displacements import Displacements
 from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.frame import Frame
-from vibcli.scene.geometry import Geometry
 from vibcli.scene.laws import Law
 from vibcli.scene.places import Places
-from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
 
@@ -42,34 +41,27 @@ class Builder:
         self.coordinates.draw([self.expressions.lower(record["drawn"]) if "drawn" in record else table.zero
                                for record in spec.coordinates.values()])
         self.contents, self.displacements = Contents.empty(table), Displacements(self.expressions, variant)
-        self._offer_expressions(self.expressions, Geometry(self.expressions))
-        self._offer_places(Places(spec, self.geometry, self.contents.bodies, self.contents.points, self._driven_point))
-        self._offer_displacements(self.displacements)
+        self._offer(self.expressions, self.displacements, Places(
+            spec, self.expressions, self.contents.bodies, self.contents.points,
+            lambda record, drawn: load("point").driven(record, drawn, self)))
 
-    def _offer_expressions(self, expressions, geometry):
-        """The services of expressions and directions."""
-        self.report, self.diagnostics, self.geometry = self.reports.report, self.reports.diagnostics, geometry
+    def _offer(self, expressions, displacements, places):
+        """The services of expressions, of what is driven, and of bodies and points."""
+        self.report, self.diagnostics = self.reports.report, self.reports.diagnostics
         self.lower, self.pair, self.load = expressions.lower, expressions.pair, expressions.load
         self.positive, self.number, self.sign = expressions.positive, expressions.number, expressions.sign
         self.agree, self.vanishes = expressions.agree, expressions.vanishes
         self.require_equal, self.terms_with = expressions.require_equal, expressions.terms_with
-        self.unit, self.distance, self.absolute = geometry.unit, geometry.distance, geometry.absolute
-        self.height_of = geometry.height_of
+        self.unit, self.distance, self.absolute = expressions.unit, expressions.distance, expressions.absolute
+        self.height_of = expressions.height_of
         self.symbol, self.at_drawn = self.coordinates.symbol, self.coordinates.at_drawn
         self.v, self.a = self.coordinates.v, self.coordinates.a
-
-    def _offer_places(self, places):
-        """The services of bodies, points, and what is joined."""
-        self.bodies, self.surfaces, self.ground = places.bodies, self.spec.sections.get("surfaces") or {}, places.ground
-        self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
-        self.along_axis = places.along_axis
-        self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
-        self.extent = places.extent
-
-    def _offer_displacements(self, displacements):
-        """The services of what is driven, and of supports that give way."""
         self.driven_by, self.turns = displacements.driven_by, displacements.turns
         self.released = displacements.released
+        self.bodies, self.surfaces, self.ground = places.bodies, self.spec.sections.get("surfaces") or {}, places.ground
+        self.frame, self.carrier, self.new_frame, self.still = places.frame, places.carrier, Frame, places.still
+        self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
+        self.extent, self.along_axis = places.extent, places.along_axis
 
     def change(self, expression, part=""):
         """A displacement of the body that is built."""
@@ -85,9 +77,6 @@ class Builder:
     def supports(self):
         """The coordinates by which supports give way, drives apart."""
         return [q for q in self.released if ".reaction." in q.name]
-
-    def _driven_point(self, record, drawn):
-        return load("point").driven(record, drawn, self)
 
     def add_elements(self):
         """Build the bodies, carriers first, then what connects them."""
@@ -118,16 +107,12 @@ class Builder:
             return
         left_out = let_go(self.spec) if section == "forces" and not self.variant.preloaded else None
         for record in found.values():
-            if record.name != left_out:
-                self._add(name, record)
-
-    def _add(self, element, record):
-        """One spring, damper, force or constraint."""
-        self.owner = record.name
-        try:
-            load(element).build(record, self)
-        except ZeroDivisionError:
-            self.report(record.where, f"'{record.name}' divides by zero as drawn", "draw its ends apart")
+            self.owner = record.name
+            try:
+                if record.name != left_out:
+                    load(name).build(record, self)
+            except ZeroDivisionError:
+                self.report(record.where, f"'{record.name}' divides by zero as drawn", "draw its ends apart")
 
     def add_inertia(self, weight, s):
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
@@ -154,8 +139,7 @@ class Builder:
         self.contents.dampers.append(Damper(c, s, owner=self.owner))
 
     def add_force(self, steady, in_time, s):
-        """The virtual work δA = force·δs of a load in two parts, which depend on coordinates and velocities as they
-        like."""
+        """The virtual work δA = force·δs of a load in two parts, functions of coordinates and velocities."""
         if (s.mask or self.variant.inputs) and not (steady.is_zero and in_time.is_zero):
             offset = None if in_time.is_zero else steady
             self.contents.forces.append(AppliedLoad(steady + in_time, s, offset, self.owner))
@@ -163,10 +147,6 @@ class Builder:
     def add_constraint(self, record, node, form, part=""):
         """The condition node = 0."""
         self.contents.constraints.append(Constraint(record.name + part, node, record.where, form))
-
-    def law_variable(self, damper=False):
-        """The symbol of the deflection, or of its rate, in a law."""
-        return self.table.variable("the rate" if damper else "the deflection")
 
     def integrated(self, force, x, where):
         """∫₀ˣ force dx; None where it is not found, which is reported."""
@@ -177,10 +157,6 @@ class Builder:
             self.report(where, "the energy of this law is not found", "write it as a sum of powers, |d|^n, sines and "
                         "exponentials of d; other energies stand under `energies`")
         return found
-
-    def value_at(self, node, x, place=None):
-        """A function of x at a place, 0 if none is given."""
-        return substitute([node], {x: self.table.zero if place is None else place})[0]
 
     def add_law(self, s, x, energy, damper=False, bound=None):
         """V(s) of a spring or Φ(ṡ) of a damper, given as a function of x."""

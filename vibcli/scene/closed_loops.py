@@ -38,7 +38,10 @@ class Loops:
                 step *= 0.5
                 if step < SHORTEST:
                     return None
-        return here if moving or not n else self._polished(here, target)
+        if moving or not n:
+            return here
+        polished = {**target, **{name: here[name] for name in self.names}}
+        return polished if self._closed(polished, n) else None
 
     def _sense(self, values):
         """The sign of det ∂G/∂z: it changes where the loops are singular."""
@@ -47,10 +50,6 @@ class Loops:
         n = len(self.names)
         flat = evaluate(self.slopes, Floats, values)
         return np.linalg.slogdet(np.array(flat).reshape(n, n))[0]
-
-    def _polished(self, here, target):
-        trial = {**target, **{name: here[name] for name in self.names}}
-        return trial if self._closed(trial, len(self.names)) else None
 
     def _closed(self, values, n, gaps=0.0):
         """Newton's method for G = gaps, in place; False where it does not contract from the first step on."""

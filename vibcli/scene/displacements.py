@@ -28,8 +28,7 @@ class Displacements:
 
     def driven_by(self, node, name, drive=None):
         """A displacement of what has this name: where it depends on the time, a symbol that is zero as drawn and stands
-        for it until the scene is assembled; of a scene with inputs an input. Where supports give way its `drive`
-        does."""
+        for it until the scene is assembled; of a scene with inputs an input. Its `drive` gives way with supports."""
         if not node.mask & self.time.mask:
             return node
         slip = self._released(drive) if self.variant.released and drive else self.table.zero

@@ -28,6 +28,12 @@ class Term(NamedTuple):
         """Itself with its expressions replaced, {node: node}."""
         return self._make((*(node if node is None else new[node] for node in self[:3]), self.owner))
 
+    def energy(self, _scene):
+        """None: it stores nothing."""
+
+    def power(self, _scene):
+        """None: it dissipates nothing."""
+
 
 class Inertia(Term):
     """½ w ṡ² of T."""
@@ -52,9 +58,6 @@ class Inerter(Inertia):
         """b s̈."""
         return self.weight * scene.rate(scene.rate(self.s))
 
-    def power(self, _scene):
-        """None: it dissipates nothing."""
-
 
 class Spring(Term):
     """N s + ½ k s² of V."""
@@ -73,9 +76,6 @@ class Spring(Term):
         """F²/2k, counted from where the spring is undeformed."""
         return self.force(scene) ** 2 / self.weight * HALF
 
-    def power(self, _scene):
-        """None: it dissipates nothing."""
-
 
 class Damper(Term):
     """½ c ṡ² of Φ."""
@@ -89,9 +89,6 @@ class Damper(Term):
     def potential(self, scene):
         """½ c ṡ², its share of Φ."""
         return self.weight * scene.rate(self.s) ** 2 * HALF
-
-    def energy(self, _scene):
-        """None: it stores nothing."""
 
     def power(self, scene):
         """c ṡ², which it dissipates."""

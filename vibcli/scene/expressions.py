@@ -1,10 +1,14 @@
-"""Parsed fields as expressions of a scene, and what can be said of their values as drawn."""
+"""Parsed fields as expressions of a scene, what can be said of their values as drawn, directions and distances, whose
+signs are those as drawn."""
 
 from vibcli.base import units
 from vibcli.language.parameters import unusable
 from vibcli.language.reader import Expression
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced
+from vibcli.symbolic.expression_graph import reachable
+from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced, root_of_square, textbook
+from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.semantics import lower, names_in
 from vibcli.symbolic.syntax import ExpressionError, Sum
 
@@ -18,16 +22,14 @@ class Expressions:
         self.coordinates, self.parameters, self.sample, self.reports = coordinates, parameters, sample, reports
         self.table = coordinates.table
 
-    def _symbol(self, name, primes, tree):
-        if name in self.parameters.in_letters:
-            return self.parameters.in_letters[name]
-        return self.parameters.nodes[name] if name in self.parameters.nodes else self.coordinates.symbol(name, primes)
-
     def lower(self, expression, local=None):
         """The node of a parsed field; `local`: (name, node) of a name that is good there alone. Who reads more of a
         scene that is built has the values to judge it by."""
         def symbol(name, primes, tree):
-            return local[1] if local and name == local[0] and not primes else self._symbol(name, primes, tree)
+            if local and name == local[0] and not primes:
+                return local[1]
+            known = self.parameters.in_letters if name in self.parameters.in_letters else self.parameters.nodes
+            return known[name] if name in known else self.coordinates.symbol(name, primes)
 
         try:
             node = lower(expression.tree, self.table, symbol)
@@ -36,19 +38,16 @@ class Expressions:
             return self.table.one
         if self.reports.finished or node.mask or node.op == "symbol":
             return node
-        problem = unusable(self._constant(node), Floats)
+        problem = unusable(evaluate([node], Floats, self.sample)[0], Floats)
         if problem:
             where = expression.scalar.place(0, len(expression.text))
             self.reports.report(where, "this value is " + problem[0], problem[1])
         return self.table.one if problem else node
 
-    def _constant(self, node):
-        return evaluate([node], Floats, self.sample)[0]
-
     def positive(self, expression, what, zero=False):
         """The node of a field whose value must be positive, or not negative."""
         node = self.lower(expression)
-        value = self._constant(node)
+        value, = evaluate([node], Floats, self.sample)
         if not (value > 0 or (zero and value == 0)):
             found = f"{value:.6g} {units.text(expression.dimension or {})}".rstrip()
             wanted = "zero or more" if zero else "a positive value"
@@ -118,3 +117,48 @@ class Expressions:
         """Report `message` with both values where they differ in the drawn position by more than `size`."""
         if not self.agree(*self.coordinates.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
             self.reports.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
+
+    def unit(self, dx, dy, where=None):
+        """The unit vector along (dx, dy), constants."""
+        length = self.distance(dx, dy)
+        if self.number(length) == 0:
+            self.reports.report(where, "this direction has no length",
+                                "give one such as [0, 1], or two different places")
+            return self.table.one, self.table.zero
+        return dx / length, dy / length
+
+    def absolute(self, node):
+        """A node or its opposite, so that it is positive as drawn."""
+        return node if self.sign(node) > 0 else -node
+
+    def distance(self, dx, dy):
+        """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
+        dx0, dy0 = self.coordinates.at_drawn(dx, dy)
+        for along, across in ((dx, dy), (dy, dx)):
+            if is_zero(across):
+                return self.absolute(along)
+        if not dx.mask and not dy.mask:
+            return self.table.sqrt(textbook(dx * dx + dy * dy))
+        if is_zero(dx * dy0 - dy * dx0):
+            return (dx * dx0 + dy * dy0) / self.distance(dx0, dy0)
+        square = dx * dx + dy * dy
+        root = root_of_square(square)
+        if root is not None:
+            return self.absolute(root)
+        return self.table.sqrt(textbook(square) if square.mask & self.coordinates.time.mask else square)
+
+    def unrooted(self, nodes):
+        """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn."""
+        simpler = {}
+        for part in reachable(nodes):
+            roots = {base: root_of_square(base) for base, e in part.args
+                     if e.denominator == 2 and base.mask} if part.op == "product" else {}
+            if any(root is not None for root in roots.values()):
+                factors = [(base, e) if (root := roots.get(base)) is None else
+                           (self.absolute(root), 2 * e) for base, e in part.args]
+                simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
+        return substitute(nodes, simpler) if simpler else nodes
+
+    def height_of(self, surface, x):
+        """f(x) of a curve y = f(x)."""
+        return self.lower(surface["curve"], (surface["in"], x))

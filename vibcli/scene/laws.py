@@ -3,9 +3,6 @@
 from typing import NamedTuple
 
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.expression_graph import reachable
-
-BENT = ("abs", "sign", "min", "max", "step", "ramp")
 
 
 class Law(NamedTuple):
@@ -47,20 +44,3 @@ class Law(NamedTuple):
 
     def _at(self, scene, node):
         return substitute([node], {self.x: scene.rate(self.s) if self.damper else self.s})[0]
-
-
-
-def switches(scene):
-    """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws of a scene."""
-    owners, bounds = {}, {}
-    for law in scene.laws:
-        for part in reachable([law.potential(scene)]):
-            if part.name in BENT and part.mask:
-                u = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]
-                sign = scene.table.call("sign", u)
-                if sign.op != "call":
-                    sign = scene.table.call("sign", -u)
-                owners[sign.args[0]] = law.owner
-                if law.bound is not None:
-                    bounds[sign.args[0]] = law.bound
-    return owners, bounds

@@ -11,11 +11,11 @@ class Places:
     `driven(record, drawn)`: where in it a point is that moves.
     """
 
-    __slots__ = ("bodies", "driven", "geometry", "ground", "points", "report", "spec", "table")
+    __slots__ = ("bodies", "driven", "expressions", "ground", "points", "report", "spec", "table")
 
-    def __init__(self, spec, geometry, bodies, points, driven=None):
-        self.spec, self.geometry, self.bodies, self.points, self.driven = spec, geometry, bodies, points, driven
-        self.table, self.report = geometry.table, geometry.report
+    def __init__(self, spec, expressions, bodies, points, driven=None):
+        self.spec, self.expressions, self.bodies, self.points, self.driven = spec, expressions, bodies, points, driven
+        self.table, self.report = expressions.table, expressions.reports.report
         self.ground = self.still((self.table.zero, self.table.zero))
 
     def still(self, drawn):
@@ -60,7 +60,7 @@ class Places:
 
     def place_of(self, end):
         """Where an end is now: a place [x, y], or a named point or body."""
-        return self.geometry.expressions.pair(end) if isinstance(end, list) else self.place(end)[1]
+        return self.expressions.pair(end) if isinstance(end, list) else self.place(end)[1]
 
     def pivot(self, pin, body):
         """(pin as drawn, pin now, frame that carries it)."""
@@ -69,7 +69,7 @@ class Places:
         if at is None:
             drawn = body.centre
         elif isinstance(at, list):
-            drawn = self.geometry.expressions.pair(at)
+            drawn = self.expressions.pair(at)
         else:
             drawn, place, frame = self.place(at)
             if "carrier" not in pin:
@@ -92,14 +92,14 @@ class Places:
 
     def _located(self, record):
         """(drawn, present) of a point."""
-        drawn = self.geometry.expressions.pair(record["at"])
+        drawn = self.expressions.pair(record["at"])
         place = self.driven(record, drawn) if "moves" in record else drawn
         return drawn, self.frame(record["body"]).point(*place) if "body" in record else place
 
     def extent(self, values):
         """The size of the drawn figure in metres, {name: float} given; 0 where nothing has a place."""
         places = [body.centre for body in self.bodies.values() if body.frame is not None]
-        places += [self.geometry.expressions.pair(end) for record in (self.spec.get("springs") or {}).values()
+        places += [self.expressions.pair(end) for record in (self.spec.get("springs") or {}).values()
                    for end in record.get("between", ()) if isinstance(end, list)]
         found = evaluate([node for place in places for node in place], Floats, values)
         if not found:
@@ -109,5 +109,5 @@ class Places:
 
     def unit_of(self, name):
         """A natural size of a coordinate: 1 of an angle, the extent of the figure of a length."""
-        sample = self.geometry.expressions.sample
+        sample = self.expressions.sample
         return (self.extent(sample) or 1.0) if self.spec.dimensions.of(name) else 1.0

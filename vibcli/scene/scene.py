@@ -8,14 +8,14 @@ from functools import cached_property
 from typing import NamedTuple
 
 from vibcli.scene.expressions import Expressions
-from vibcli.scene.geometry import Geometry
-from vibcli.scene.laws import switches
 from vibcli.scene.places import Places
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
+from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
+BENT = ("abs", "sign", "min", "max", "step", "ramp")
 
 
 class Variant(NamedTuple):
@@ -74,34 +74,23 @@ class Scene:
     def __init__(self, setting, coordinates, contents, drives, closure=None, still=None):
         self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
                        "closure": closure, "still": still}
-        self.setting, self.contents, self.still = setting, contents, still
-        self.spec, self.attempt, self.parameters, self.sample = (setting.spec, setting.attempt, setting.parameters,
-                                                                 setting.sample)
-        self._expressions(coordinates)
-        self._contents(contents)
+        self.setting, self.kinematics, self.contents, self.still = setting, coordinates, contents, still
+        self.spec, self.attempt, _, self.parameters, self.sample, reports, _ = setting
+        self.surfaces, self.report = self.spec.sections.get("surfaces") or {}, reports.report
+        self.table, self.time, self.coordinates, self.q, self.v, self.a, self.speeds, _, self.drawn, _ = coordinates
+        self.symbol, self.rate, self.at_drawn = coordinates.symbol, coordinates.rate, coordinates.at_drawn
+        expressions = Expressions(coordinates, self.parameters, self.sample, reports)
+        self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
+        self.terms_with, self.unrooted = expressions.terms_with, expressions.unrooted
+        self.distance, self.height_of = expressions.distance, expressions.height_of
+        (self.gravity, self.bodies, self.points, self.inertias, self.springs, self.dampers, self.weights, self.forces,
+         self.laws, self.constraints, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
+        places = Places(self.spec, expressions, self.bodies, self.points)
+        self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
+        self.extent, self.unit_of = places.extent, places.unit_of
         self.driven, self.inputs, self.released = drives
         self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
         self.timed = any(node.mask & self.time.mask for node in contents.depends_on)
-
-    def _expressions(self, coordinates):
-        """Coordinates, and what may be asked of them and of expressions."""
-        self.kinematics, self.report = coordinates, self.setting.reports.report
-        self.table, self.time, self.coordinates, self.q, self.v, self.a, self.speeds, _, self.drawn, _ = coordinates
-        self.symbol, self.rate, self.at_drawn = coordinates.symbol, coordinates.rate, coordinates.at_drawn
-        expressions = Expressions(coordinates, self.parameters, self.sample, self.setting.reports)
-        self.lower, self.pair, self.number = expressions.lower, expressions.pair, expressions.number
-        self.terms_with, self._geometry = expressions.terms_with, Geometry(expressions)
-        self.distance, self.height_of, self.unrooted = (self._geometry.distance, self._geometry.height_of,
-                                                        self._geometry.unrooted)
-
-    def _contents(self, contents):
-        """Bodies, points and terms, and what may be asked of them."""
-        (self.gravity, self.bodies, self.points, self.inertias, self.springs, self.dampers, self.weights, self.forces,
-         self.laws, self.constraints, self.energies, self.matrices, self.static_preloads, self.shaken) = contents
-        self.surfaces = self.spec.sections.get("surfaces") or {}
-        places = Places(self.spec, self._geometry, self.bodies, self.points)
-        self.frame, self.place, self.place_of, self.rim = places.frame, places.place, places.place_of, places.rim
-        self.extent, self.unit_of = places.extent, places.unit_of
 
     def with_parts(self, **parts):
         """The same with other parts, as they are named where a Scene is made."""
@@ -181,7 +170,18 @@ class Scene:
 
     def law_switches(self):
         """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws."""
-        return switches(self)
+        owners, bounds = {}, {}
+        for law in self.laws:
+            for part in reachable([law.potential(self)]):
+                if part.name in BENT and part.mask:
+                    u = part.args[0] - part.args[1] if part.name in ("min", "max") else part.args[0]
+                    sign = self.table.call("sign", u)
+                    if sign.op != "call":
+                        sign = self.table.call("sign", -u)
+                    owners[sign.args[0]] = law.owner
+                    if law.bound is not None:
+                        bounds[sign.args[0]] = law.bound
+        return owners, bounds
 
     def undriven(self, kind):
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
@@ -200,8 +200,7 @@ class Scene:
         return self.driven | dict.fromkeys(self.oscillating, self.table.zero)
 
     def at_still(self, kind):
-        """The springs, dampers, inertias or loads with the driven displacements that oscillate left out; those in
-        `shaken` are functions of them."""
+        """The springs, dampers, inertias or loads with the driven displacements that oscillate left out."""
         if not self.shaken:
             return getattr(self, kind)
         held = self.held_drives
