@@ -29,8 +29,3 @@ def times(a, b):
     re, im = parts(b)
     left, right = parts(a)
     return fx.product(left, b, BITS) + fx.product(right, np.concatenate([-im, re], axis=1), BITS)
-
-
-def real_times(a, b):
-    """a b for a real matrix a in fixed point."""
-    return fx.product(a, b, BITS)

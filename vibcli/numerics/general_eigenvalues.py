@@ -6,6 +6,7 @@ in fixed point, V⁻¹ in floats; each step removes some fifty bits of E.
 """
 
 import math
+from itertools import combinations
 
 import numpy as np
 
@@ -49,7 +50,8 @@ def block_diagonal(apply, matrix, bits, enough, noise):
         norms = form.unknown(noise)
         stalled = stalled + 1 if max(norms) > best - 1 else 0
         best = min(best, max(norms))
-        if stalled > STALLED or (form.is_fine() and all(map(enough, form.all_roots(norms)))):
+        glance = all(len(part) <= 2 for part in form.blocks)
+        if stalled > STALLED or (glance and all(map(enough, form.all_roots(norms)))):
             break
         form.improve()
     return form, norms
@@ -96,10 +98,6 @@ class BlockForm:
         with np.errstate(divide="ignore"):
             rows = np.logaddexp2(np.log2(rows) - self.shift, np.log2(inverse.sum(axis=1)) + spread)
         return [float(rows[part].max()) + math.log2(len(part)) / 2 for part in self.blocks]
-
-    def is_fine(self):
-        """Whether every block has its roots at a glance."""
-        return all(len(part) <= 2 for part in self.blocks)
 
     def all_roots(self, norms):
         """The eigenvalues of all blocks, moved by no more than 2^norms."""
@@ -182,13 +180,11 @@ def split(matrix):
 
 def _closest(units, steep):
     """Those two of the nearly parallel units whose eigenvalues are closest, or None."""
-    best, pair = math.inf, None
-    for place, i in enumerate(steep):
-        for j in steep[place + 1:]:
-            gap = min(min(abs(a - b), abs(a - b.conjugate())) for a in units[i][0] for b in units[j][0])
-            if gap < best:
-                best, pair = gap, (i, j)
-    return pair
+    def gap(pair):
+        some, others = (units[i][0] for i in pair)
+        return min(min(abs(a - b), abs(a - b.conjugate())) for a in some for b in others)
+
+    return min(combinations(steep, 2), key=gap, default=None)
 
 
 def largest_steps(t, blocks):

@@ -216,7 +216,8 @@ def _touched(scan, a, b, c):
         if hx is None or x in (a, b, c):
             break
         if hx * h < 0:
-            return _within(scan, b, scan.at(b), x, hx) + _within(scan, x, hx, *_other(scan, a, b, c, x))
+            end = c if x > b else a
+            return _within(scan, b, scan.at(b), x, hx) + _within(scan, x, hx, end, scan.at(end))
         if abs(hx) < abs(scan.at(b)):
             a, b, c = (b, x, c) if x > b else (a, x, b)
         elif x > b:
@@ -228,12 +229,6 @@ def _touched(scan, a, b, c):
         if c - a <= 1e-9 * abs(b):
             break
     return [b] if sign * scan.at(b) <= TOUCHING else []
-
-
-def _other(scan, a, b, c, x):
-    """The end on the other side of x, seen from b."""
-    end = c if x > b else a
-    return end, scan.at(end)
 
 
 def _distinct(found, scan):

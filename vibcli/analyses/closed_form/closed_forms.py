@@ -33,11 +33,10 @@ class ClosedMode(NamedTuple):
         return self.shape is not None and sum(map(letters, self.shape)) <= READABLE
 
 
-class ClosedForms:
+class ClosedForms(NamedTuple):
     """modes: ascending at the sample values; polynomials: factors in λ = ω² that are not solved, lists of coefficients
     from the highest; critical: (symbol, value) of the damping coefficient for which ζ = 1, or None."""
 
-    __slots__ = ("critical", "modes", "polynomials")
-
-    def __init__(self, modes, polynomials=(), critical=None):
-        self.modes, self.polynomials, self.critical = modes, list(polynomials), critical
+    modes: list
+    polynomials: list = []
+    critical: tuple = None

@@ -26,15 +26,10 @@ def one_degree(symbolic, modal, M, C, K):
         return None
     if C.is_zero or K.is_zero or unstable:
         return ClosedForms([mode])
-    damped = mode._replace(zeta=damping_ratio(M, C, K, values), omega_d=damped_frequency(M, C, K, values))
+    damped = mode._replace(zeta=C / (2 * root(K, values) * root(M, values)), omega_d=damped_frequency(M, C, K, values))
     if not damping_confirmed([damped], candidates):
         return ClosedForms([damped._replace(zeta=None)])
     return ClosedForms([damped], critical=critical(symbolic.scene, M, C, K, values))
-
-
-def damping_ratio(M, C, K, values):
-    """ζ = C/(2√(K M))."""
-    return C / (2 * root(K, values) * root(M, values))
 
 
 def damped_frequency(M, C, K, values):

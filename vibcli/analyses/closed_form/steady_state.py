@@ -11,7 +11,7 @@ from vibcli.analyses.closed_form.frequency_response import from_parts, require_f
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import outputs
 from vibcli.symbolic.common_denominator import shorter
-from vibcli.symbolic.derivatives import gradient, substitute
+from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
@@ -107,8 +107,3 @@ def _in_phase(found, argument, wave, Omega):
     A, B = (found.get((argument, name), Omega.table.zero) for name in WAVES)
     ahead = textbook((B if wave == "sin" else -A) / Omega)
     return A if wave == "sin" else B, ahead
-
-
-def at_start(argument, scene):
-    """φ, what Ωt + φ is at t = 0."""
-    return substitute([argument], {scene.time: scene.table.zero})[0]

@@ -34,7 +34,9 @@ class Cosine:
         """u₀ + u₁λ + u₂λ² + … as a sum of cosines of multiples of θ."""
         powers = [self.quotients.field(0)]
         for u in reversed(element):             # Horner, in λ = s + t·2cos θ
-            powers = _plus([self.shift * w for w in powers], _doubled([self.scale * w for w in powers]))
+            shifted, powers = [self.shift * w for w in powers], _doubled([self.scale * w for w in powers])
+            for k, w in enumerate(shifted):
+                powers[k] += w
             powers[0] += u
         table = self.quotients.table
         angles = [table.pi * Fraction(2 * self.j * k, self.N) for k in range(len(powers))]
@@ -56,10 +58,6 @@ def _doubled(waves):
         elif k > 1:
             found[k - 1] += w
     return found
-
-
-def _plus(a, b):
-    return [x + (a[i] if i < len(a) else 0) for i, x in enumerate(b)]
 
 
 def cosines(quotients, modulus):
@@ -87,7 +85,7 @@ def _numeric(quotients, modulus):
         if scale is None:
             continue
         numbers = [c / scale ** (d - i) for i, c in enumerate(moved)]
-        if all(_is_number(c) for c in numbers):
+        if all(c.numer.is_ground and c.denom.is_ground for c in numbers):
             return scale, shift, [quotients.rational(c.numer.LC / c.denom.LC) if c else 0 for c in numbers]
     return None
 
@@ -120,10 +118,6 @@ def _moved(coefficients, shift, zero):
             found[i] += shift * found[i + 1]
         found[0] += c
     return found[:len(coefficients)]
-
-
-def _is_number(element):
-    return element.numer.is_ground and element.denom.is_ground
 
 
 def _matched(coefficients, d):

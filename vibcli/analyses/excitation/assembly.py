@@ -108,7 +108,8 @@ def _pieces(groups, cuts, last, since, numbers, task=None):
         if task is not None:
             task.step(i / len(places), 0.5)
         waves = _waves(groups, at, numbers)
-        if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not all(map(_is_level, waves)):
+        level = not any(wave.power or wave.exponent for wave in waves)
+        if i in (0, first) or blows.get(i) or pieces[-1].waves != waves or not level:
             pieces.append(Segment(at.start, waves, tuple(blows.get(i, {}).items())))
     return pieces
 
@@ -116,10 +117,6 @@ def _pieces(groups, cuts, last, since, numbers, task=None):
 def _place(low, high, numbers):
     start, middle = numbers.number(low), (low + high) / 2
     return Instant(start, numbers.exact(start), numbers.number(middle), middle)
-
-
-def _is_level(wave):
-    return not (wave.power or wave.exponent)
 
 
 def _cuts(spans):

@@ -35,16 +35,14 @@ def common_period(groups, numbers):
 
 def shortest(pieces, period, since, same):
     """(pieces, period) of the shortest period: |sin| repeats after half a turn."""
-    parts = iter(PARTS)
-    part = next(parts)
-    while part is not None:
-        repeated = [piece for piece in pieces if piece.start >= since]
-        n = len(repeated) // part
-        if len(repeated) % part or not all(_alike(one, other, period / part, same * period)
-                                           for one, other in zip(repeated, repeated[n:], strict=False)):
-            part = next(parts, None)
-            continue
-        pieces, period = [piece for piece in pieces if piece.start < since] + repeated[:n], period / part
+    for part in PARTS:
+        while True:
+            repeated = [piece for piece in pieces if piece.start >= since]
+            n = len(repeated) // part
+            if len(repeated) % part or not all(_alike(one, other, period / part, same * period)
+                                               for one, other in zip(repeated, repeated[n:], strict=False)):
+                break
+            pieces, period = [piece for piece in pieces if piece.start < since] + repeated[:n], period / part
     return pieces, period
 
 

@@ -17,11 +17,10 @@ def linear_output(configuration, text, order=0, channel=None):
     return as_output(configuration, row, channel)
 
 
-def quadratic_output(configuration, text, channel=None):
+def quadratic_output(configuration, text):
     """[(weight, LinearOutput, {channel: node})] with signal = Σ weight·output²: the energy of a spring, the power of a
     damper; further outputs take the next channels."""
-    first = len(configuration.scene.q) if channel is None else channel
-    return [(weight, *as_output(configuration, row, first + i))
+    return [(weight, *as_output(configuration, row, len(configuration.scene.q) + i))
             for i, (weight, row) in enumerate(squares(configuration, text))]
 
 

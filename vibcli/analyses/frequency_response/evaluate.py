@@ -44,14 +44,10 @@ def _at(system, Omega, steep):
 
 
 def undifferentiated(system, s, steep=False):
-    """(H, dH/ds or None, whether there is a pole) of the output itself at complex s."""
-    return _method(system, len(s))(system, s, steep)
-
-
-def _method(system, count):
-    """The method for so many frequencies; that of many is found once and kept with the system."""
-    if system.evaluated_by() is None and count * system.n**3 <= WORK:
-        return direct
+    """(H, dH/ds or None, whether there is a pole) of the output itself at complex s; the method for many is found once
+    and kept with the system."""
+    if system.evaluated_by() is None and len(s) * system.n**3 <= WORK:
+        return direct(system, s, steep)
     from vibcli.analyses.frequency_response.large_systems import chosen
 
-    return system.evaluated_by(lambda system: chosen(system) or direct)
+    return system.evaluated_by(lambda system: chosen(system) or direct)(system, s, steep)

@@ -36,7 +36,7 @@ def damped_floats(elements):
     damps = damped_at_all(elements)
     values, vectors, radius = form.general() if damps or (modal.values < 0).any() else form.conservative()
     if not damps:
-        on_the_axis(values, radius)
+        values.real[np.abs(values.real) <= radius] = 0.0        # the spectrum mirrors itself in the imaginary axis
     still = np.argsort(np.abs(values), kind="stable")[:form.still(elements, zeros)]
     values[still], radius[still] = 0.0, 0.0
     return _modes(form, values, vectors, radius, scale, damps)
@@ -96,11 +96,6 @@ class FirstOrder:
         out[range(k, 2 * k), range(k)] = -sign / self.omega
         out[k:, k:] = sign[:, None] * self.matrix[:k, :k] / self.omega[:, None] / self.omega
         return out
-
-
-def on_the_axis(values, radius):
-    """Takes to the imaginary axis what nothing tells from it, where the spectrum mirrors itself in it."""
-    values.real[np.abs(values.real) <= radius] = 0.0
 
 
 def bounds(matrix, rounding, values, vectors):

@@ -32,17 +32,13 @@ def _vector(system, d, c, k):
     """x with (λ² m + λ c + k) x = 0 and xᴴ m x = 1, next to the one known in floats."""
     n = len(c)
     massive = getattr(system, "massive", n)
-    start = [mpmath.mpmathify(complex(x)) for x in d.x]
+    start = np.array([mpmath.mpmathify(complex(x)) for x in d.x], object)
     if d.mode is not None or not (d.re or d.im):
-        return np.array(start, object)
+        return start
     value = Digits.complex(d.re, d.im, system.bits)
-    a = mpmath.zeros(n + 1, n + 1)
-    for i in range(n):
-        for j in range(n):
-            a[i, j] = value * c[i, j] + k[i, j]
-        if i < massive:
-            a[i, i] += value * value
-        a[i, n], a[n, i] = start[i], mpmath.conj(start[i])
+    block = value * c + k
+    block[range(massive), range(massive)] += value * value
+    a = mpmath.matrix(np.block([[block, start[:, None]], [start.conj(), np.zeros(1, object)]]).tolist())
     right = mpmath.zeros(n + 1, 1)
     right[n] = 1
     try:
@@ -50,6 +46,6 @@ def _vector(system, d, c, k):
     except ZeroDivisionError:  # a multiple eigenvalue: a step beside it turns to its vectors
         for i in range(n):
             a[i, i] += mpmath.ldexp(1, -system.bits // 2)
-        x = mpmath.lu_solve(a[:n, :n], mpmath.matrix(start))
+        x = mpmath.lu_solve(a[:n, :n], mpmath.matrix(start.tolist()))
     size = mpmath.sqrt(sum(abs(x[i]) ** 2 for i in range(massive or n)))
     return np.array([x[i] / size for i in range(n)], object)

@@ -36,7 +36,7 @@ def estimates(modal, _):
         flexibility = _flexibility(K)
         pulled = M * mpmath.matrix(_unit_displacement(modal.system, elements))
         deflection = flexibility * pulled
-        rayleigh = mpmath.sqrt(_dot(deflection, pulled) / _dot(deflection, M * deflection))
+        rayleigh = mpmath.sqrt((deflection.T * pulled)[0] / (deflection.T * M * deflection)[0])
         alone = {name: _trace(rows, matrix, flexibility)
                  for name, (rows, matrix) in owned_forms(modal.configuration).kinetic.items()}
         largest = max(deflection, key=abs)
@@ -94,7 +94,3 @@ def _trace(rows, matrix, flexibility):
         bent = {i: along(row, [flexibility[i, j] for j in range(n)]) for i in row}
         total += weight * along(row, bent)
     return total
-
-
-def _dot(a, b):
-    return sum(x * y for x, y in zip(a, b, strict=True))

@@ -55,7 +55,7 @@ def sensitivities(modal, _):
         changes, refused = {}, {}
         for name in modal.spec.independent_parameters:
             try:
-                changes[name] = only(perturbed_system(modal.configuration, name, free), _changes)
+                changes[name] = only(perturbed_system(modal.configuration, name, free), lambda x: x.__class__ is Dual)
             except PhysicsError as error:
                 refused[name] = error.message
             except ZeroDivisionError:
@@ -64,10 +64,6 @@ def sensitivities(modal, _):
         omega = {name: _natural(groups, change, values[name]) for name, change in changes.items()}
         found = None if damped is None else _of_damped(damped, changes, elements, values)
     return Sensitivities(values, omega, found, remark, coinciding(modes), refused)
-
-
-def _changes(x):
-    return x.__class__ is Dual
 
 
 def _rounded(rate, value, size):

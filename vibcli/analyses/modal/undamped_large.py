@@ -4,6 +4,8 @@ Where all stiffness is Σ k ∇s ∇sᵀ the frequencies are singular values of 
 assembled. Otherwise they are eigenvalues of L⁻¹ K̂ L⁻ᵀ, to 4 n ε of its assembled magnitudes.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from vibcli.analyses.modal.scaling import mechanism, unmoved
@@ -12,16 +14,15 @@ from vibcli.numerics.factored_svd import mass_factor, singular_vectors
 UNIT = 2.0 ** -53
 
 
-class Approximate:
+class Approximate(NamedTuple):
     """λ̂ = ω̂² (0 for rigid modes), M̂-normalised shapes in columns, relative bounds of √|λ̂|.
 
     The bound is 0 for a zero that follows from the structure, 1 for a value whose sign floats cannot tell.
     """
 
-    __slots__ = ("errors", "shapes", "values")
-
-    def __init__(self, values, shapes, errors):
-        self.values, self.shapes, self.errors = values, shapes, errors
+    values: np.ndarray
+    shapes: np.ndarray
+    errors: np.ndarray
 
 
 def approximate(elements, scale, zeros):

@@ -14,7 +14,6 @@ DIFFERENCE, LEAST = 1e-4, 1.0       # of the way that a coordinate goes, or of i
 CLOSE, HOPELESS = 1e3, 1e18         # of the tolerance
 
 
-
 class Window:
     """start [s] and length of the polynomials, which hold up to `end` after the start; q, v at the start; values of q̈
     at the points, and `series`, its Legendre coefficients, both of shape (n, points); g: senses of the switches;

@@ -55,13 +55,7 @@ class Energies:
         return [mpmath.re(x) for x in found]
 
 
-def period_between(energies, energy, left, bottom, right):
-    """The period of the motion between two places at which it turns round, `bottom` a place between them near which V
-    may be narrow."""
-    return float(2 * (_time(energies, energy, left, bottom) + _time(energies, energy, bottom, right)))
-
-
-def _time(energies, energy, left, right):
+def time_between(energies, energy, left, right):
     """∫ √(m/(2(E − V))) dq."""
     import mpmath
 

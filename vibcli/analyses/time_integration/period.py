@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from vibcli.analyses.time_integration.high_precision_period import DIGITS, Energies, period_between
+from vibcli.analyses.time_integration.high_precision_period import DIGITS, Energies, time_between
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import effective_potential
 from vibcli.mechanics.equations_of_motion import dynamics
@@ -46,7 +46,9 @@ def exact_period(scene, values, q, v):
             _require_motion(slope, float(place), float(speed))
             left, right = (_turn(slope, energies.gain, place, speed, side) for side in (-1, 1))
             _require_way(left, right)
-            return period_between(energies, level + speed, left, _bottom(slope, left, right), right), ROUNDING
+            bottom = last_place(lambda q: float(slope(np.array([float(q)]))[0]) < 0, left, right)[1]
+            halves = (left, bottom), (bottom, right)
+            return float(2 * sum(time_between(energies, level + speed, *ends) for ends in halves)), ROUNDING
     return _of_forces(slope, inertia, float(q), float(v))
 
 
@@ -63,11 +65,6 @@ def _of_forces(slope, inertia, q, v):
     wider = left - _known_to(slope, left, right), right + _known_to(slope, right, left)
     moved, _ = _by_midpoints(slope, inertia, *wider)
     return found, ROUNDING + change + 2 * abs(moved / found - 1)
-
-
-def _bottom(slope, left, right):
-    """A place at which V stops falling, between two at which the motion turns round."""
-    return last_place(lambda q: float(slope(np.array([float(q)]))[0]) < 0, left, right)[1]
 
 
 def _require_motion(slope, q, speed):

@@ -80,13 +80,10 @@ def starting(M, C, K, group):
     if p == 1:
         x, value = group.vectors[:n], group.values
         if not group.half:
-            x = x * (np.abs(x).max() / x[np.argmax(np.abs(x))])
-        if not group.half:
-            x, value = x.real, value.real
+            x, value = (x * (np.abs(x).max() / x[np.argmax(np.abs(x))])).real, value.real
         return x / np.linalg.norm(x), value[None], group.half
     if p == whole:
-        Q, A = np.eye(p), first_order(M, C, K)
-        return Q[:n], A, False
+        return np.eye(n, p), first_order(M, C, K), False
     A = first_order(M, C, K)
     Q = group.vectors if group.half else np.concatenate([group.vectors.real, group.vectors.imag], axis=1)
     Q = np.linalg.svd(Q)[0][:, :p]

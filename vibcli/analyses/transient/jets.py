@@ -48,10 +48,6 @@ def unbounded(where, found):
     return Interval(np.where(where, -np.inf, found.low), np.where(where, np.inf, found.high))
 
 
-def hull(one, other):
-    return Interval(np.minimum(one.low, other.low), np.maximum(one.high, other.high))
-
-
 def _smooth(rule):
     return lambda u: u.through(*rule(u.value))
 
@@ -133,9 +129,8 @@ def _least(sense):
         either = ~first & ~second
 
         def of(one, other):
-            both = hull(one, other)
-            return Interval(np.where(first, one.low, np.where(second, other.low, both.low)),
-                            np.where(first, one.high, np.where(second, other.high, both.high)))
+            return Interval(np.where(first, one.low, np.where(second, other.low, np.minimum(one.low, other.low))),
+                            np.where(first, one.high, np.where(second, other.high, np.maximum(one.high, other.high))))
         value = Intervals.functions["max" if sense > 0 else "min"](u.value, v.value)
         return Jet(value, of(u.slope, v.slope), unbounded(either, of(u.curvature, v.curvature)))
     return call

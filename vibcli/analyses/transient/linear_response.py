@@ -159,7 +159,7 @@ class SteadyMotion(LinearMotion):
         """The root of the mean square of the output."""
         if self.period is None:
             return math.sqrt(sum(abs(X) ** 2 / (2 if rate else 1) for rate, X in self.phasors(output)))
-        from vibcli.analyses.transient.mean_square import mean_square
+        from vibcli.analyses.transient.steady_state import mean_square
 
         return math.sqrt(mean_square(self, output, 0.0, self.period))
 

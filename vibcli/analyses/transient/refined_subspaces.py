@@ -12,7 +12,7 @@ import numpy as np
 
 from vibcli.analyses.transient.static_condensation import leading
 from vibcli.numerics import fixed_point as fx
-from vibcli.numerics.fixed_point_complex import BITS, narrow, parts, real_times, times, wide
+from vibcli.numerics.fixed_point_complex import BITS, narrow, parts, times, wide
 
 ALONE, JOINED = 1e-13, 1e-32
 STEPS = 8
@@ -60,7 +60,7 @@ def _residual(data, Xs, Bs):
     Ys = [times(X, B) for X, B in zip(Xs, Bs, strict=True)]
     columns = [np.concatenate([times(Y, B), Y, X]) for X, Y, B in zip(Xs, Ys, Bs, strict=True)]
     sides = [np.concatenate(side, axis=1) for side in zip(*map(parts, columns), strict=True)]
-    return narrow(real_times(data, np.concatenate(sides, axis=1)))
+    return narrow(fx.product(data, np.concatenate(sides, axis=1), BITS))
 
 
 def _corrections(S, blocks, count):

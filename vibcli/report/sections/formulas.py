@@ -101,7 +101,7 @@ def _regime(problem):
 
 
 def _participation(problem):
-    from vibcli.analyses.transient.modal_participation import energy_shares
+    from vibcli.analyses.transient.free_vibration import energy_shares
 
     if problem.modal.damped is not None or any(mode.omega is None for mode in problem.modal.modes):
         return []

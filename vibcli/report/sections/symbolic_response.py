@@ -4,6 +4,7 @@ from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.report.blocks import Name, SumOfTerms, Words, equations, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
+from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
@@ -132,9 +133,7 @@ def _about_steady(problem, table, start, steady, massless):
 
 
 def _at_start(problem, steady):
-    from vibcli.analyses.closed_form.steady_state import at_start
-
-    return at_start(steady.argument, problem.scene)
+    return substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})[0]
 
 
 def _known_regime(problem, m, c, k):

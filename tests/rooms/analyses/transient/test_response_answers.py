@@ -12,9 +12,9 @@ from support.scenes import problem_of
 from vibcli.analyses.excitation.forcing import Forcing, Segment, Wave
 from vibcli.analyses.excitation.linear_output import LinearOutput
 from vibcli.analyses.transient import free_vibration
+from vibcli.analyses.transient.free_vibration import energy_shares
 from vibcli.analyses.transient.high_precision import precise_value
 from vibcli.analyses.transient.linear_response import linear_motion
-from vibcli.analyses.transient.modal_participation import energy_shares
 from vibcli.analyses.transient.textbook_form import formula, regime
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.syntax import NameRef
