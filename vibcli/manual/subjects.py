@@ -12,8 +12,6 @@ from vibcli.quantities.quantity import named
 from vibcli.reader.read import INSTEAD
 from vibcli.reader.sections.find import FIND
 from vibcli.report import json_keys, keys
-from vibcli.symbolic.expression import Table
-from vibcli.symbolic.normal_form import textbook
 
 
 def topic_page(catalogue, word):
@@ -57,6 +55,8 @@ def shapes_table(catalogue):
 
 def shape_facts(word):
     """J, mass centre and measure of a shape, from the law that the code runs on."""
+    from vibcli.symbolic.expression import Table
+
     values = Table()
     m = values.parameter("m")
     sizes = [values.parameter(key) for key in NEEDS[word]] if word != "rod" else [values.parameter("length")]
@@ -65,7 +65,7 @@ def shape_facts(word):
     if law.offset is None:
         facts.append(f"J_C = {_text(m * law.gyration2)}")
     else:
-        at_circle = textbook(m * (law.gyration2 + law.offset * law.offset))
+        at_circle = m * (law.gyration2 + law.offset * law.offset)
         facts += [f"J_O = {_text(at_circle)}, J_C = J_O − m*OC^2", f"OC = {_text(law.offset)}"]
     if law.measure is not None:
         what = "length" if word in ("rod", "ring", "arch") else "area"
@@ -74,6 +74,8 @@ def shape_facts(word):
 
 
 def _text(node):
+    from vibcli.symbolic.normal_form import textbook
+
     return keys.plain(textbook(node))
 
 

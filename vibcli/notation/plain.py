@@ -51,6 +51,10 @@ class Notation:
         loose = node.coefficient < 0 or (tightness > 1 and not decimal(node.coefficient).isdigit())
         return self.brackets(text) if loose and tightness else text
 
+    def numeral(self, text):
+        """A number as floats are printed, 1.2e+06."""
+        return text
+
     def _pi(self, node, tightness):
         return self.symbol("pi")
 

@@ -4,7 +4,6 @@ from functools import partial
 
 from vibcli.base.errors import SpecError
 from vibcli.scene.builder import Builder
-from vibcli.scene.constraints import closed
 from vibcli.scene.contents import TERMS
 from vibcli.scene.energy_terms import AppliedLoad
 from vibcli.scene.scene import Drives, Scene, Setting, Variant
@@ -64,6 +63,8 @@ def _assembled(builder, setting):
     if scene.laws:
         scene = _with_laws(scene)
     if scene.constraints and not setting.variant.multipliers:
+        from vibcli.scene.constraints import closed
+
         try:
             scene = closed(scene)
         except ZeroDivisionError:

@@ -1,12 +1,9 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
 from vibcli.notation.numbers import figure, quantity
-from vibcli.notation.scene_language import language
 from vibcli.reader.sections.choose import BALANCE, LIMIT
 from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
-from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.semantics import literals_in
 
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
 
@@ -51,6 +48,8 @@ def _told(condition):
     """The same as a text of the language."""
     if condition.words is not None or not condition.relation:
         return condition.words or f"real {condition.name}"
+    from vibcli.notation.scene_language import language
+
     side = condition.name if condition.node is None else language(condition.node)
     return f"{side} {condition.relation.replace('≥', '>=').replace('≤', '<=')} {language(condition.bound)}"
 
@@ -72,6 +71,8 @@ def _equation(problem, name, solution):
 
 
 def _has_letters(node):
+    from vibcli.symbolic.expression_graph import reachable
+
     return any(part.op == "symbol" for part in reachable([node]))
 
 
@@ -81,6 +82,8 @@ def _any_form(chosen):
 
 
 def _with_units(condition):
+    from vibcli.symbolic.semantics import literals_in
+
     return any(literal.units for side in condition.sides for literal in literals_in(side.tree))
 
 

@@ -3,13 +3,10 @@
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.equation_sides import equation, sides
-from vibcli.notation.latex import latex
-from vibcli.notation.scene_language import language
 from vibcli.report import blocks
 from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
-from vibcli.report.sections.numeric_equations import linear_row, numeric_drive, numeric_row
 from vibcli.report.sections.too_long import brief
 
 ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
@@ -92,6 +89,8 @@ def _full(problem, report):
 
 
 def _in_numbers(problem, found):
+    from vibcli.report.sections.numeric_equations import numeric_drive, numeric_row
+
     matrices = problem.configuration.linear_system.matrices()
     for i, name in enumerate(problem.scene.coordinates):
         row, drive = numeric_row(problem, matrices, i), numeric_drive(problem, found, i)
@@ -119,6 +118,10 @@ ENERGY = Key("energies", "as expressions of the language of scenes, in solve and
 
 def equation_rows(problem):
     """What the keys below tell of each coordinate."""
+    from vibcli.notation.latex import latex
+    from vibcli.notation.scene_language import language
+    from vibcli.report.sections.numeric_equations import linear_row
+
     equations, loose = problem.symbolic.equations, problem.system.scene_with_multipliers
     for i, name in enumerate(equations.names):
         text, tex, missing = None, None, None

@@ -2,7 +2,6 @@
 
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure, with_unit
-from vibcli.notation.plain import plain
 from vibcli.report.blocks import Name, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.parameters import unit
@@ -82,6 +81,8 @@ def _places(problem, item):
     """The coordinates of an equilibrium, in columns where there are few."""
     names, values = problem.scene.coordinates, item.equilibrium.values
     if len(names) > WIDEST:
+        from vibcli.notation.plain import plain
+
         return [", ".join(f"{plain.symbol(name)} = {figure(values[name])}" for name in names)]
     return [figure(values[name]) for name in names]
 
@@ -111,6 +112,8 @@ def _kind(found, item):
 
 def _direction(free):
     """`x`, or `(1 x, -1 y)`."""
+    from vibcli.notation.plain import plain
+
     parts = [f"{figure(value, digits=4)} {plain.symbol(name)}" for name, value in free.items()]
     return plain.symbol(next(iter(free))) if len(free) == 1 else f"({', '.join(parts)})"
 

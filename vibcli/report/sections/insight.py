@@ -2,7 +2,6 @@
 
 from importlib import import_module
 
-from vibcli.language.parameters import require_values
 from vibcli.report.blocks import TableBlock, paragraph, section
 from vibcli.report.sections import SECTIONS
 
@@ -29,6 +28,8 @@ def insight(words):
 def require_numbers(problem, word):
     """Refuse a scene with symbols."""
     if problem.numeric.has_free_symbols:
+        from vibcli.language.parameters import require_values
+
         require_values(problem.scene.parameters, f"`{word}`")
 
 

@@ -2,8 +2,6 @@
 
 from fractions import Fraction
 
-from vibcli.notation.latex import latex
-from vibcli.notation.scene_language import language
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, expanded
@@ -14,6 +12,9 @@ ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is ze
 
 def linear_row(problem, equations, i):
     """The equation of small oscillations of coordinate i: (text, LaTeX), in letters or with numbers."""
+    from vibcli.notation.latex import latex
+    from vibcli.notation.scene_language import language
+
     if equations.in_letters:
         right = equations.drive.get(i, problem.scene.table.zero)
         return tuple(f"{write(equations.linear[i])} = {write(right)}" for write in (language, latex))
@@ -79,8 +80,7 @@ def joined(row, times, write, minus="-"):
     parts = []
     for value, symbol in row:
         sign = (minus if value < 0 else "") if not parts else (f" {minus} " if value < 0 else " + ")
-        size = f"{abs(value):.6g}"
-        size = write.numeral(size) if write is latex else size      # 1.2e+06 is no number in LaTeX
+        size = write.numeral(f"{abs(value):.6g}")
         factor = "" if abs(value) == 1 else f"{size}{times}"
         parts.append(sign + (size if symbol.op == "number" else factor + write(symbol)))
     return "".join(parts) or "0"

@@ -4,10 +4,8 @@ from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
-from vibcli.language.reader import Reader
 from vibcli.quantities.dimensions import signal_tree_dimension
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
-from vibcli.reader.quantity_check import check_questions
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.symbolic.syntax import NameRef
 
@@ -39,6 +37,9 @@ def symbol(text):
 
 def require_known(spec, signals, inputs=()):
     """SpecError where signals or inputs (Expressions) are not of this scene."""
+    from vibcli.language.reader import Reader
+    from vibcli.reader.quantity_check import check_questions
+
     reader = Reader()
     check_questions(spec, reader, signals, inputs)
     if reader.diagnostics:

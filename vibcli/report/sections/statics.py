@@ -3,7 +3,6 @@
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
-from vibcli.notation.plain import plain
 from vibcli.report import blocks
 from vibcli.report.blocks import TableBlock, Words, line, section
 from vibcli.report.keys import Key
@@ -19,6 +18,7 @@ def virtual_work(problem, report):
     if not (scene.forces or "virtual_work" in problem.spec.get("find", ())) or not 0 < len(scene.q) <= WRITTEN_OUT:
         return
     from vibcli.mechanics.virtual_work import generalised_forces
+    from vibcli.notation.plain import plain
 
     names = [plain.symbol(name) for name in scene.coordinates]
     shown, lengths = abbreviated(generalised_forces(scene), report.roots)
