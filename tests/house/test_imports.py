@@ -1,5 +1,7 @@
 """What each question imports, by a process of its own and sys.modules."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -107,6 +109,52 @@ def test_solve_in_letters_needs_neither_scipy_nor_matplotlib():
     code, names = modules("solve", PROBLEMS / "3_free_undamped" / "taut_bead.yaml")
     assert code == 0
     assert not names & {"scipy", "matplotlib"}
+
+
+def test_the_package_alone_imports_nothing():
+    """`import vibcli` opens the door only where a name is asked of it."""
+    code = "import sys; before = set(sys.modules); import vibcli; print(*set(sys.modules) - before)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60,
+                          cwd=PACKAGE.parent)
+    assert done.stdout.split() == ["vibcli"]
+
+
+ROOMS_OF_FREQUENCIES = {"analyses", "api", "base", "cli", "elements", "language", "mechanics", "notation", "numerics",
+                        "quantities", "reader", "report", "results", "scene", "symbolic"}
+BESIDE_FREQUENCIES = {"shutil", *(f"vibcli.{name}" for name in (
+    "analyses.modal.damped", "analyses.modal.massless_coordinates", "base.unit_suggestions", "language.unit_brackets",
+    "mechanics.autonomous", "mechanics.energies", "mechanics.equilibrium.dry_friction",
+    "mechanics.equilibrium.zero_modes", "mechanics.initial_state", "mechanics.lagrange", "notation.latex",
+    "notation.scene_language", "notation.typeset", "numerics.general_eigenvalues", "quantities.frequency_response",
+    "report.sections.equations_of_motion", "report.sections.equilibria", "report.sections.numeric_equations",
+    "scene.bounded_motion", "scene.closed_loops", "scene.constraints", "scene.laws", "symbolic.antiderivatives"))}
+MODULES_OF_FREQUENCIES = 160        # to be lowered whenever they are fewer
+
+
+def test_frequencies_of_a_mass_on_a_spring_import_what_they_use(tmp_path):
+    path = tmp_path / "one.yaml"
+    path.write_text("parameters: {m: 2 kg, k: 800 N/m}\nbodies: {b: {mass: m, slide: x}}\n"
+                    "springs: {s: {k: k, between: [ground, b]}}\ninitial: {x: 1 cm}\nanswers: {max(x): 1 cm}\n")
+    code, names = imported("frequencies", path)
+    own = [name.split(".") for name in names if name.startswith("vibcli.")]
+    assert code == 0
+    assert {room for _, room, *_ in own} <= ROOMS_OF_FREQUENCIES
+    assert names & BESIDE_FREQUENCIES == set()
+    assert len(own) <= MODULES_OF_FREQUENCIES
+
+
+def test_a_scene_to_start_from_is_a_copied_file():
+    code, names = imported("new")
+    assert code == 0
+    assert {name.split(".")[1] for name in names if name.startswith("vibcli.")} == {"base", "cli", "language", "manual"}
+    assert {name for name in names if name.startswith("vibcli.manual.")} == {"vibcli.manual.scenes"}
+
+
+def test_the_manual_opens_no_printer_of_expressions():
+    code, names = imported("explain", "spring")
+    assert code == 0
+    assert not names & {"numpy", "vibcli.notation.latex", "vibcli.notation.plain", "vibcli.symbolic.expression",
+                        "vibcli.reader.quantity_check"}
 
 
 OF_CHOICES = {"vibcli.inverse", "vibcli.reader.choices", "vibcli.reader.sections.choose",

@@ -107,7 +107,8 @@ def quantities_table(catalogue):
              "i counts modes from 1; q and r are coordinates, by name or by number; p is a parameter. "
              "`equilibrium` and `mode` also take signals such as `P.x` or `hoist.force`: see `vibcli explain signals`. "
              "Of motions: `vibcli explain response`, `vibcli explain frequency_response`."]
-    return [paragraph(lines[0]), table(rows), paragraph(topics.SEVERAL),
+    return [paragraph(lines[0]), table(rows),
+            paragraph(topics.SEVERAL + ", ".join(head for head in FAMILIES if named(head).several) + "."),
             ["How they are compared", *table(topics.COMPARED)]]
 
 

@@ -7,8 +7,6 @@ from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
 from vibcli.manual.time_and_work import PATIENCE, TIME
-from vibcli.quantities import FAMILIES
-from vibcli.quantities.quantity import named
 from vibcli.report.formats import FORMATS
 
 EXIT_CODES = [
@@ -55,9 +53,8 @@ COMPARED = [
     ("stable", "`true` or `false`."),
 ]
 
-HEADS = ", ".join(head for head in FAMILIES if named(head).several)
-SEVERAL = (f"A last index asks about one of all the equilibria that `find: {{equilibria: all}}` lists, in ascending "
-           f"order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise {HEADS}.")
+SEVERAL = ("A last index asks about one of all the equilibria that `find: {equilibria: all}` lists, in ascending "
+           "order: `equilibrium[phi][2]`, `stable[2]`, `omega[1][2]`; likewise ")
 
 IN_SHORT = ("A written number to half a unit of its last digit (or as `rtol` says), an expression to rounding: see "
             "`vibcli explain quantities`.")

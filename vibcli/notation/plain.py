@@ -13,7 +13,6 @@ GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "
           "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
           "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
           "Omega": "Ω"}
-_NAME = re.compile(rf"({'|'.join(sorted(GREEK, key=len, reverse=True))}|[A-Za-zℓ])(.*)")
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
@@ -25,10 +24,10 @@ def split_name(name):
     """('φ', '1', "'") of phi1': letter, subscript, primes; a word such as length stays whole."""
     bare = name.rstrip("'")
     primes = name[len(bare):]
-    match = _NAME.fullmatch(bare)
-    if match is None:
+    letter = max((word for word in GREEK if bare.startswith(word)), key=len, default=bare[:1])
+    rest = bare[len(letter):]
+    if letter != "ℓ" and not (letter.isascii() and letter.isalpha()):
         return bare, "", primes
-    letter, rest = match.groups()
     if not rest or rest.isdigit() or rest.startswith("_") or len(bare) == 2 or (letter in GREEK and len(rest) <= 2):
         return letter, rest, primes
     return bare, "", primes

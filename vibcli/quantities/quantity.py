@@ -8,7 +8,6 @@ from importlib import import_module
 from typing import NamedTuple
 
 from vibcli.quantities import FAMILIES, FORMS
-from vibcli.quantities.index_kinds import INDICES
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 ALL = "all of them: vibcli explain quantities"
@@ -98,6 +97,8 @@ def usage(head, spec=None):
 
 
 def usage_of(head, quantity, spec=None):
+    from vibcli.quantities.index_kinds import INDICES
+
     def sample(kind):
         return next(iter(INDICES[kind].names(spec, "") if spec is not None else ()), INDICES[kind].sample)
 

@@ -14,9 +14,7 @@ from vibcli.scene.coordinates import SceneCoordinates
 from vibcli.scene.displacements import Displacements
 from vibcli.scene.energy_terms import AppliedLoad, Damper, Inerter, Inertia, Spring, Weight
 from vibcli.scene.expressions import Expressions
-from vibcli.scene.frame import Frame
-from vibcli.scene.laws import Law
-from vibcli.scene.places import Places
+from vibcli.scene.places import Frame, Places
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
@@ -160,6 +158,8 @@ class Builder:
 
     def add_law(self, s, x, energy, damper=False, bound=None):
         """V(s) of a spring or Φ(ṡ) of a damper, given as a function of x."""
+        from vibcli.scene.laws import Law
+
         force = gradient(energy).get(x, self.table.zero)
         self.contents.laws.append(Law(self.owner, s, x, energy, force, damper, bound))
 
