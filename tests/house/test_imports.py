@@ -127,7 +127,7 @@ BESIDE_FREQUENCIES = {"shutil", *(f"vibcli.{name}" for name in (
     "mechanics.equilibrium.zero_modes", "mechanics.initial_state", "mechanics.lagrange", "notation.latex",
     "notation.scene_language", "notation.typeset", "numerics.general_eigenvalues", "quantities.frequency_response",
     "report.sections.equations_of_motion", "report.sections.equilibria", "report.sections.numeric_equations",
-    "scene.bounded_motion", "scene.closed_loops", "scene.constraints", "scene.laws", "symbolic.antiderivatives"))}
+    "scene.closed_loops", "scene.constraints", "scene.laws", "symbolic.antiderivatives"))}
 MODULES_OF_FREQUENCIES = 160        # to be lowered whenever they are fewer
 
 

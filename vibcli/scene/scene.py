@@ -7,6 +7,7 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import NamedTuple
 
+from vibcli.scene.displacements import stays_bounded
 from vibcli.scene.expressions import Expressions
 from vibcli.scene.places import Places
 from vibcli.symbolic.derivatives import substitute
@@ -190,8 +191,6 @@ class Scene:
     @cached_property
     def oscillating(self):
         """The driven displacements that come and go, so that they count as small ones."""
-        from vibcli.scene.bounded_motion import stays_bounded
-
         return [symbol for symbol, node in self.driven.items() if stays_bounded(node, self.time, self.sample)]
 
     @property

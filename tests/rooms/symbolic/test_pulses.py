@@ -15,7 +15,7 @@ from vibcli.notation.plain import plain
 from vibcli.quantities.expression import measure
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
-from vibcli.scene.bounded_motion import stays_bounded
+from vibcli.scene.displacements import stays_bounded
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.dual_numbers import Dual, Duals
