@@ -2,7 +2,7 @@
 
 FAMILIES = {
     **dict.fromkeys(("omega", "frequency", "period", "growth_rate", "mode", "modal_mass", "zeta", "omega_d", "decay",
-                     "eigenvalue", "sensitivity", "rayleigh", "dunkerley"), "modal"),
+                     "eigenvalue", "sensitivity", "rayleigh", "dunkerley", "ritz"), "modal"),
     **dict.fromkeys(("equilibrium", "Q", "stable", "equilibria"), "equilibrium"),
     **dict.fromkeys(("equation", "motion"), "energies"),
     **dict.fromkeys(("M", "C", "G", "K"), "matrices"),

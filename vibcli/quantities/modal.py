@@ -171,6 +171,18 @@ def _estimate(which):
     return value
 
 
+def _ritz(problem, tree, args):
+    modes, number = problem.modal.result("ritz").modes, int(tree.indices[0])
+    if number > len(modes):
+        raise PhysicsError(f"there is no Ritz estimate {number}: `find` assumes {_counted(len(modes), 'shape')}",
+                           "assume more, or ask for one that there is")
+    mode = modes[number - 1]
+    if mode.omega is None:
+        raise PhysicsError(f"the square of Ritz estimate {number} is negative: the equilibrium is unstable",
+                           "ask for growth_rate[1] or stable")
+    return mode.omega, ROUNDING
+
+
 def one_degree(problem):
     """M, C, K of a scene with one coordinate, in letters."""
     if len(problem.scene.q) != 1:
@@ -236,5 +248,7 @@ QUANTITIES = {
     "rayleigh": Declaration(
         "Rayleigh's estimate of omega[1] by the static deflection, an upper bound", "rad/s", _estimate("rayleigh")),
     "dunkerley": Declaration("Dunkerley's estimate of omega[1], a lower bound", "rad/s", _estimate("dunkerley")),
+    "ritz": Declaration(
+        "Ritz's estimate of omega[i] by the shapes that `find` assumes, an upper bound", "rad/s", _ritz, ("mode",)),
     "decrement[]": Declaration("logarithmic decrement of damped mode i, 2πζ/√(1 − ζ²)", "1", _decrement, ("mode",)),
 }

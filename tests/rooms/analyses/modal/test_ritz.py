@@ -10,6 +10,7 @@ import mpmath
 import pytest
 from support.scenes import problem, problem_of
 
+import vibcli
 from vibcli.base.errors import PhysicsError
 from vibcli.check.instances import Instances
 from vibcli.cli import run
@@ -191,3 +192,16 @@ def test_in_letters_numbers_are_missing_and_set_gives_them(tmp_path, capsys):
     assert (found["shapes"], found["M"], found["K"]) == ([[1.0]], [[2.0]], [[8.0]])
     assert found["modes"] == [{"index": 1, "square": 4.0, "omega": 2.0, "exact": 2.0, "error": 0.0,
                                "shape": {"x": pytest.approx(0.5**0.5, rel=1e-15)}}]
+
+
+def test_answers_and_conditions_ask_for_them(tmp_path, capsys):
+    path = tmp_path / "scene.yaml"
+    shaft = SHAFT + "find: [{ritz: {shapes: [{a: 1, b: 2, c: 3}]}}]\nanswers: "
+    for index, expected, code in ((1, 65.8947, 0), (1, 65.91, 1), (2, 65.8947, 4)):     # sqrt(66000/15.2)
+        path.write_text(f"{shaft}{{'ritz[{index}]': {expected}}}\n")
+        assert run(["check", str(path)]) == code
+    assert "there is no Ritz estimate 2: `find` assumes one shape" in "".join(capsys.readouterr())
+    scene = vibcli.loads("parameters: {m: 2 kg}\nbodies: {a: {mass: m, slide: x}, b: {mass: m, slide: y}}\n"
+                         "springs: {s: {k: k, between: [ground, a]}, t: {k: k, between: [a, b]}}\n"
+                         "choose: {k: 'ritz[1] = 3 rad/s'}\nfind: [{ritz: {shapes: [{x: 1, y: 2}]}}]\n")
+    assert float(scene["k"]) == pytest.approx(9 * 2 * 5 / 2, rel=1e-9)
