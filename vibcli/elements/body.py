@@ -115,8 +115,12 @@ def build(record, scene):
     motion = next((key for key in MOTIONS if key in record), None)
     try:
         body = _with_inertia(body, scene, placed)
-        body = _placed(body, motion, scene) if placed else body._replace(
-            lumped=load(motion).lump(record[motion], scene))
+        if not placed:
+            body = body._replace(lumped=load(motion).lump(record[motion], scene))
+        elif motion is None:
+            body = body._replace(frame=scene.still(body.centre))
+        else:
+            body = scene.supported(load(motion).build(record[motion], body, scene))
         _add_energies(body, motion, scene)
     except ZeroDivisionError:
         scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn",
@@ -211,13 +215,6 @@ def _welded(pieces):
     x, y = (sum(m * centre[i] for m, centre, *_ in pieces) / mass for i in (0, 1))
     inertia = sum(own + m * ((px - x) ** 2 + (py - y) ** 2) for m, (px, py), own, _, _ in pieces)
     return mass, (x, y), inertia
-
-
-def _placed(body, motion, scene):
-    """The body with its frame."""
-    if motion is None:
-        return body._replace(frame=scene.still(body.centre))
-    return scene.supported(load(motion).build(body.record[motion], body, scene))
 
 
 def _add_energies(body, motion, scene):

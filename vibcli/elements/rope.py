@@ -12,6 +12,7 @@ all sides as an eyelet does.
 """
 
 from itertools import pairwise
+from math import atan2, hypot, pi, sqrt, tau
 from typing import NamedTuple
 
 from vibcli.language.fields import Element, Field
@@ -89,8 +90,6 @@ def _sides_are_named(record, scene):
 
 def _touches(record, scene, stops):
     """Does the taut rope lie against every pulley on the side that is named, as drawn?"""
-    from math import atan2, hypot, pi, sqrt, tau
-
     directions = []
     for one, two in pairwise(stops):
         x, y = (scene.number(b - a) for a, b in zip(one.centre, two.centre, strict=True))

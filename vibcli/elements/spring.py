@@ -8,7 +8,7 @@ beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0)
 from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
-from vibcli.language.kinds import ENDS, Choice, Kind, OneOf, Quantity
+from vibcli.language.kinds import ENDS, Choice, Kind, Quantity
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
 
@@ -24,8 +24,7 @@ class _Preload(Kind):
         return Quantity().read(node, reader)
 
     def schema(self):
-        return OneOf(self.wants, scalar=Choice("static")).schema() | {"anyOf": [{"const": "static"}, {"type": [
-            "string", "number"]}]}
+        return {"anyOf": [{"const": "static"}, {"type": ["string", "number"]}]}
 
 
 def _settle(record, reader):

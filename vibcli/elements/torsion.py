@@ -1,6 +1,6 @@
 """Whether a spring or damper acts between rotations, and what that makes of its other keys."""
 
-from vibcli.language.kinds import Choice, Kind, OneOf, Quantity
+from vibcli.language.kinds import Kind, Quantity
 from vibcli.language.reader import Expression
 
 
@@ -18,8 +18,7 @@ class Torsion(Kind):
         return True if getattr(node, "text", None) == "true" else self.kind.read(node, reader)
 
     def schema(self):
-        return {"anyOf": [{"const": True}, *OneOf(self.wants, scalar=Choice("true")).schema()["anyOf"],
-                          {"type": ["string", "number"]}]}
+        return {"anyOf": [{"const": True}, {"enum": ["true"]}, {"type": ["string", "number"]}]}
 
 
 def settle_torsion(record, reader, forces, local, rate):

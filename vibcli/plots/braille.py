@@ -21,7 +21,7 @@ def braille(figure, width=80, height=20):
     found = [(scaled(sheet, (columns - _EQUAL_MARGIN) / (2 * rows)), rows) for sheet, rows in found]
     labels = [_y_ticks(sheet.y, Canvas(columns, rows)) for sheet, rows in found]
     margin = max((columns_of(label) for ticks in labels for label in ticks.values()), default=0) + 2
-    lines = _wrapped(printable(figure.title), columns)
+    lines = _wrapped(printable(figure.title).split(" "), columns, " ")
     for i, (sheet, rows) in enumerate(found):
         canvas = Canvas(columns - margin, rows)
         legend = draw(canvas, sheet)
@@ -34,15 +34,15 @@ def braille(figure, width=80, height=20):
     return "\n".join(line.rstrip() for line in lines)
 
 
-def _wrapped(text, columns):
-    """The text in lines of that width; a word that is longer is cut."""
+def _wrapped(words, columns, gap):
+    """The words in lines of that width; one that is longer is cut."""
     lines, line = [], ""
-    for word in text.split(" "):
-        if line and columns_of(line) + 1 + columns_of(word) > columns:
+    for word in words:
+        if line and columns_of(line) + len(gap) + columns_of(word) > columns:
             lines.append(line)
             line = word
         else:
-            line = f"{line} {word}" if line else word
+            line = f"{line}{gap}{word}" if line else word
     return [shortened(line, columns) for line in [*lines, line] if line]
 
 
@@ -52,15 +52,7 @@ def _heading(label, legend, columns):
     right = "   ".join(legend)
     if columns_of(label) + 4 + columns_of(right) <= columns:
         return [label + " " * (columns - columns_of(label) - columns_of(right)) + right] if label or right else []
-    lines, line = [label], ""
-    for entry in legend:
-        entry = shortened(entry, columns)
-        if line and columns_of(line) + 3 + columns_of(entry) > columns:
-            lines.append(line)
-            line = entry
-        else:
-            line = f"{line}   {entry}" if line else entry
-    return [*lines, line]
+    return [label, *(_wrapped([shortened(entry, columns) for entry in legend], columns, "   ") or [""])]
 
 
 def _y_ticks(axis, canvas):

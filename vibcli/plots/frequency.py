@@ -21,7 +21,7 @@ def of_frequency_response(Omega, H, kind, unit, peaks=(), antiresonances=(), tit
     y_log = _spans(together, 100)
     factor, unit = (1.0, unit_text(unit)) if y_log else readable(largest(together), unit_text(unit))
     name = f"|{next(iter(H))}|" if len(H) == 1 else kind
-    marks = [Mark(at, _short(at)) for at in (*_distinct(peaks), *_distinct(antiresonances))]
+    marks = [Mark(at, f"{at:.4g}") for at in (*_distinct(peaks), *_distinct(antiresonances))]
     upper = Panel("Ω [rad/s]", labelled(name or kind, unit), log, y_log, marks=tuple(marks), curves=tuple(
         Curve(label, tuple(Omega), tuple(size * factor for size in values)) for label, values in magnitudes.items()))
     lags = {label: lag(values) for label, values in H.items()}
@@ -44,10 +44,6 @@ def _distinct(places):
         if not found or place > _SAME * found[-1]:
             found.append(place)
     return found
-
-
-def _short(value):
-    return f"{value:.4g}"
 
 
 def lag(values):
@@ -79,14 +75,13 @@ def nyquist(Omega, H, unit, at=(), title=""):
     """The frequency response in the complex plane, {label: complex values}; `at`: angular frequencies whose points
     are marked with their values."""
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))
-    curves = []
-    for label, values in H.items():
-        curves.append(Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values)))
+    curves = [Curve(label, tuple(h.real * factor for h in values), tuple(h.imag * factor for h in values))
+              for label, values in H.items()]
     for values in H.values():
         points = [(min(range(len(Omega)), key=lambda i, to=to: abs(Omega[i] - to)), to) for to in _distinct(at)]
         curves.append(Curve("", tuple(values[i].real * factor for i, _ in points),
                             tuple(values[i].imag * factor for i, _ in points), "markers",
-                            tuple(f"{_short(to)} rad/s" for _, to in points)))
+                            tuple(f"{to:.4g} rad/s" for _, to in points)))
     panel = Panel(labelled("Re H", unit), labelled("Im H", unit), curves=tuple(curves), equal=True,
                   x_range=_with_zero(x for curve in curves for x in curve.x),
                   y_range=_with_zero(y for curve in curves for y in curve.y))

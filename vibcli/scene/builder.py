@@ -80,7 +80,9 @@ class Builder:
         """Build the bodies, carriers first, then what connects them."""
         sections, bodies = self.spec.sections, self.bodies
         if "gravity" in sections:
-            self.contents = self.contents._replace(gravity=self._gravity(sections["gravity"]))
+            field = sections["gravity"]
+            gravity = self.pair(field) if isinstance(field, list) else (self.table.zero, -self.lower(field))
+            self.contents = self.contents._replace(gravity=gravity)
         for name in carriers_first(self.spec, self.report):
             self.owner = name
             bodies[name] = load("body").build(sections["bodies"][name], self)
@@ -92,10 +94,6 @@ class Builder:
         for name, record in (sections.get("points") or {}).items():
             if "moves" in record:
                 self.place(Reference(name, record.where))
-
-    def _gravity(self, field):
-        """(gₓ, g_y): downwards, or as the vector given."""
-        return self.pair(field) if isinstance(field, list) else (self.table.zero, -self.lower(field))
 
     def _add_section(self, name, section):
         """The element of a section, or its elements by name, without the force that lets go."""

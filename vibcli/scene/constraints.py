@@ -32,7 +32,11 @@ def closed(scene):
     if "coordinates" in scene.spec.sections:
         allowed = [q for _, q in _pivots(still, dict([nodes, *others][-1]), raw)]
     values, order = _explicit(scene, nodes, allowed)
-    found = [(scene, nodes, values), *((still, rest, _the_same(rest, order)) for rest in others)]
+    found = [(scene, nodes, values)]
+    for rest in others:
+        found.append((still, rest, {}))
+        for k, z in order:
+            _solve_for(rest, found[-1][2], k, z)
     pivots = _pivots(still, dict(found[-1][1]), [q for q in allowed if q not in values])
     if scene.setting.reports.diagnostics:
         return scene
@@ -115,14 +119,6 @@ def _explicit(scene, nodes, allowed):
         taken.append((k, z))
         for changed in _solve_for(nodes, found, k, z):
             del ranked[changed]
-
-
-def _the_same(nodes, order):
-    """{z: expression} of the same coordinates, from the conditions of the scene at rest."""
-    found = {}
-    for k, z in order:
-        _solve_for(nodes, found, k, z)
-    return found
 
 
 def _solve_for(nodes, found, k, z):

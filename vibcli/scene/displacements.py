@@ -38,7 +38,7 @@ class Displacements:
         if not node.mask & self.time.mask:
             return node
         slip = self._released(drive) if self.variant.released and drive else self.table.zero
-        if self.variant.inputs and self.waves(node):
+        if self.variant.inputs and stays_bounded(node, self.time, self.expressions.sample):
             return self.add_input(name, node) + slip
         symbol = self.table.dependent(f"driven {len(self.driven)}", node.mask)
         self.driven[symbol], self.coordinates.at_rest[symbol] = node, self.table.zero
@@ -60,10 +60,6 @@ class Displacements:
         if drawn.is_zero:
             driven = driven + at_start
         return held - at_start + self.driven_by(driven, owner, drive)
-
-    def waves(self, node):
-        """Does a function of the time stay bounded, so that it counts as a small displacement?"""
-        return stays_bounded(node, self.time, self.expressions.sample)
 
     def release(self, body):
         """The frame of a body whose support gives way: by x and y in the fixed axes, and by a rotation."""

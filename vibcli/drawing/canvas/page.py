@@ -3,8 +3,7 @@
 import json
 from html import escape
 
-from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 
 MARGIN, STILL = 12.0, ("ground", "fixed")
 MOST = 240

@@ -3,8 +3,7 @@
 import io
 from itertools import combinations
 
-from vibcli.drawing.canvas.palette import COLOURS
-from vibcli.drawing.canvas.primitives import Circle, LetterRuns, Polygon, extent
+from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 
 WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
 SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes

@@ -1,6 +1,7 @@
 """What a drawing is made of: lines, filled outlines, hatching and text, in points of 1/72 inch, y upwards.
 
-A role names what a line is, and the palette gives roles their colour. Layers are drawn in ascending order.
+A role names what a line is: ink for what is there, blue for coordinates, red for loads, green for what is driven.
+Layers are drawn in ascending order.
 """
 
 from typing import NamedTuple
@@ -9,6 +10,12 @@ from vibcli.drawing.layout import plane
 
 SURFACE, BEHIND, BODY, ELEMENT, JOINT, ARROW = range(6)
 SPACING, DEPTH = 5.0, 5.5       # of hatching
+COLOURS = {
+    "ink": "#1b1b1b", "body": "#dce4ec", "inner": "#c9d5e1", "fixed": "#e4e4e0", "paper": "#ffffff",
+    "ground": "#4d4d4d", "spring": "#1b1b1b", "damper": "#1b1b1b", "oil": "#e8e8e8", "rope": "#7b4a1e",
+    "belt": "#7b4a1e", "coordinate": "#1d5fa6", "load": "#b3261e", "driven": "#2c7a4b", "measure": "#6a6a6a",
+    "ghost": "#b9b9b9", "note": "#5a5a5a",
+}
 
 
 class Polyline(NamedTuple):

@@ -28,7 +28,9 @@ def stops(record, sketch, looks):
             raw.append((sketch.attachment(item), 0.0, None))
         else:
             side = next(side for side in SIDES if side in item)
-            raw.append((sketch.rim(item[side]), _radius(item, side, sketch), NORMAL[side]))
+            radius = (sketch.length(item["radius"]) if "radius" in item else
+                      sketch.rolling_radius(getattr(item[side], "text", None)))
+            raw.append((sketch.rim(item[side]), radius, NORMAL[side]))
     found = []
     for i, (at, radius, side) in enumerate(raw):
         before, after = raw[max(i - 1, 0)], raw[min(i + 1, len(raw) - 1)]
@@ -48,12 +50,6 @@ def _edge(stop, other, looks):
     ends = _tangent(stop.at.drawn, stop, other.at.drawn, other)
     direction = plane.unit(plane.minus(ends[1], ends[0]))
     return stop._replace(at=Attachment(stop.at.carrier, plane.leaves(stop.at.drawn, direction, look.core)))
-
-
-def _radius(item, side, sketch):
-    if "radius" in item:
-        return sketch.length(item["radius"])
-    return sketch.rolling_radius(getattr(item[side], "text", None))
 
 
 def _contact(raw):
