@@ -7,7 +7,6 @@ from vibcli.manual import scenes, topics
 from vibcli.manual.layout import blocks, in_short, paragraph, table
 from vibcli.manual.python import EXAMPLE
 from vibcli.quantities import FAMILIES, quantity
-from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import named
 from vibcli.reader.read import INSTEAD
 from vibcli.reader.sections.find import FIND
@@ -92,6 +91,8 @@ def usage(head):
         return quantity.usage(head)
     if not asked.indices:
         return head
+    from vibcli.quantities.index_kinds import INDICES
+
     letters = [INDICES[kind].letters[asked.indices[:i].count(kind)] for i, kind in enumerate(asked.indices)]
     joined = "][" if head == "mode" else ", " if "body" in asked.indices else ","
     text = f"{head}[{joined.join(letters)}]"

@@ -19,7 +19,6 @@ from vibcli.language.sections import coordinates, equilibrium, gravity, initial
 from vibcli.language.spec import Spec
 from vibcli.reader.sections import NAMES as ASKED
 from vibcli.reader.sections import answer, find
-from vibcli.reader.unit_consistency import resolve
 from vibcli.symbolic.parser import plain_name
 
 MOST_CASES = 100
@@ -147,6 +146,8 @@ def _over(below, above):
 
 
 def _read_one(root, file, found, settings, files, remark=""):
+    from vibcli.reader.unit_consistency import resolve  # the manual needs the declarations alone
+
     named, spec = {key: _names(value) for key, (_, value) in root.entries.items()}, None
     reader = Reader(files, named.get("records", ()))
     try:
