@@ -93,7 +93,9 @@ def _fits(spec, reader, expression, found, expected):
             return
         wanted = units.wanted(expression.unit, spec.dimensions.resolve(expected))
         message = f"expected {wanted}, found {_found(expression, spec.dimensions.resolve(found))}"
-        reader.report(expression.scalar.place(0, len(expression.text)), message, _unit_hint(spec, expression))
+        _, factor = reader.along.get(expression.scalar, (None, None))
+        reader.report(expression.scalar.place(0, len(expression.text)), message, "give each value the unit of its "
+                      "coordinate" if factor else _unit_hint(spec, expression))
 
 
 def _found(expression, dimension):
