@@ -20,8 +20,8 @@ from vibcli.results.problem import Problem
 from vibcli.symbolic.evaluation import Floats, evaluate, evaluate_rational
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import DimensionCheck, lower, names_in, quantities_in
-from vibcli.symbolic.syntax import Equation, ExpressionError
+from vibcli.symbolic.semantics import DimensionCheck, lower
+from vibcli.symbolic.syntax import Equation, ExpressionError, parts_of
 
 ROOT = Path(__file__).parents[2]
 PATIENCE = 0.02     # of what is usual: a scene that takes long is refused, and what is said then is looked at
@@ -59,7 +59,8 @@ def try_expression(text, equation=False):
         assert error.message
         assert 0 <= error.offset <= len(text)
         return False
-    names = {name + "'" * primes for name, primes, _, _ in names_in(tree)} | {q.text for q in quantities_in(tree)}
+    parts = parts_of(tree)
+    names = {name + "'" * primes for name, primes, _, _ in parts.names} | {q.text for q in parts.quantities}
     value, = evaluate([node], Floats, dict.fromkeys(names, 0.75))
     evaluate_rational([node], dict.fromkeys(names, 2))
     return isinstance(value, (int, float))

@@ -3,13 +3,11 @@
 from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters
-from vibcli.inverse.symbolic_response_conditions import response_of, size_of
+from vibcli.inverse.symbolic_quantity_conditions import quantity_in_letters, response_of, size_of
 from vibcli.quantities.expression import lowered
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import declared
-from vibcli.symbolic.semantics import quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.analyses.closed_form.closed_forms import ClosedMode
@@ -27,7 +25,7 @@ def expression_in_letters(problem: "Problem", expression: "Expression") -> "Node
     response = response_of(problem, tree)
     if response is not None:
         return size_of(problem, response)
-    found = {part.text: _quantity(problem, part) for part in quantities_in(tree)}
+    found = {part.text: _quantity(problem, part) for part in parts_of(tree).quantities}
     return lowered(expression, scene.table, lambda name, primes, part: found[part.text]
                    if isinstance(part, QuantityRef) else scene.parameters.nodes[name])
 

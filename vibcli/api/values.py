@@ -15,8 +15,7 @@ from vibcli.quantities.expression import evaluated, measure, value_of
 from vibcli.quantities.frequency_response import ERROR
 from vibcli.quantities.quantity import OF_STATE, ROUNDING, SIGNAL, declared, kind_of, quantity_of
 from vibcli.reader.answer_check import check_question
-from vibcli.symbolic.semantics import quantities_in
-from vibcli.symbolic.syntax import QuantityRef
+from vibcli.symbolic.syntax import QuantityRef, parts_of
 
 if TYPE_CHECKING:
     from vibcli.language.reader import Expression
@@ -91,7 +90,7 @@ def bounded(problem: "Problem", asked: "Expression") -> tuple[float | complex | 
     if isinstance(tree, QuantityRef):
         return _measured(problem, tree)
     value, _ = value_of(problem, asked)
-    found = {part.text: _measured(problem, part) for part in quantities_in(tree)}
+    found = {part.text: _measured(problem, part) for part in parts_of(tree).quantities}
     values = problem.numeric.floats | {text: number for text, (number, _) in found.items()}
     error = ROUNDING * abs(value)
     for text, (number, doubt) in found.items():

@@ -1,4 +1,4 @@
-"""From the bytes of a scene file to its text: UTF-8, no control, bidirectional or invisible characters."""
+"""From the bytes of a scene file to its text: UTF-8, without characters that could steer a terminal or a reader."""
 
 import re
 
@@ -48,6 +48,16 @@ def place(text, index, file, width=1):
     line = 1 + text.count("\n", 0, index) + text.count("\r", 0, index) - text.count("\r\n", 0, index)
     start = 1 + max(text.rfind("\n", 0, index), text.rfind("\r", 0, index))
     return Where(file, line, index - start + 1, width)
+
+
+def cleaned(text):
+    """The text with a stand-in for every control, bidirectional and invisible character; lines stay."""
+    return FORBIDDEN.sub(STAND_IN, text).replace("\r", STAND_IN)
+
+
+def on_one_line(text):
+    """The same with its white space as single spaces."""
+    return re.sub(r"\s+", " ", cleaned(text))
 
 
 def too_long(file, size):

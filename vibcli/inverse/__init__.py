@@ -14,7 +14,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
 from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.search import solve
-from vibcli.inverse.solution import choosing, defined, in_numbers, stable_in_floats, with_chosen
+from vibcli.inverse.solution import Chosen, choosing, defined, in_numbers, stable_in_floats
 from vibcli.inverse.substitution import forms_of, held_by_balance, tried
 from vibcli.inverse.symbolic_conditions import balanced
 
@@ -67,7 +67,9 @@ def _in_numbers(problem, rest, thorough):
         nodes = list(first.forms.values())
         if not system.limits and stable_in_floats(rest, nodes, [first.values[name] for name in first.forms]):
             found = defined(problem, first.forms)
-    return with_chosen(system.instance(list(first.values.values())) if found is None else found, problem, solutions)
+    if found is None:
+        found = system.instance(list(first.values.values()))
+    return found.with_choice(Chosen(problem.spec.choices, solutions), problem)
 
 
 def _all_values(problem, rest, values):

@@ -9,7 +9,7 @@ from vibcli.language.reader import Expression
 from vibcli.quantities.expression import lowered
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.semantics import literal_unit, literals_in
+from vibcli.symbolic.semantics import literal_unit
 
 DECADES, DENSE, FINE, COARSE, EVEN = 9, 3, 6, 2, 48
 TURNING = ("sin", "cos", "tan")
@@ -112,7 +112,7 @@ def natural_scale(spec, name):
 def _values(spec):
     """(size, dimension) of every number of the scene that is not zero."""
     for expression in _expressions([value for key, value in spec.sections.items() if key != "answers"]):
-        for literal in literals_in(expression.tree):
+        for literal in expression.parts.numbers:
             unit = literal_unit(literal.units)
             if literal.value and (literal.units or spec.free_numbers):
                 yield unit.in_si(abs(literal.value)), unit.dimension

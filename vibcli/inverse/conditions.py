@@ -123,10 +123,6 @@ class ConditionSystem:
                 sizes = sorted(abs(left) + abs(right) for left, right in pairs)
                 self.scales[i] = sizes[len(sizes) // 2]
 
-    def settle_about(self, values):
-        """The scales from a few places near a solution."""
-        self.settle_scales([[float(x) * factor for x in values] for factor in (0.4, 0.9, 1.7)])
-
     def residual(self, values):
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
         limit = self.limit(values)
@@ -159,14 +155,10 @@ class ConditionSystem:
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
 
 
-def is_nothing(tree):
-    """Is this side of an equation written as 0?"""
-    return isinstance(tree, Number) and not tree.value
-
-
 def _vanishing(condition):
-    """Is a condition without a word that something be 0?"""
-    return not condition.word and any(is_nothing(side.tree) for side in condition.sides)
+    """Is a condition an equation of which one side is written as 0?"""
+    return not condition.word and any(
+        isinstance(side.tree, Number) and not side.tree.value for side in condition.sides)
 
 
 def _roughly(instance):

@@ -56,7 +56,7 @@ def _between(system, one, other):
         return None if here is not None and there is not None and there.equilibrium.drawn else ([], [])
     branch = Branch(here.numeric, system.names[0])
     start = branch.start(one, here.equilibrium.values)
-    if start is None or not stable(start.K):
+    if start is None or not lowest(start.K) > 0:
         return [], []
     found = branch.followed(start, other)
     if found.arrived and there is not None and branch.alike(found.place.position, there.equilibrium.values):
@@ -75,11 +75,6 @@ def _between(system, one, other):
 def _limit(branch, place, fold):
     felt = tuple(branch.size / float(scale) ** 2 for scale in branch.scale)
     return Limit(place.value, place.position, fold, abs(lowest(place.K)) / branch.size, felt)
-
-
-def stable(K):
-    """Has a stiffness matrix no eigenvalue that lets go?"""
-    return lowest(K) > 0
 
 
 def lowest(K):

@@ -85,12 +85,10 @@ def not_held(system):
 def _of_several(system, proven):
     """No common solution of several conditions."""
     names, where = listed(system.names), _where(system.problem)
-    if proven:
-        return PhysicsError(f"no admissible values of {names} give {texts(system.problem)}",
-                            "is each of these within reach of the scene? try one of them alone", where)
-    return PhysicsError(f"no admissible values of {names} were found that give {texts(system.problem)}",
-                        "is each of these within reach of the scene? try one of them alone, or give the range of each "
-                        "with from and to", where)
+    found = "" if proven else "were found that "
+    return PhysicsError(f"no admissible values of {names} {found}give {texts(system.problem)}",
+                        "is each of these within reach of the scene? try one of them alone" + (
+                            "" if proven else ", or give the range of each with from and to"), where)
 
 
 def _stability(system, scan, proven):

@@ -73,11 +73,6 @@ def defined(problem, forms, sample=None):
     return problem.with_spec(spec)
 
 
-def with_chosen(found, problem, solutions, draws=()):
-    """A scene with the first of the solutions as what its problem chose."""
-    return found.with_choice(Chosen(problem.spec.choices, solutions, draws), problem)
-
-
 def choosing(problem, choices):
     """The problem with these to choose instead, {name: record}."""
     return problem.with_spec(problem.spec._replace(choices=choices))

@@ -6,8 +6,7 @@ degree into C² = 4 ζ² K M. These also hold for another mode, or with another 
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.conditions import summed
-from vibcli.inverse.symbolic_quantity_conditions import side
-from vibcli.inverse.symbolic_response_conditions import equal_heights, response_is, response_of
+from vibcli.inverse.symbolic_quantity_conditions import equal_heights, response_is, response_of, side
 from vibcli.mechanics.static_preload import pivots, solve_linear
 from vibcli.quantities.modal import one_degree
 from vibcli.symbolic.derivatives import substitute
@@ -17,7 +16,6 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.quadratic_roots import determinant
 from vibcli.symbolic.rationals import ONE, ZERO
-from vibcli.symbolic.semantics import quantities_in
 from vibcli.symbolic.syntax import QuantityRef
 
 LARGEST = 4
@@ -128,11 +126,12 @@ def _vanishing(problem, condition):
     if condition.word:
         return [_limit(problem)]
     for one, other in ((condition.left, condition.right), (condition.right, condition.left)):
-        head = one.tree.head if isinstance(one.tree, QuantityRef) and _of_one_equilibrium(one.tree) else None
-        heights = equal_heights(problem, one.tree, other.tree)
+        tree = one.tree     # of a mode about the only equilibrium: omega[1], neither omega[1, 2] nor period(x)
+        head = tree.head if isinstance(tree, QuantityRef) and len(tree.indices) == 1 and not tree.args else None
+        heights = equal_heights(problem, tree, other.tree)
         if heights is not None:
             return [heights]
-        response = response_of(problem, one.tree)
+        response = response_of(problem, tree)
         if response is not None:
             return response_is(problem, response, side(problem, other))
         if head in SQUARES:
@@ -147,11 +146,6 @@ def _vanishing(problem, condition):
             value, (m, c, k) = side(problem, other), one_degree(problem)
             return [k - c * value if m.is_zero else c - 2 * m * value]
     return [side(problem, condition.left) - side(problem, condition.right)]
-
-
-def _of_one_equilibrium(tree):
-    """Is this a quantity of a mode about the only equilibrium: omega[1], neither omega[1, 2] nor period(x)?"""
-    return len(tree.indices) == 1 and not tree.args
 
 
 def _limit(problem):
@@ -173,7 +167,7 @@ def _limit(problem):
 def require_no_modes(condition):
     """Without the matrices in letters only what is read off the drawing is known."""
     if condition.word or any(tree.head not in ("J", "centre") for side in condition.sides
-                             for tree in quantities_in(side.tree)):
+                             for tree in side.parts.quantities):
         raise NotInLetters("the small oscillations of this scene are not known in letters")
 
 

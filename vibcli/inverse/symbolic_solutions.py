@@ -4,7 +4,7 @@ from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse import infeasible
 from vibcli.inverse.admissible_ranges import admissible
 from vibcli.inverse.conditions import ConditionSystem
-from vibcli.inverse.solution import Solution, defined, in_numbers, with_chosen
+from vibcli.inverse.solution import Chosen, Solution, defined, in_numbers
 from vibcli.inverse.substitution import forms_of, tried
 from vibcli.inverse.symbolic_admissible_ranges import Bound, Letters
 from vibcli.inverse.symbolic_conditions import candidates
@@ -29,11 +29,11 @@ def solved(problem, rest):
             break
     order = trials.ascending()
     if not order:
-        raise trials.refusal or _never_admissible(problem, rest, letters) or infeasible.never_in_letters(problem)
-    return _with_letters(problem, [(everywhere[i], trials, letters, i) for i in order])
+        raise trials.refusal or _never_admissible(problem, letters) or infeasible.never_in_letters(problem)
+    return _with_letters(problem, trials, letters, order)
 
 
-def _never_admissible(problem, rest, letters):
+def _never_admissible(problem, letters):
     """The refusal of the only solution, real everywhere, that never lies in the range of its parameter."""
     told = letters.told[0]
     if len(letters.solutions) > 1 or len(told) != 1 or next(iter(told)).relation in ("", "≥"):
@@ -53,15 +53,15 @@ class Trials:
     @property
     def done(self):
         """Are there enough trials of each solution that may be one?"""
-        return len(self.draws) >= TRIALS or all(len(self.held.get(i, ())) >= ENOUGH or self._spurious(i)
-                                                for i in self.failed)
+        return len(self.draws) >= TRIALS or all(map(self._enough, self.failed))
 
-    def _spurious(self, i):
-        return i not in self.held and self.failed[i] >= SPURIOUS
+    def _enough(self, i):
+        held = len(self.held.get(i, ()))
+        return held >= ENOUGH or (not held and self.failed[i] >= SPURIOUS)
 
     def at(self, given, counting):
         """Try the solutions that count at a draw, unless each of them has been tried enough."""
-        if all(len(self.held.get(i, ())) >= ENOUGH or self._spurious(i) for i in counting):
+        if all(map(self._enough, counting)):
             return
         draw = self.problem.with_values(given)
         try:
@@ -104,19 +104,18 @@ class Trials:
         return [self.draws[number] for _, number in sorted(found)]
 
 
-def _with_letters(problem, found):
+def _with_letters(problem, trials, letters, order):
     solutions = []
-    for forms, trials, letters, i in found:
+    for i in order:
         counts = letters.conditions(i)
         if trials.failed[i]:
             counts.append(Bound(words=infeasible.texts(problem)))
         residual = max(solution.residual for _, solution in trials.held[i])
-        in_order = {name: forms[name] for name in problem.spec.choices}
+        in_order = {name: trials.solutions[i][name] for name in problem.spec.choices}
         solutions.append(Solution(dict.fromkeys(in_order), in_order, residual, counts=counts))
-    _, trials, _, first = found[0]
-    draws = trials.draws_of(first)
+    draws = trials.draws_of(order[0])
     sample = {name: draws[0].numeric.given[name] for name in problem.symbolic.letters}
     scene = defined(problem, solutions[0].forms, sample)
     if scene is None:
         raise infeasible.no_closed_form(problem)
-    return with_chosen(scene, problem, solutions, draws)
+    return scene.with_choice(Chosen(problem.spec.choices, solutions, draws), problem)

@@ -6,14 +6,8 @@ from vibcli.base import units
 from vibcli.base.spelling import nearest
 from vibcli.language.record_calls import own
 from vibcli.symbolic.parser import FUNCTIONS, VALUE
-from vibcli.symbolic.semantics import (
-    ALL_NUMBERS,
-    ANY,
-    DimensionCheck,
-    literal_unit,
-    names_in,
-)
-from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Sum
+from vibcli.symbolic.semantics import ALL_NUMBERS, ANY, DimensionCheck, literal_unit
+from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Sum, parts_of
 
 TIMED = ("impulse", "square", "sawtooth")
 UNIT_DUE = "write the unit:"
@@ -55,9 +49,11 @@ def check(spec, reader, expression, names, expected, local=None):
             return spec.asked_dimension(spec, tree)
 
         checker = DimensionCheck(spec.dimensions, of, spec.free_numbers, quantity, expression.text)
-        whole = not isinstance(expression.tree, Equation)
-        found = checker.dimension(expression.tree) if whole else _sides(checker, expression)
-        _fits(spec, reader, expression, found, expected)
+        tree = expression.tree
+        if isinstance(tree, Equation):
+            checker.dimension(Sum(tree.start, tree.end, ((1, tree.left), (1, tree.right))))
+        else:
+            _fits(spec, reader, expression, checker.dimension(tree), expected)
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
     return len(reader.diagnostics) == before
@@ -70,21 +66,15 @@ def _of_time_alone(spec, reader, expression):
         if recorded:
             spec.used.add(own(call.name))
         if recorded or call.name in TIMED:
-            for name, _, start, end in (place for arg in call.args for place in names_in(arg)):
+            for name, _, start, end in (place for arg in call.args for place in parts_of(arg).names):
                 if name in spec.coordinates:
                     reader.report(expression.scalar.place(start, end - start), f"{call.name} is a function of the "
                                   f"time: the coordinate '{name}' cannot stand in it", f"as in {call.name}(t)")
 
 
-def _sides(checker, expression):
-    tree = expression.tree
-    checker.dimension(Sum(tree.start, tree.end, ((1, tree.left), (1, tree.right))))
-    return ANY
-
-
 def _fits(spec, reader, expression, found, expected):
-    if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (
-            spec.free_numbers and _only_numbers(expression)):
+    only_numbers = all(name == "pi" for name, *_ in expression.parts.names)
+    if spec.free_numbers == ALL_NUMBERS or expected is None or found is ANY or (spec.free_numbers and only_numbers):
         return
     if found != expected and not spec.dimensions.equate(expected, found):
         literal = expression.parts.whole
@@ -152,10 +142,6 @@ def applied(reader, expression, tree):
     bracket = expression.text.index("(", inner.end)
     reader.report(expression.scalar.place(bracket, 1), "expected an operator before '('",
                   "there is no implicit multiplication: write a * between factors")
-
-
-def _only_numbers(expression):
-    return all(name == "pi" for name, *_ in expression.parts.names)
 
 
 def _primes(spec, reader, expression, name, primes, start, end):
@@ -227,8 +213,9 @@ def check_whole_literal(spec, reader, expression):
 
 
 def _competing(spec, expression, literal, local=()):
-    """The units of a literal, joined by an operator, that are names of the scene as well."""
-    if _in_brackets(expression.text, literal):
+    """The units of a literal, joined by an operator, that are names of the scene as well; none of one in brackets."""
+    before, after = expression.text[:literal.start].rstrip(), expression.text[literal.end:].lstrip()
+    if before.endswith("(") and after.startswith(")"):
         return []
     names = (spec.parameters, spec.coordinates, local)
     return [unit for unit in literal.units[1:] if any(unit.unit in some for some in names)]
@@ -241,8 +228,3 @@ def _two_readings(reader, expression, literal, unit):
     sign = "/" if "/" in text[literal.start + len(head):start] else "*"
     reader.report(expression.scalar.place(start, end - start), f"'{name}' is a unit and a name of this scene",
                   f"write ({joined}) for the unit or ({head}){sign}{name} for the name")
-
-
-def _in_brackets(text, literal):
-    """Does a literal stand alone in round brackets?"""
-    return text[:literal.start].rstrip().endswith("(") and text[literal.end:].lstrip().startswith(")")

@@ -36,10 +36,11 @@ class Text(Kind):
 
 class Quantity(NamedTuple):
     """An expression of a given dimension; `unit` None leaves it to be inferred; `equation`: an example of one that is
-    due instead."""
+    due instead. `kept`: the dictionary of the reader that takes it up beside that of all expressions."""
 
     unit: str | None = None
     equation: str | None = None
+    kept = None
 
     @property
     def dimension(self):
@@ -64,6 +65,8 @@ class Quantity(NamedTuple):
             tree = with_record_calls(tree, reader.records)
         expression = Expression(node, tree, self.unit, self.dimension)
         reader.expressions[node] = expression
+        if self.kept:
+            getattr(reader, self.kept)[node] = expression
         return expression
 
     @property
@@ -78,24 +81,14 @@ class MotionField(Quantity):
     """A displacement or rotation in coordinates; a bare name here, if no parameter, is a coordinate."""
 
     __slots__ = ()
-
-    def read(self, node, reader):
-        expression = super().read(node, reader)
-        if expression is not None:
-            reader.motions[node] = expression
-        return expression
+    kept = "motions"
 
 
 class Load(Quantity):
     """An expression of the time, coordinates and velocities."""
 
     __slots__ = ()
-
-    def read(self, node, reader):
-        expression = super().read(node, reader)
-        if expression is not None:
-            reader.loads[node] = expression
-        return expression
+    kept = "loads"
 
 
 class EquationField(Load):

@@ -101,15 +101,12 @@ class Parameters:
             value = self.records[name].get("value")
             try:
                 if value is not None:
-                    found[name] = lower(value.tree, self.table, self._symbol)
+                    found[name] = lower(value.tree, self.table, lambda name, primes, tree: self.nodes[name])
             except ExpressionError as error:
                 wrong.append(Diagnostic(value.scalar.place(error.offset, error.width), error.message, error.hint))
         if wrong:
             raise SpecError(wrong)
         return found
-
-    def _symbol(self, name, primes, tree):
-        return self.nodes[name]
 
     def values(self, arithmetic, given=None):
         """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""

@@ -38,7 +38,6 @@ ABOUT = (
 )
 
 
-
 def signal_dimension(spec, text):
     """The dimension of a signal; None where the scene has none of that name."""
     unit = _unit(spec, text)

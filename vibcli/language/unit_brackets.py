@@ -3,7 +3,7 @@
 import re
 from fractions import Fraction
 
-from vibcli.base.unit_table import UNITS
+from vibcli.base.units import UNITS
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError, whole_literal
 

@@ -1,7 +1,6 @@
 """Expressions as LaTeX, for math mode."""
 
-from vibcli.notation.latex_names import COMMANDS, NAMES
-from vibcli.notation.plain import GREEK
+from vibcli.notation.plain import COMMANDS, GREEK, NAMES
 from vibcli.notation.typeset import Stacked
 
 FUNCTIONS = {"sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "ln"}

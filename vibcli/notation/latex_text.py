@@ -3,8 +3,8 @@
 import re
 import unicodedata
 
-from vibcli.base.plain_text import on_one_line
-from vibcli.notation.latex_names import COMMANDS, NAMES
+from vibcli.base.decoding import on_one_line
+from vibcli.notation.plain import COMMANDS, NAMES
 
 SPECIAL = {"\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "%": r"\%", "&": r"\&", "#": r"\#",
            "_": r"\_", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": r"\textless{}",

@@ -26,9 +26,9 @@ def supported(value, error, digits=SHOWN):
     return figure(value, error / abs(value) if value else 0.0, digits)
 
 
-def with_unit(value, dimension, error=0.0):
+def with_unit(value, dimension):
     """`0.0785 m`: a number and the SI unit of its dimension."""
-    return "".join(quantity(value, dimension, error))
+    return "".join(quantity(value, dimension))
 
 
 def quantity(value, dimension, error=0.0):

@@ -27,7 +27,8 @@ def term_rank(pair):
     node = pair[0]
     deepest = _most_primes(node)
     moving = min((base.index for base in _symbols(node) if base.mask and primes(base) == deepest), default=None)
-    return -deepest, not node.mask, moving if deepest else _lowest(node.mask), *_letters(node), node.index
+    lowest = (node.mask & -node.mask).bit_length()
+    return -deepest, not node.mask, moving if deepest else lowest, *_letters(node), node.index
 
 
 def _letters(node):
@@ -41,10 +42,6 @@ def _letters(node):
 def _first_letter(node):
     return node.index if node.op == "symbol" else min(
         (part.index for part in reachable([node]) if part.op == "symbol"), default=node.index)
-
-
-def _lowest(mask):
-    return (mask & -mask).bit_length()
 
 
 def primes(symbol):

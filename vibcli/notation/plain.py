@@ -13,6 +13,8 @@ GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "
           "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "pi": "π", "Gamma": "Γ",
           "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ",
           "Omega": "Ω"}
+COMMANDS = {"phi": "varphi", "epsilon": "varepsilon"}      # of LaTeX, where they differ from the names
+NAMES = {letter: name for name, letter in GREEK.items()}
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _SUPERSCRIPT = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = {"": "", "'": "\u0307", "''": "\u0308"}
@@ -148,7 +150,10 @@ class Notation:
 
 
 class Plain(Notation):
-    """Unicode text; a no-break space holds a function and its argument together."""
+    """Unicode text; a no-break space holds a function and its argument together. `rounds`: are rationals with a large
+    denominator written as decimals?"""
+
+    dot, rounds = "·", True
 
     def notation(self, text):
         return text
@@ -203,15 +208,15 @@ class Plain(Notation):
             tops.insert(place(above, root_above), self.root(root_above, root_below))
         elif root_below:
             bottoms.append(self.root(root_below, []))
-        if value.denominator > 1 and not shown_as_decimal(value):
+        if value.denominator > 1 and not (self.rounds and shown_as_decimal(value)):
             bottoms.insert(0, str(value.denominator))
             value = Fraction(value.numerator)
         if value != 1 or not tops:
-            tops.insert(0, decimal(value))
-        text = "·".join(tops)
+            tops.insert(0, decimal(value) if self.rounds else self.number(value))
+        text = self.dot.join(tops)
         if not bottoms:
             return text
-        return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({'·'.join(bottoms)})")
+        return text + "/" + (bottoms[0] if len(bottoms) == 1 else f"({self.dot.join(bottoms)})")
 
     def root(self, above, below):
         inner = self.product(ONE, (*above, *((base, -e) for base, e in below)))

@@ -5,16 +5,7 @@ from vibcli.language.parameters import definition_order
 from vibcli.language.record_calls import own
 from vibcli.quantities import quantity
 from vibcli.quantities.quantity import declared
-from vibcli.symbolic.cycles import (
-    NEITHER,
-    PERIOD,
-    RADIAN,
-    RATE,
-    Cycles,
-    count_of,
-    is_period,
-    left_over,
-)
+from vibcli.symbolic.cycles import NEITHER, PERIOD, RADIAN, Cycles, count_of, is_period, left_over
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
 from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Product
@@ -71,7 +62,7 @@ def _of_condition(counter, name, sides):
                 found = counter.count(other.tree)
             except ExpressionError:
                 return NEITHER
-            return found if counter.dimension(other.tree) in (units.TIME, RATE) else NEITHER
+            return found if counter.dimension(other.tree) in (units.TIME, units.RATE) else NEITHER
     return NEITHER
 
 

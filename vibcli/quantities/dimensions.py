@@ -13,7 +13,7 @@ def asked_dimension(spec, tree):
         return spec.dimensions.of(tree.head)
     quantity = declared(tree)
     if quantity.unit == SIGNAL:
-        return signal_tree_dimension(spec, tree.args[0]) if tree.args else None
+        return checker(spec).dimension(tree.args[0]) if tree.args else None
     if quantity.unit is not None:
         return units.parse_unit(quantity.unit).dimension
     return None if quantity.dimension is None else quantity.dimension(spec, tree)
@@ -28,13 +28,8 @@ def dimension_of(spec, expression):
         return None
 
 
-def signal_tree_dimension(spec, tree):
-    """The dimension of a signal; ExpressionError of a misfit."""
-    return checker(spec).dimension(tree)
-
-
 def checker(spec, text=""):
-    """What finds the dimensions of signals."""
+    """What finds the dimensions of signals; ExpressionError of a misfit."""
     def of(name, primes):
         found = spec.dimensions.of(name) if name in spec.parameters else output_dimension(spec, name + "'" * primes)
         return units.times(found, units.TIME, 0)

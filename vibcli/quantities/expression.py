@@ -6,8 +6,8 @@ from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.quantity import ROUNDING, declared, is_choice
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.semantics import lower, quantities_in
-from vibcli.symbolic.syntax import ExpressionError, QuantityRef
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 
 
 def measure(problem, tree):
@@ -33,7 +33,7 @@ def _argument(problem, kind, arg):
 def value_of(problem, expression):
     """(value, relative error bound) of an expression of parameters and quantities."""
     values, worst = dict(problem.numeric.floats), 0.0
-    for quantity in quantities_in(expression.tree):
+    for quantity in expression.parts.quantities:
         values[quantity.text], error = measure(problem, quantity)
         worst = max(worst, error)
     value = evaluated(problem, expression, values)
@@ -48,13 +48,17 @@ def value_of(problem, expression):
 
 def evaluated(problem, expression, values):
     """An expression, given {parameter, or quantity as it is written: value}."""
-    scene = problem.scene
-    table = scene.table
+    return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
 
+
+def _symbols(scene):
+    """Gives the node of a parameter, or of a quantity as it is written."""
     def symbol(name, primes, part):
-        return table.parameter(name, positive=False) if isinstance(part, QuantityRef) else scene.parameters.nodes[name]
+        if isinstance(part, QuantityRef):
+            return scene.table.parameter(name, positive=False)
+        return scene.parameters.nodes[name]
 
-    return evaluate([lowered(expression, table, symbol)], Floats, values)[0]
+    return symbol
 
 
 def lowered(expression, table, symbol):
@@ -69,14 +73,7 @@ def lowered(expression, table, symbol):
 def number_of(problem, tree):
     """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
     values = dict(problem.numeric.floats)
-    for quantity in quantities_in(tree):
+    for quantity in parts_of(tree).quantities:
         values[quantity.text] = measure(problem, quantity)[0]
-    table = problem.scene.table
-
-    def symbol(name, primes, part):
-        if isinstance(part, QuantityRef):
-            return table.parameter(name, positive=False)
-        return problem.scene.parameters.nodes[name]
-
-    value = evaluate([lower(tree, table, symbol)], Floats, values)[0]
+    value = evaluate([lower(tree, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
     return value * tau if counts_cycles(problem.spec, tree) else value

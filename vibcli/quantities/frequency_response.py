@@ -1,14 +1,13 @@
 """Numbers of frequency responses: their values at a frequency, peaks, half-power points, fixed points."""
 
+import cmath
 from math import isfinite, pi, tau
 
 from vibcli.base import units
 from vibcli.base.errors import PhysicsError
-from vibcli.quantities.dimensions import signal_tree_dimension
-from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration
+from vibcli.quantities.dimensions import checker
+from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
-
-RATE = units.parse_unit("rad/s").dimension
 
 
 def wrapped(angle):
@@ -62,12 +61,6 @@ def _numbered(items, number, noun):
     return items[number - 1]
 
 
-def _angle(value):
-    import cmath
-
-    return cmath.phase(value)
-
-
 def _ratio(spec, tree):
     """The dimension of an output over that of an input."""
     output, driver = output_dimension(spec, tree.indices[0]), input_dimension(spec, tree.indices[1])
@@ -75,7 +68,7 @@ def _ratio(spec, tree):
 
 
 def _of_argument(spec, tree):
-    return RATE if tree.component == "Omega" else signal_tree_dimension(spec, tree.args[0])
+    return units.RATE if tree.component == "Omega" else checker(spec).dimension(tree.args[0])
 
 
 def _size(problem, tree):
@@ -89,16 +82,12 @@ def _size_of_argument(problem, tree):
     return _size(problem, tree.args[0])
 
 
-def _angle_size(problem, tree):
-    return 1.0
-
-
 def _of_response(about, unit, value, indices=("number",), components=("",), dimension=None):
     return Declaration(about, unit, value, indices, ("response",), components, dimension, _size_of_argument)
 
 
-def _of_value(about, part, unit=None, dimension=_of_argument, size=_size_of_argument):
-    return Declaration(about, unit, _complex_part(part), args=("complex",), dimension=dimension, size=size)
+def _of_value(about, part, unit=None, size=_size_of_argument):
+    return Declaration(about, unit, _complex_part(part), args=("complex",), dimension=_of_argument, size=size)
 
 
 QUANTITIES = {
@@ -124,9 +113,9 @@ QUANTITIES = {
     "quality": _of_response(
         "quality of the i-th peak, Ω/(Ω₂ − Ω₁) by its half-power points", "1",
         _of_curve(lambda curve, i, _: curve.quality(i))),
-    "arg": _of_value("angle of a complex frequency response", _angle, "rad", size=_angle_size),
+    "arg": _of_value("angle of a complex frequency response", cmath.phase, "rad", size=one),
     "re": _of_value("real part of a frequency response", lambda value: value.real),
     "im": _of_value("imaginary part of a frequency response", lambda value: value.imag),
-    "phase(frf)": _of_value("lag −arg of a frequency response", lambda value: wrapped(-_angle(value)), "rad",
-                            size=_angle_size),
+    "phase(frf)": _of_value("lag −arg of a frequency response", lambda value: wrapped(-cmath.phase(value)), "rad",
+                            size=one),
 }

@@ -4,7 +4,6 @@ from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.quantity import ROUNDING, Declaration
-from vibcli.quantities.signal_dimensions import ENERGY
 
 POWERS = {"M": 2, "C": 1, "G": 1, "K": 0}       # of the time in an entry, which times two coordinates is an energy
 
@@ -42,7 +41,7 @@ def _symbolic(problem, tree):
 
 def entry_dimension(which, q, r):
     """Of the entry of a matrix, given the dimensions of two coordinates: energy·timeᵖ/(q·r)."""
-    return units.times(units.times(units.times(ENERGY, units.TIME, POWERS[which]), q, -1), r, -1)
+    return units.times(units.times(units.times(units.ENERGY, units.TIME, POWERS[which]), q, -1), r, -1)
 
 
 def dimension(spec, tree):

@@ -8,8 +8,6 @@ from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration
 
-RATE = units.parse_unit("rad/s").dimension
-
 
 def _mode(problem, tree):
     modes, number = problem.modal.modes, int(tree.indices[0])
@@ -162,7 +160,7 @@ def _sensitivity(problem, tree, args):
 
 
 def _by_parameter(spec, tree):
-    return units.times(RATE, spec.dimensions.of(tree.indices[1]), -1)
+    return units.times(units.RATE, spec.dimensions.of(tree.indices[1]), -1)
 
 
 def _estimate(which):

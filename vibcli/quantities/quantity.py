@@ -60,6 +60,11 @@ class Declaration(NamedTuple):
         return "response" if self.args[0] == "signal" else "frequency_response"
 
 
+def one(problem, tree):
+    """The size of an angle or a ratio."""
+    return 1.0
+
+
 def named(form):
     """The Declaration of a word, or of one of its forms; None where there is none."""
     family = FAMILIES.get(form) or FORMS.get(form)

@@ -6,7 +6,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.matrices import dimension as entry_dimension
 from vibcli.quantities.matrices import largest as largest_entry
-from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared
+from vibcli.quantities.quantity import ERROR, NUMBER, OF_SIGNAL, PERIOD, SIGNAL, Declaration, declared, one
 from vibcli.symbolic.syntax import QuantityRef
 
 
@@ -129,10 +129,6 @@ def _zero(problem, tree, args):
     return found[number - 1]
 
 
-def _one(problem, tree):
-    return 1.0
-
-
 def _end(problem, tree):
     return problem.response.until
 
@@ -165,7 +161,7 @@ QUANTITIES = {
         "free vibration A of A e^(−δt) cos(ω_d t − φ)", SIGNAL, _small("amplitude")),
     "phase": _of_signal(
         "lag θ of the steady state X sin(Ωt − θ), −π < θ ≤ π; of a free vibration φ of A e^(−δt) cos(ω_d t − φ); of "
-        "phase(frf[…](…)): −arg", "rad", _small("phase"), size=_one),
+        "phase(frf[…](…)): −arg", "rad", _small("phase"), size=one),
     "max": _of_signal("largest value from t = 0 on, up to `until` of the response", SIGNAL, _extreme(1, 1)),
     "min": _of_signal("smallest value", SIGNAL, _extreme(-1, 1)),
     "argmax": _of_signal("instant of the largest value", "s", _extreme(1, 0), size=_end),
@@ -174,9 +170,9 @@ QUANTITIES = {
                        _small("mean")),
     "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
     "final": _of_signal("limit for t → ∞", SIGNAL, _final),
-    "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=_one),
+    "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=one),
     "decrement": _of_signal("logarithmic decrement of a free motion, by successive maxima", "1",
-                            _small("decrement"), size=_one),
+                            _small("decrement"), size=one),
     "beat_period": _of_signal("period of the beats of two neighbouring frequencies, 2π/|ω₁ − ω₂|", "s",
                               _small("beat_period"), size=_end, kind=PERIOD),
     "harmonic": _of_signal("amplitude of harmonic n of the periodic steady state", SIGNAL, _small("harmonic"),
@@ -186,7 +182,7 @@ QUANTITIES = {
     "time_to": _of_signal("time in which the envelope of a free motion falls to a fraction", "s",
                           _small("time_to"), ("fraction",), _end),
     "cycles_to": _of_signal("number of cycles in that time", "1", _small("cycles_to"),
-                            ("fraction",), _one),
+                            ("fraction",), one),
     "steady": _part("steady state of a signal, itself a signal: steady(x)(2 s), max(steady(x))"),
     "transient": _part("the rest of a signal, which dies out where the scene is damped"),
     "envelope": _part("envelope of a free motion A e^(−δt), itself a signal"),

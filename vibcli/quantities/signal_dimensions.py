@@ -3,8 +3,6 @@
 from vibcli.base import units
 from vibcli.language.signals import ENERGIES, signal_dimension
 
-ENERGY = units.parse_unit("J").dimension
-
 
 def name_dimension(spec, name):
     """The dimension of a coordinate, parameter or signal."""
@@ -43,4 +41,4 @@ def input_dimension(spec, name):
 
 def generalised_dimension(spec, coordinate):
     """Of a generalised force: energy over coordinate."""
-    return units.times(ENERGY, spec.dimensions.of(coordinate), -1)
+    return units.times(units.ENERGY, spec.dimensions.of(coordinate), -1)

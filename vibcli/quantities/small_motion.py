@@ -1,5 +1,6 @@
 """Numbers of signals of small motions: of the steady state that loads keep up, else of the free vibration."""
 
+import cmath
 from math import cos, pi, sin, tau
 
 from vibcli.base.errors import PhysicsError
@@ -34,8 +35,6 @@ def _signed(X):
 
 
 def phase(problem, tree, args):
-    import cmath
-
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         return wrapped(signal_features.from_the_start(signal).phase)

@@ -16,11 +16,6 @@ from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
 
-def check_answers(spec, reader):
-    """The answers of a file, names alone being the quantities that they stand for; reports what is wrong with them."""
-    return [_answer(spec, reader, answer) for answer in spec.answers]
-
-
 def check_question(spec, reader, asked):
     """A quantity, or an expression of some, that is asked without an expected value; reports what is wrong with it."""
     asked = as_quantity(spec, asked)
@@ -59,7 +54,7 @@ def is_asked(spec, reader, asked):
         if asked.text in FAMILIES:
             needs = "an index" if named(asked.text).indices else "a signal"
             reader.report(asked.where, f"{quoted(asked.text)} needs {needs}", f"write {usage(asked.text, spec)}")
-        elif at_no_time(spec, asked.tree):
+        elif isinstance(asked.tree, NameRef) and output_dimension(spec, asked.tree.name) is not None:
             reader.report(asked.where, f"{quoted(asked.text)} is a function of time",
                           f"ask for its value as in {asked.text}(2 s), or for max({asked.text})")
         else:
@@ -68,8 +63,9 @@ def is_asked(spec, reader, asked):
     return True
 
 
-def _answer(spec, reader, answer):
-    """The finished Answer: the quantity asked for must exist, and the expected value must have its dimension."""
+def checked(spec, reader, answer):
+    """The finished Answer, a name alone being the quantity that it means; reports what cannot be asked, and an expected
+    value that has not its dimension."""
     asked, expected = as_quantity(spec, answer.asked), answer.expected
     found = Answer(asked, in_unit_asked(spec, expected, asked.tree), answer.rtol)
     if is_asked(spec, reader, asked):
@@ -103,11 +99,6 @@ def _expected(spec, reader, answer):
         check_cycles(spec, reader, asked, expected)
     if answer.rtol is not None:
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
-
-
-def at_no_time(spec, tree):
-    """Is this a signal alone, without an instant?"""
-    return isinstance(tree, NameRef) and output_dimension(spec, tree.name) is not None
 
 
 def check_cycles(spec, reader, asked, expected):

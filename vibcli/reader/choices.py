@@ -8,6 +8,7 @@ from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.quantity import LEAPING, OF_STATE, kind_of
 from vibcli.reader.answer_check import as_quantity, check_cycles, in_unit_asked
 from vibcli.reader.quantity_check import can_be_asked
+from vibcli.reader.sections.choose import Condition
 from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
@@ -58,7 +59,7 @@ def _finished(spec, condition):
         left = in_unit_asked(spec, left, right.tree)
     elif _head(left):
         right = in_unit_asked(spec, right, left.tree)
-    return condition.with_sides(left, right)
+    return Condition(condition.text, condition.where, None, left, right)
 
 
 def _equation(spec, reader, name, condition):

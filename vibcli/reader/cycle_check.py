@@ -1,6 +1,6 @@
 """Cycles and radians in a file: where cycles stand for radians."""
 
-from vibcli.base.unit_table import UNITS
+from vibcli.base.units import UNITS
 from vibcli.quantities.cycle_count import count_of_unit, cycles, known_dimension
 from vibcli.symbolic.cycles import CYCLE, agree, fits_both, left_over
 from vibcli.symbolic.syntax import ExpressionError

@@ -3,10 +3,10 @@
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
-from vibcli.base.unit_table import ENERGY
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
 from vibcli.language.reader import Record
+from vibcli.language.record_calls import own
 from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.dimensions import asked_dimension
 from vibcli.symbolic.parser import parse
@@ -22,12 +22,10 @@ def settle(spec, reader):
     before = len(reader.diagnostics)
     spec = spec._replace(dimensions=units.Dimensions(), coordinates=_coordinates(spec, reader), used=set(), counts={})
     if spec.get("records"):
-        from vibcli.reader.records import settle_records
-
-        settle_records(spec, reader, spec.get("records"))
+        _records(spec, reader)
     _references(spec, reader)
     _named_places(spec, reader)
-    _units_of_symbols(spec, reader)
+    _units_of_symbols(spec)
     expected = {answer.expected.scalar for answer in spec.answers}
     apart = expected | {answer.rtol.scalar for answer in spec.answers if answer.rtol is not None}
     apart |= {side.scalar for record in (spec.get("choose") or {}).values() for side in record["so"].sides}
@@ -41,7 +39,7 @@ def settle(spec, reader):
     moving = _moving(spec, reader)
     reader.at_speed.update(expected)
     if "t" in spec.parameters:
-        _time_is_taken(spec, reader)
+        _time_is_taken(reader)
     for scalar, expression in reader.expressions.items():
         if scalar not in apart and scalar not in values:
             names = known if scalar in moving else spec.parameters
@@ -63,9 +61,9 @@ def settle(spec, reader):
 
         check_questions(spec, reader, *spec.get("find").signals)
     if spec.answers and reader.sound and len(reader.diagnostics) == before:
-        from vibcli.reader.answer_check import check_answers
+        from vibcli.reader.answer_check import checked
 
-        spec = spec._replace(answers=check_answers(spec, reader))
+        spec = spec._replace(answers=[checked(spec, reader, answer) for answer in spec.answers])
     return spec
 
 
@@ -84,7 +82,7 @@ def _cycles(spec, reader, apart):
                 (check_terms if expression.unit == "Hz" else check_radians)(spec, reader, expression)
 
 
-def _time_is_taken(spec, reader):
+def _time_is_taken(reader):
     """A parameter t in loads and motions, where it would be the time."""
     for expression in (reader.motions | reader.loads).values():
         for name, _, start, end in expression.parts.names:
@@ -158,6 +156,20 @@ def _references(spec, reader):
                       nearest(name.text, valid) or f"expected {wants}")
 
 
+def _records(spec, reader):
+    """A record is neither a parameter nor a coordinate. Its values have its unit; without one they are pure numbers, in
+    a scene without units anything."""
+    from vibcli.language.sections.record import dimension
+
+    for name, record in spec.get("records").items():
+        kind = "parameter" if name in spec.named.get("parameters", ()) else "coordinate"
+        if kind == "parameter" or name in spec.coordinates:
+            reader.report(record.where, f"'{name}' is a record and a {kind}", "rename one of them")
+        measured = dimension(record)
+        if measured is not None or not spec.free_numbers:
+            spec.dimensions.equate(spec.dimensions.unknown(own(name)), units.NONE if measured is None else measured)
+
+
 def _named_places(spec, reader):
     """Every named place is that at which the point is drawn; points may be drawn at points, but not in a circle."""
     points = spec.get("points") or {}
@@ -177,7 +189,7 @@ def _named_places(spec, reader):
 _KINDS = {"points": "point", "surfaces": "surface", "forces": "force", "bodies": "body", "coordinates": "coordinate"}
 
 
-def _units_of_symbols(spec, reader):
+def _units_of_symbols(spec):
     for name, record in spec.parameters.items():
         if "unit" in record:
             dimension = DimensionCheck(spec.dimensions, None).dimension(parse("1 " + record["unit"]))
@@ -239,7 +251,7 @@ def _matrices(spec):
 def _start(spec):
     """{scalar: dimension} of what is measured as coordinates and chosen parameters are."""
     unknown, initial = spec.dimensions.unknown, spec.get("initial") or {}
-    pairs = [(record["value"], units.times(ENERGY, unknown(record["coordinate"].text), -1))
+    pairs = [(record["value"], units.times(units.ENERGY, unknown(record["coordinate"].text), -1))
              for record in (spec.get("forces") or {}).values() if "value" in record and "coordinate" in record]
     pairs += [(value, units.times(unknown(name.rstrip("'")), units.TIME, -name.count("'")))
               for name, value in initial.items() if name != RELEASED]

@@ -11,10 +11,10 @@ from vibcli.quantities.dimensions import checker
 from vibcli.quantities.index_kinds import INDICES
 from vibcli.quantities.quantity import ALL, COMPLEX, OF_SIGNAL, declared, is_choice, named, usage, usage_of
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
-from vibcli.symbolic.cycles import RATE, left_over
+from vibcli.symbolic.cycles import left_over
 from vibcli.symbolic.parser import VALUE
-from vibcli.symbolic.semantics import ALL_NUMBERS, literals_in, names_in, quantities_in
-from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef
+from vibcli.symbolic.semantics import ALL_NUMBERS
+from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef, parts_of
 
 
 def can_be_asked(spec, reader, expression, tree, bare=False):
@@ -113,20 +113,21 @@ def _argument(spec, reader, expression, tree, kind, arg):
 def _signal(spec, reader, expression, tree, arg):
     """A signal: names of coordinates and signals with at most two primes, and parameters."""
     before = len(reader.diagnostics)
-    for name, primes, start, end in names_in(arg):
+    for name, primes, start, end in parts_of(arg).names:
         place = expression.scalar.place(start, end - start)
         if name in spec.parameters and not primes:
             spec.used.add(name)
         elif name != "pi" and output_dimension(spec, name + "'" * primes) is None:
-            _unknown(spec, reader, expression, tree, name, place)
-    for part in quantities_in(arg):
+            _unknown(spec, reader, tree, name, place)
+    for part in parts_of(arg).quantities:
         quantity = declared(part)
         if quantity is None or quantity.kind != OF_SIGNAL:
             reader.report(expression.scalar.place(part.start, part.end - part.start), f"'{part.text}' is no signal",
                           "signals are made of coordinates, points, springs, forces and parameters")
         elif not arguments_fit(spec, reader, expression, part):
             return False
-    if len(reader.diagnostics) == before and not any(_moves(spec, name) for name, *_ in _all_names(arg)):
+    still = (*spec.parameters, "pi")
+    if len(reader.diagnostics) == before and all(name in still for name, *_ in _all_names(arg)):
         reader.report(expression.scalar.place(arg.start, arg.end - arg.start), "this does not depend on the motion",
                       "signals are made of coordinates, points, springs and forces")
     if len(reader.diagnostics) > before or _dimension(spec, reader, expression, arg) is False:
@@ -135,14 +136,11 @@ def _signal(spec, reader, expression, tree, arg):
 
 
 def _all_names(tree):
-    return names_in(tree) + [name for part in quantities_in(tree) for arg in part.args for name in _all_names(arg)]
+    parts = parts_of(tree)
+    return parts.names + [name for part in parts.quantities for arg in part.args for name in _all_names(arg)]
 
 
-def _moves(spec, name):
-    return name not in spec.parameters and name != "pi"
-
-
-def _unknown(spec, reader, expression, tree, name, place):
+def _unknown(spec, reader, tree, name, place):
     if name in FAMILIES and named(name).indices:
         reader.report(place, f"'{name}' needs an index", f"write {usage(name, spec)}")
     elif tree.head == VALUE and isinstance(tree.args[0], NameRef):
@@ -188,22 +186,22 @@ def _response(spec, reader, expression, tree, arg, wants_value):
 def _number(spec, reader, expression, kind, arg):
     """An instant, or a frequency in rad/s or Hz."""
     before = len(reader.diagnostics)
-    for name, primes, start, end in names_in(arg):
+    for name, primes, start, end in parts_of(arg).names:
         if name in spec.parameters and not primes:
             spec.used.add(name)
         elif name != "pi":
             reader.report(expression.scalar.place(start, end - start), f"'{name}' is no parameter",
                           nearest(name, spec.parameters))
-    for part in quantities_in(arg):
+    for part in parts_of(arg).quantities:
         can_be_asked(spec, reader, expression, part)
     if len(reader.diagnostics) > before:
         return False
     found = _dimension(spec, reader, expression, arg)
     if found is False:
         return False
-    wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (RATE, "a frequency (rad/s or Hz)")
+    wanted, words = (units.TIME, "an instant (s)") if kind == "time" else (units.RATE, "a frequency (rad/s or Hz)")
     bare = spec.free_numbers == ALL_NUMBERS or (
-        spec.free_numbers and not any(part.units for part in literals_in(arg)))
+        spec.free_numbers and not any(part.units for part in parts_of(arg).numbers))
     if found is None or bare or spec.dimensions.equate(found, wanted):
         return _counted(reader, expression, lambda: _counts(cycles(spec, expression.text), kind, arg))
     reader.report(expression.scalar.place(arg.start, arg.end - arg.start),

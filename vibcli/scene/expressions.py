@@ -9,8 +9,8 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, is_zero, reduced, root_of_square, textbook
 from vibcli.symbolic.rationals import ONE
-from vibcli.symbolic.semantics import lower, names_in
-from vibcli.symbolic.syntax import ExpressionError, Sum
+from vibcli.symbolic.semantics import lower
+from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
 
 
 class Expressions:
@@ -60,7 +60,7 @@ class Expressions:
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
         for sign, part in tree.parts if isinstance(tree, Sum) else [(1, tree)]:
-            parts["t" in {name for name, *_ in names_in(part)}].append((sign, part))
+            parts["t" in {name for name, *_ in parts_of(part).names}].append((sign, part))
         if not all(parts):
             whole = self.lower(expression)
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)

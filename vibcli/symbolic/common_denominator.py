@@ -5,7 +5,7 @@ from math import gcd, lcm
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
-from vibcli.symbolic.normal_form import TooLong, add, expanded, factors_of, multiplied, reduced, times
+from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced, times
 from vibcli.symbolic.rationals import ONE, ZERO
 
 
@@ -30,7 +30,7 @@ def fraction(node):
     try:
         terms = reduced(expanded(node))
         below = _denominator(terms)
-        above, factors = _cleared(terms, below), []
+        above, factors = cleared(terms, below), []
         for atom, e in below:
             for base, power in _parts(table, atom):
                 above, left = _cancelled(above, base, -power * e)
@@ -48,21 +48,6 @@ def _denominator(terms):
             if e < 0:
                 lowest[atom] = min(lowest.get(atom, ZERO), e)
     return tuple((atom, -e) for atom, e in sorted(lowest.items(), key=lambda pair: pair[0].index))
-
-
-def _cleared(terms, below):
-    """The polynomial times its denominator; sums expanded where their exponent is whole."""
-    found = {}
-    whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
-    for monomial, value in terms.items():
-        above = times(monomial, below)
-        product = {tuple(pair for pair in above if pair[0] not in whole): value}
-        for atom, e in above:
-            for _ in range(int(e) if atom in whole else 0):
-                product = multiplied(product, expanded(atom, ()))
-        for part, c in product.items():
-            add(found, part, c)
-    return reduced(found)
 
 
 def _parts(table, atom):

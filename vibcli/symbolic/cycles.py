@@ -17,7 +17,6 @@ from vibcli.symbolic.syntax import ExpressionError, NameRef, Number
 
 CYCLE, PERIOD, RADIAN, PI = "cycle", "period", "radian", "pi"
 NEITHER = {}
-RATE = {"s": -1}
 OF_ANGLES = "an angular frequency is 2*pi*f: "
 
 
@@ -57,7 +56,7 @@ def in_radians(count, dimension):
 def fits_both(count, dimension):
     """Does it count neither, being a number or a rate, or what fits everywhere?"""
     angular = count.get(RADIAN, 0) > 0 and count.get(PI, 0) >= 0
-    return left_over(count) == 0 and not angular and dimension in (units.NONE, RATE, ANY)
+    return left_over(count) == 0 and not angular and dimension in (units.NONE, units.RATE, ANY)
 
 
 def agree(counts, dimensions):

@@ -6,7 +6,6 @@ within BITS; parameters are leaves. Every walk is iterative, because a node is a
 """
 
 from fractions import Fraction
-from operator import attrgetter
 
 from vibcli.symbolic.exact_values import folded
 from vibcli.symbolic.node import Node
@@ -207,23 +206,21 @@ class Table:
     def _leads_negative(self, total):
         """Of a sum and its negative only one stands in products, so that R − r and r − R cancel: of parameters the
         one that is positive at the sample values."""
-        if self.sample is not None and not total.mask:
-            if total not in self._signs:
-                self._signs[total] = self._sample_sign(total)
-            return self._signs[total]
-        return (total.coefficient or total.args[0][1]) < 0
+        leads = (total.coefficient or total.args[0][1]) < 0
+        if self.sample is None or total.mask:
+            return leads
+        if total not in self._signs:
+            from vibcli.symbolic.evaluation import Floats, evaluate
+
+            try:
+                self._signs[total] = evaluate([total], Floats, self.sample)[0] < 0
+            except KeyError:  # a symbol that is no parameter of the scene
+                self._signs[total] = leads
+        return self._signs[total]
 
     def resample(self, sample):
         """Decide by other values of the parameters from now on how R − r is written."""
         self.sample, self._signs = sample, {}
-
-    def _sample_sign(self, total):
-        from vibcli.symbolic.evaluation import Floats, evaluate
-
-        try:
-            return evaluate([total], Floats, self.sample)[0] < 0
-        except KeyError:  # a symbol that is no parameter of the scene
-            return (total.coefficient or total.args[0][1]) < 0
 
     def _splits(self, product):
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
@@ -270,9 +267,6 @@ class Table:
             mask |= arg.mask
         self.called.add(name)
         return self._make("call", tuple(args), ONE, mask, name)
-
-
-_index = attrgetter("index")
 
 
 def _index_of_first(pair):

@@ -169,28 +169,34 @@ def _move(terms, old, new, value):
 def is_zero(node):
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
-        return node.is_zero or not reduced(_cleared(expanded(node)))
+        return node.is_zero or not _numerator(expanded(node))
     except (TooLong, ZeroDivisionError):
         return False
 
 
-def _cleared(terms):
-    """The polynomial times its denominators, expanded: zero if and only if the quotient is."""
+def _numerator(terms):
+    """The polynomial times the sums that it is divided by: zero if and only if the quotient is."""
     lowest = {}
     for monomial in terms:
         for atom, e in monomial:
             if atom.op == "sum" and e.denominator == 1:
                 lowest[atom] = min(lowest.get(atom, ZERO), e)
+    return cleared(terms, tuple((atom, -e) for atom, e in lowest.items()))
+
+
+def cleared(terms, below):
+    """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole."""
     found = {}
+    whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
     for monomial, value in terms.items():
-        above = times(monomial, tuple(lowest.items()), -1)
-        whole = {tuple(pair for pair in above if pair[0] not in lowest): value}
+        above = times(monomial, below)
+        product = {tuple(pair for pair in above if pair[0] not in whole): value}
         for atom, e in above:
-            if atom in lowest:
-                whole = reduce(multiplied, [expanded(atom, ())] * int(e), whole)
-        for part, c in whole.items():
+            if atom in whole:
+                product = reduce(multiplied, [expanded(atom, ())] * int(e), product)
+        for part, c in product.items():
             add(found, part, c)
-    return found
+    return reduced(found)
 
 
 def textbook(node):

@@ -52,7 +52,7 @@ class Source:
 
     def _sum(self, node):
         total = node.coefficient + sum(c * self.constants[part] for part, c in node.args if not part.mask)
-        terms = [self._term(part, c) for part, c in node.args if part.mask]
+        terms = [_signed(c, self.slots[part]) for part, c in node.args if part.mask]
         terms.sort(key=lambda term: term[0] == "-")
         if total:
             terms.append(_signed(total))
@@ -61,10 +61,6 @@ class Source:
             self.lines.append(f"{slot}=" + "".join(terms[:LONGEST]).removeprefix("+"))
             terms = ["+" + slot, *terms[LONGEST:]]
         return "".join(terms).removeprefix("+")
-
-    def _term(self, part, c):
-        """+c·slot, with its sign."""
-        return _signed(c, self.slots[part])
 
     def _product(self, node):
         factor, above, below = Floats.number(node.coefficient), [], []
@@ -95,15 +91,13 @@ class Source:
         if node.name in ("min", "max"):
             a, b = node.args
             if not (a - b).mask:
-                return args[0] if (self._constant(a - b) > 0) == (node.name == "max") else args[1]
+                larger = evaluate([a - b], Floats, self.floats)[0] > 0
+                return args[0] if larger == (node.name == "max") else args[1]
             sense, sign = self._switch(a - b), "+" if node.name == "max" else "-"
             return f"0.5*({args[0]}+{args[1]}{sign}{sense}*({args[0]}-{args[1]}))"
         sense = self._switch(node.args[0])
         return {"sign": sense, "abs": f"{sense}*{args[0]}", "step": f"0.5*(1.0+{sense})",
                 "ramp": f"0.5*(1.0+{sense})*{args[0]}"}[node.name]
-
-    def _constant(self, node):
-        return evaluate([node], Floats, self.floats)[0]
 
     def _switch(self, argument):
         """The slot of sign(argument); of −u it is that of u, negative."""
@@ -174,6 +168,7 @@ class Compiled:
     """Expressions of (t, q, v) as functions of arrays over instants: q and v are of shape (coordinates, instants).
 
     `switches`: {argument: slot}, shared by what is to be smooth; None where |u|, sign u, min and max may bend.
+    `prepared(t)`: the parts that depend on the time alone, at the instants t.
     """
 
     def __init__(self, scene, floats, switches, nodes):
@@ -182,8 +177,9 @@ class Compiled:
         _require_known(below, time)
         outer = _outermost([part for part in below if part.mask == time.mask and part is not time], below, nodes)
         early = Source({time: "t"}, floats, None)
-        prepared = early.add(outer)
-        self._prepare = function("t", early.lines, _tuple(prepared), _called(scene, early))
+        prepared = _tuple(early.add(outer))
+        records = [(slot, scene.table.records[name].on_arrays) for name, slot in early.records.items()]
+        self.prepared = function("t", early.lines, prepared, records)
         slots = {time: "t", **{node: f"c{i}" for i, node in enumerate(outer)}}
         slots |= {node: f"{kind}{i}" for kind, symbols in (("q", scene.q), ("v", scene.v))
                   for i, node in enumerate(symbols)}
@@ -197,21 +193,13 @@ class Compiled:
         self.count, self.work = len(nodes), len(late.lines)
         self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
 
-    def prepared(self, t):
-        """The parts that depend on the time alone, at the instants t."""
-        return self._prepare(t)
-
     def __call__(self, t, q, v, g=(), c=None):
         """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
-        return self._evaluate(t, q, v, g, self._prepare(t) if c is None else c)
+        return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
 
 
 def _tuple(texts):
     return "(" + "".join(text + "," for text in texts) + ")"
-
-
-def _called(scene, source):
-    return [(slot, scene.table.records[name].on_arrays) for name, slot in source.records.items()]
 
 
 def _require_known(below, time):

@@ -20,12 +20,8 @@ def root(node, samples=()):
             return table.sqrt(node)
         base, e = factors[turned]
         factors[turned], scale = (table.sum((base, -ONE)), e), -scale
-    roots = ((positive(base, samples) if _is_even(e) else base, e * HALF) for base, e in factors)
+    roots = ((positive(base, samples) if e.denominator == 1 and e % 2 == 0 else base, e * HALF) for base, e in factors)
     return table.product((table.sqrt(table.number(scale)), ONE), *roots)
-
-
-def _is_even(e):
-    return e.denominator == 1 and e.numerator % 2 == 0
 
 
 def _factors(factors):

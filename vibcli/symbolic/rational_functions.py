@@ -86,10 +86,6 @@ class Quotients:
         whole = polynomial.ring.domain(1), [(polynomial, 1)]
         return within(CALLS, polynomial.factor_list, whole)
 
-    def generator(self, atom, exponent=ONE):
-        """The element that stands for an atom."""
-        return self._gens[atom, exponent]
-
     def cleared(self, elements):
         """(polynomials, denominator): elements of the field over a common denominator."""
         below = self.ring(1)
@@ -98,11 +94,15 @@ class Quotients:
         whole = [element * self.field(below) for element in elements]
         return [element.numer.quo_ground(element.denom.LC) for element in whole], below
 
-    def coefficients(self, polynomial):
-        """The coefficients of a polynomial in the unknown, from the lowest, as elements of the field."""
-        found = {}
+    def generator(self, atom, exponent=ONE):
+        """The polynomial that stands for an atom."""
+        return self._gens[atom, exponent].numer
+
+    def coefficients(self, polynomial, atom=None, exponent=ONE):
+        """The coefficients of a polynomial in an atom, or in the unknown, from the lowest, as elements of the field."""
+        i, found = self.ring.gens.index(self.generator(self.symbol if atom is None else atom, exponent)), {}
         for powers, value in polynomial.terms():
-            found.setdefault(powers[-1], {})[(*powers[:-1], 0)] = value
+            found.setdefault(powers[i], {})[(*powers[:i], 0, *powers[i + 1:])] = value
         return [self.field(self.ring.from_dict(found.get(i, {}))) for i in range(max(found, default=0) + 1)]
 
     def node(self, element):

@@ -8,36 +8,10 @@ from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
-from vibcli.symbolic.syntax import (
-    Equation,
-    ExpressionError,
-    NameRef,
-    Number,
-    Power,
-    Product,
-    QuantityRef,
-    Sum,
-    parts_of,
-    whole_literal,
-)
+from vibcli.symbolic.syntax import ExpressionError, Number, Sum, whole_literal
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
-
-
-def names_in(tree):
-    """(name, primes, start, end) of each name of a tree."""
-    return parts_of(tree).names
-
-
-def quantities_in(tree):
-    """The quantity trees (`omega[1]`) within a tree."""
-    return parts_of(tree).quantities
-
-
-def literals_in(tree):
-    """The number trees within a tree."""
-    return parts_of(tree).numbers
 
 
 def literal_unit(chain):
@@ -153,7 +127,6 @@ class DimensionCheck(NamedTuple):
         self._pure(args[0], f"the argument of {name}")
         return units.NONE
 
-
     def _record(self, tree, name, args):
         """The dimension of a record, at a time."""
         if len(args) != 1:
@@ -170,36 +143,36 @@ def constant(tree):
     """The rational value of a tree made of plain numbers, else None."""
     if isinstance(tree, Number):
         return None if tree.units else tree.value
-    if isinstance(tree, (Sum, Product)):
-        total = Fraction(0) if isinstance(tree, Sum) else ONE
+    if tree.kind in ("sum", "product"):
+        total = Fraction(0) if tree.kind == "sum" else ONE
         for sign, part in tree.parts:
             value = constant(part)
-            if value is None or (isinstance(tree, Product) and sign < 0 and not value):
+            if value is None or (tree.kind == "product" and sign < 0 and not value):
                 return None
-            total = total + sign * value if isinstance(tree, Sum) else total * value**sign
+            total = total + sign * value if tree.kind == "sum" else total * value**sign
         return total
     return None
 
 
 def lower(tree, table, symbol):
     """The expression that a tree stands for; `symbol(name, primes, tree)` gives the node of a name or quantity."""
-    if isinstance(tree, Number):
+    if tree.kind == "number":
         return _literal(tree, table)
-    if isinstance(tree, NameRef):
+    if tree.kind == "name":
         return table.pi if tree.name == "pi" and not tree.primes else symbol(tree.name, tree.primes, tree)
-    if isinstance(tree, QuantityRef):
+    if tree.kind == "quantity":
         return symbol(tree.text, 0, tree)
     try:
-        if isinstance(tree, Sum):
+        if tree.kind == "sum":
             return table.sum(*((lower(part, table, symbol), sign) for sign, part in tree.parts))
-        if isinstance(tree, Product):
+        if tree.kind == "product":
             factors = [(lower(part, table, symbol), power) for power, part in tree.parts]
             if any(power < 0 and node.is_zero for node, power in factors):
                 raise ZeroDivisionError
             return table.product(*factors)
-        if isinstance(tree, Power):
+        if tree.kind == "power":
             return table.power(lower(tree.base, table, symbol), lower(tree.exponent, table, symbol))
-        if isinstance(tree, Equation):
+        if tree.kind == "equation":
             return lower(tree.left, table, symbol) - lower(tree.right, table, symbol)
         args = [lower(arg, table, symbol) for arg in tree.args]
         return table.sqrt(args[0]) if tree.name == "sqrt" else table.call(tree.name, *args)

@@ -21,7 +21,9 @@ class Pair:
         if self._negative(quotients.node(self.factor)):
             self.factor = -self.factor
         self.inside = self._shortest(inside, outside)
-        self.root, self.in_letters = self._root(), not inside.is_ground
+        turned = self.inside.op == "product" and self.inside.coefficient < 0
+        self.root = root(self.inside) if turned else quotients.table.sqrt(self.inside)
+        self.in_letters = not inside.is_ground
 
     def _shortest(self, inside, outside):
         """D factored, or as b² − 4ac, whichever is shorter."""
@@ -32,10 +34,6 @@ class Pair:
             return node
         whole = table.sum((table.product((quotients.node(b), ONE + ONE)), ONE), (quotients.node(a * c), -4 * ONE))
         return min((node, whole), key=letters)
-
-    def _root(self):
-        turned = self.inside.op == "product" and self.inside.coefficient < 0
-        return root(self.inside) if turned else self.quotients.table.sqrt(self.inside)
 
     def equation(self):
         """The coefficients as nodes, from the highest, which is positive."""

@@ -1,6 +1,7 @@
 """The syntax tree of an expression: what each part holds, and where it stands in the text."""
 
 from fractions import Fraction
+from operator import attrgetter
 from typing import NamedTuple
 
 
@@ -29,10 +30,7 @@ class Number(NamedTuple):
     value: Fraction
     units: tuple[UnitPower, ...]
     kind: str = "number"
-
-    @property
-    def children(self):
-        return ()
+    children = ()
 
 
 class NameRef(NamedTuple):
@@ -43,10 +41,7 @@ class NameRef(NamedTuple):
     name: str
     primes: int
     kind: str = "name"
-
-    @property
-    def children(self):
-        return ()
+    children = ()
 
 
 class QuantityRef(NamedTuple):
@@ -61,10 +56,7 @@ class QuantityRef(NamedTuple):
     component: str = ""
     args: tuple = ()
     kind: str = "quantity"
-
-    @property
-    def children(self):
-        return ()
+    children = ()
 
 
 class Sum(NamedTuple):
@@ -74,10 +66,7 @@ class Sum(NamedTuple):
     end: int
     parts: tuple
     kind: str = "sum"
-
-    @property
-    def children(self):
-        return [part for _, part in self.parts]
+    children = property(lambda self: [part for _, part in self.parts])
 
 
 class Product(NamedTuple):
@@ -87,10 +76,7 @@ class Product(NamedTuple):
     end: int
     parts: tuple
     kind: str = "product"
-
-    @property
-    def children(self):
-        return [part for _, part in self.parts]
+    children = property(lambda self: [part for _, part in self.parts])
 
 
 class Power(NamedTuple):
@@ -101,10 +87,7 @@ class Power(NamedTuple):
     base: tuple
     exponent: tuple
     kind: str = "power"
-
-    @property
-    def children(self):
-        return self.base, self.exponent
+    children = property(attrgetter("base", "exponent"))
 
 
 class Call(NamedTuple):
@@ -115,10 +98,7 @@ class Call(NamedTuple):
     name: str
     args: tuple
     kind: str = "call"
-
-    @property
-    def children(self):
-        return self.args
+    children = property(attrgetter("args"))
 
 
 class Equation(NamedTuple):
@@ -129,10 +109,7 @@ class Equation(NamedTuple):
     left: tuple
     right: tuple
     kind: str = "equation"
-
-    @property
-    def children(self):
-        return self.left, self.right
+    children = property(attrgetter("left", "right"))
 
 
 class Parts(NamedTuple):

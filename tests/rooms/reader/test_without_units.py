@@ -14,8 +14,8 @@ from vibcli.language.document.document import read
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import literal_unit, literals_in
-from vibcli.symbolic.syntax import ExpressionError
+from vibcli.symbolic.semantics import literal_unit
+from vibcli.symbolic.syntax import ExpressionError, parts_of
 
 ROOT = Path(__file__).parents[3]
 SCENES = sorted([*(ROOT / "problems").rglob("*.yaml"), *(ROOT / "vibcli" / "examples").glob("*.yaml")])
@@ -31,7 +31,7 @@ def bare(text):
     parts, pending = [], [tree]
     while pending:
         tree = pending.pop()
-        parts += literals_in(tree)
+        parts += parts_of(tree).numbers
         pending += [arg for part in _quantities(tree) for arg in part.args]
     for start, end, value, chain, _ in sorted(parts, reverse=True):
         if chain:
@@ -43,9 +43,9 @@ def bare(text):
 
 
 def _quantities(tree):
-    from vibcli.symbolic.semantics import quantities_in
+    from vibcli.symbolic.syntax import parts_of
 
-    return quantities_in(tree)
+    return parts_of(tree).quantities
 
 
 def stripped(node, key=None):

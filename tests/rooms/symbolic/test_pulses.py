@@ -22,8 +22,9 @@ from vibcli.symbolic.dual_numbers import Dual, Duals
 from vibcli.symbolic.evaluation import Floats, evaluate, from_sympy, multiprecision, sympy_arithmetic
 from vibcli.symbolic.expression import Table
 from vibcli.symbolic.parser import parse
-from vibcli.symbolic.semantics import lower, names_in
+from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.smoothed_functions import SmoothFloats, smooth_arrays
+from vibcli.symbolic.syntax import parts_of
 
 REFERENCE = {
     "step": lambda u: float(u >= 0), "ramp": lambda u: max(u, 0.0), "impulse": lambda u: 0.0,
@@ -179,7 +180,7 @@ answers: {"equation[x]": "m*x'' + k*x = %s"}
 
 def scene(force, expected="0"):
     """A scene with the parameters that it uses."""
-    used = {name for tree in (force, expected) for name, *_ in names_in(parse(tree))}
+    used = {name for tree in (force, expected) for name, *_ in parts_of(parse(tree)).names}
     given = "".join(f", {name}: {value}" for name, value in VALUES.items() if name in used)
     return (SCENE % (force, expected)).replace("800 N/m", "800 N/m" + given)
 

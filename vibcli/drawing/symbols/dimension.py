@@ -7,7 +7,6 @@ from vibcli.drawing.canvas.primitives import ARROW, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.drawing.symbols.shape import ROD
-from vibcli.symbolic.semantics import names_in
 
 OFFSETS = (15.0, 23.0, 32.0, 42.0)
 SHORTEST, ROOM, BEYOND, CROWDED = 24.0, 5.0, 3.0, 4.0
@@ -66,7 +65,7 @@ def _places(body, sketch):
 def _name(value, fields, sketch):
     """The runs of the one parameter that has this value and stands in the fields; None of none or several."""
     names = {name for field in fields if isinstance(field, list) for part in field
-             for name, *_ in names_in(part.tree)} & set(sketch.spec.parameters)
+             for name, *_ in part.parts.names} & set(sketch.spec.parameters)
     equal = [name for name in names if abs(sketch.values.get(name, 0.0) - value) <= 1e-9 * value]
     return lettering.named(equal[0]) if len(equal) == 1 else None
 

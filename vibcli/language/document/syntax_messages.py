@@ -68,7 +68,8 @@ def explained(error, tree):
     halt = Halt(error, tree)
     said = f"{halt.context} {halt.problem}"
     explain = next((explain for words, explain in _EXPLAINED if words in said), None)
-    return Diagnostic(*((explain and explain(halt)) or _in_words_of_the_parser(halt)))
+    words = f"{halt.problem} {halt.context}" if halt.context else halt.problem
+    return Diagnostic(*((explain and explain(halt)) or (halt.here(), f"this is no YAML: {words}", LOOK_ABOVE)))
 
 
 def not_a_mapping(node, source):
@@ -78,11 +79,6 @@ def not_a_mapping(node, source):
         return Diagnostic(node.where, f"{expected}, found a list", "write a key, and the list under it")
     line = decoding.split(source)[node.where.line - 1]
     return Diagnostic(node.where, f"{expected}, found {quoted(node.text)}", _key_value(line))
-
-
-def _in_words_of_the_parser(halt):
-    context = f" {halt.context}" if halt.context else ""
-    return halt.here(), f"this is no YAML: {halt.problem}{context}", LOOK_ABOVE
 
 
 def _key_value(line):

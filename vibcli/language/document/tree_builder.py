@@ -2,16 +2,7 @@
 
 import re
 
-from yaml.events import (
-    AliasEvent,
-    DocumentStartEvent,
-    MappingEndEvent,
-    MappingStartEvent,
-    ScalarEvent,
-    SequenceEndEvent,
-    SequenceStartEvent,
-    StreamEndEvent,
-)
+from yaml import events
 
 from vibcli.base import decoding
 from vibcli.base.diagnostics import quoted
@@ -61,20 +52,20 @@ class Tree:
         while True:
             event = next_event()
             kind = event.__class__
-            if kind is ScalarEvent:
+            if kind is events.ScalarEvent:
                 self._scalar(event)
-            elif kind is MappingStartEvent:
+            elif kind is events.MappingStartEvent:
                 self._open(event, Mapping)
-            elif kind is SequenceStartEvent:
+            elif kind is events.SequenceStartEvent:
                 self._open(event, Sequence)
-            elif kind is MappingEndEvent or kind is SequenceEndEvent:
+            elif kind is events.MappingEndEvent or kind is events.SequenceEndEvent:
                 self._close(event)
-            elif kind is AliasEvent:
+            elif kind is events.AliasEvent:
                 self._alias(event)
-            elif kind is DocumentStartEvent:
+            elif kind is events.DocumentStartEvent:
                 if self._second(event):
                     return
-            elif kind is StreamEndEvent:
+            elif kind is events.StreamEndEvent:
                 return
 
     def report(self, where, message, hint=None):

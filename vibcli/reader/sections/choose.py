@@ -32,10 +32,6 @@ class Condition:
     def sides(self):
         return () if self.word else (self.left, self.right)
 
-    def with_sides(self, left, right):
-        """The same condition with other sides."""
-        return Condition(self.text, self.where, None, left, right)
-
 
 class _Condition(Kind):
     wants = "an equation, or one of equilibrium, stability limit"

@@ -3,7 +3,7 @@ script runs: the policy of the page forbids both."""
 
 from html import escape
 
-from vibcli.base.plain_text import cleaned
+from vibcli.base.decoding import cleaned
 
 STYLE = """
 :root { color-scheme: light dark; --rule: color-mix(in srgb, currentColor 25%, transparent); }

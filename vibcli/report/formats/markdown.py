@@ -2,7 +2,7 @@
 
 import re
 
-from vibcli.base.plain_text import on_one_line
+from vibcli.base.decoding import on_one_line
 from vibcli.notation.latex import Latex
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
 from vibcli.report.formats.formula import formula, without_words

@@ -1,6 +1,6 @@
 """A report as plain text: sections under their titles, formulas on one line as far as they fit."""
 
-from vibcli.base.plain_text import cleaned
+from vibcli.base.decoding import cleaned
 from vibcli.notation.numbers import table, width, wrapped
 from vibcli.notation.plain import plain
 from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, TableBlock

@@ -82,9 +82,7 @@ def _any_form(chosen):
 
 
 def _with_units(condition):
-    from vibcli.symbolic.semantics import literals_in
-
-    return any(literal.units for side in condition.sides for literal in literals_in(side.tree))
+    return any(literal.units for side in condition.sides for literal in side.parts.numbers)
 
 
 def _chosen(problem):

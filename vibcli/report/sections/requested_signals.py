@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from vibcli.base import units
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
-from vibcli.quantities.dimensions import signal_tree_dimension
+from vibcli.quantities.dimensions import checker
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
 from vibcli.symbolic.syntax import NameRef
@@ -65,7 +65,7 @@ def signals_asked(problem, given=()):
 
 
 def _dimension(problem, tree):
-    return problem.spec.dimensions.resolve(signal_tree_dimension(problem.spec, tree) or {})
+    return problem.spec.dimensions.resolve(checker(problem.spec).dimension(tree) or {})
 
 
 def extremes(asked, until):
