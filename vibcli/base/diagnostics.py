@@ -17,10 +17,8 @@ def quoted(text, room=40):
 
 
 def render(diagnostic, lines, color=False):
-    """`file:line:column: error: message`, the source line, a caret line, the hint.
-
-    A place of width 0 means the file as a whole: neither line nor column is named then.
-    """
+    """`file:line:column: error: message`, the source line, a caret line, the hint. A place of width 0 means the file as
+    a whole: neither line nor column is named then."""
     bold, red, blue, plain = ("\x1b[1m", "\x1b[1;31m", "\x1b[36m", "\x1b[0m") if color else ("", "", "", "")
     where, parts = diagnostic.where, []
     if where:

@@ -9,10 +9,8 @@ FAILURES = 8        # instances without a solution after which the search for wh
 
 class Instances:
     """Numeric Problems of a scene: itself, or with random values for its symbols for which the drawing fits together;
-    with values for what it chooses.
-
-    Made when they are asked for and kept; `wanted` is how many of them a comparison takes.
-    """
+    with values for what it chooses. Made when they are asked for and kept; `wanted` is how many of them a comparison
+    takes."""
 
     def __init__(self, problem):
         symbolic = bool(problem.symbolic.letters)

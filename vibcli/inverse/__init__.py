@@ -22,10 +22,8 @@ MOST = 30_000       # places at which the scene is looked at, and steps of its m
 
 
 def settled(problem, thorough=False):
-    """The problem with the first solution for its chosen parameters; itself where nothing is chosen.
-
-    `thorough`: SymPy may look for closed forms that the project's own algebra does not find.
-    """
+    """The problem with the first solution for its chosen parameters; itself where nothing is chosen. `thorough`: SymPy
+    may look for closed forms that the project's own algebra does not find."""
     if not problem.spec.choices or problem.choice is not None:
         return problem
     rest = _balanced_first(problem)

@@ -42,10 +42,8 @@ def _in_words(condition):
 
 
 def none_found(system, scan, proven=False):
-    """No solution: what the quantity does at the values that were tried, or why it is never defined.
-
-    `proven`: do letters tell that there is none? Else none was found where it was looked for.
-    """
+    """No solution: what the quantity does at the values that were tried, or why it is never defined. `proven`: do
+    letters tell that there is none? Else none was found where it was looked for."""
     where, condition = _where(system.problem), system.conditions[0]
     if scan is None:
         return _of_several(system, proven)

@@ -65,10 +65,8 @@ def _new(values, accepted):
 
 
 def _one_by_one(problem, system, thorough):
-    """The solutions where one condition determines one parameter alone; None where none does.
-
-    The others are solved for at each of its values, the conditions given to the parameters that are left in order.
-    """
+    """The solutions where one condition determines one parameter alone; None where none does. The others are solved for
+    at each of its values, the conditions given to the parameters that are left in order."""
     alone = determined_alone(problem)
     if alone is None:
         return None

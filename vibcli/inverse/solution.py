@@ -14,7 +14,8 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LONGEST, parse
 from vibcli.symbolic.syntax import ExpressionError
 
-DIGITS, READABLE, TRACE = 60, 70, 1e-20
+DIGITS, READABLE = 60, 70
+TRACE = 1e-20       # of an imaginary part, by the rounding of a double root
 
 
 class Solution(NamedTuple):
@@ -88,14 +89,10 @@ def in_numbers(problem, nodes):
             found = evaluate(nodes, arithmetic, known(problem, arithmetic))
         except (KeyError, ZeroDivisionError, ValueError, OverflowError, TypeError):
             return None
-        return None if any(map(_unreal, found)) else [_fraction(mpmath.re(value)) for value in found]
-
-
-def _unreal(value):
-    """Not a finite real number; a trace of an imaginary part is the rounding of a double root."""
-    import mpmath
-
-    return not mpmath.isfinite(value) or abs(mpmath.im(value)) > TRACE * abs(mpmath.re(value))
+        for value in found:
+            if not mpmath.isfinite(value) or abs(mpmath.im(value)) > TRACE * abs(mpmath.re(value)):
+                return None
+        return [_fraction(mpmath.re(value)) for value in found]
 
 
 def _fraction(value):

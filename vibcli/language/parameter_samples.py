@@ -14,10 +14,7 @@ def sample_values(names, attempt):
 
 def given_values(parameters, sample, free, attempt):
     """{letter: exact value} of `free` letters, another at each attempt; 0: those of the `sample`, odd ones near that,
-    every fourth of letters far apart.
-
-    Letters of any sign are negative at every fourth attempt.
-    """
+    every fourth of letters far apart. Letters of any sign are negative at every fourth attempt."""
     if attempt == 0:
         return {name: Fraction(sample[name]) for name in free}
     values = sample_values(free, FAR + attempt)

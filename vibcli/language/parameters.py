@@ -131,9 +131,7 @@ class Parameters:
 
     def rational(self, given=None):
         """Exact values of the parameters that have one, without those that are irrational or have too many digits.
-
-        (Products of products double their digits at each step.)
-        """
+        (Products of products double their digits at each step.)"""
         from vibcli.symbolic.evaluation import evaluate_rational
 
         found = dict(given or {})
@@ -149,20 +147,16 @@ def definition_order(records):
     """Names in an order in which each comes after those it is defined by (there are no circles)."""
     needs = {name: [n for n, *_ in record["value"].parts.names if n in records] if "value" in record else []
              for name, record in records.items()}
-    done, order = set(), []
+    done = {}
     for start in records:
         stack = [start]
         while stack:
-            name = stack[-1]
-            waiting = [n for n in needs[name] if n not in done]
-            if name in done or not waiting:
-                stack.pop()
-                if name not in done:
-                    done.add(name)
-                    order.append(name)
-            else:
+            waiting = [n for n in needs[stack[-1]] if n not in done]
+            if waiting:
                 stack.extend(waiting)
-    return order
+            else:
+                done[stack.pop()] = None
+    return list(done)
 
 
 def unusable(value, arithmetic):

@@ -46,21 +46,23 @@ def signal_dimension(spec, text):
 
 def _unit(spec, text):
     name, _, part = text.partition(".")
+    whole, _, number = part.rpartition(".")
+    of_piece = whole == "force" and number.isdecimal() and "rope" in (spec.get("constraints") or {}).get(name, ())
+    return _parts(spec, name).get("force" if of_piece else part)
+
+
+def _parts(spec, name):
+    """{part: unit} of the signals of what has a name."""
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
-            return (parts | drives(spec, spec.get(section)[name])).get(part)
+            return parts | drives(spec, spec.get(section)[name])
     if name == "ground":
-        return GROUND.get(part)
+        return GROUND
     record = spec.connection(name)
     if record is not None:
-        return record.element.signals[part]["torsion" in record] if part in record.element.signals else None
-    record = (spec.get("constraints") or {}).get(name)
-    if record is not None:
-        kind = next((kind for kind in FORCES if kind in record), None)
-        whole, _, number = part.rpartition(".")
-        if part in FORCES.get(kind, ()) or (kind == "rope" and whole == "force" and number.isdecimal()):
-            return "N"
-    return None
+        return {part: pair["torsion" in record] for part, pair in record.element.signals.items()}
+    record = (spec.get("constraints") or {}).get(name, ())
+    return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
 
 
 def is_reaction(spec, text):
@@ -95,20 +97,9 @@ def _in_time(spec, expression):
 
 
 def near_signals(spec, text):
-    """The signals of what `text` names, or the forms that signals have."""
+    """The signals of what `text` names, or the coordinates."""
     name = text.partition(".")[0]
-    for section, parts in (("bodies", BODY), ("points", POINT)):
-        if name in (spec.get(section) or {}):
-            return [f"{name}.{part}" for part in parts | drives(spec, spec.get(section)[name])]
-    joining = spec.connection(name)
-    if joining is not None:
-        return [f"{name}.{part}" for part in joining.element.signals]
-    if name == "ground":
-        return [f"ground.{part}" for part in GROUND]
-    record = (spec.get("constraints") or {}).get(name)
-    if record is not None:
-        return [f"{name}.{part}" for kind, parts in FORCES.items() if kind in record for part in parts]
-    return list(spec.coordinates)
+    return [f"{name}.{part}" for part in _parts(spec, name)] or list(spec.coordinates)
 
 
 def coordinate_name(spec, index):

@@ -2,6 +2,8 @@
 
 import re
 
+from vibcli.notation.plain import closing
+
 _TOKEN = re.compile(
     r"(?P<number>\d+(?:\.\d+)?(?:e[+-]?\d+)?)|(?P<letter>[α-ωΑ-ΡΤ-Ω∂ℓ]|[A-Za-z]+)"
     r"(?:_(?P<word>[A-Za-z0-9_α-ωΑ-Ω]+[₀-₉]*)|(?P<digits>[₀-₉]+(?:,[₀-₉]+)*))?|(?P<root>√)"
@@ -47,17 +49,7 @@ def _one(text, at, write):
 
 def _argument(text, at, write):
     """The content of the brackets that open at a place, or the one piece there."""
-    end = _closing(text, at)
+    end = closing(text, at)
     if end is not None:
         return read(text[at + 1:end], write), end + 1
     return _one(text, at, write) if at < len(text) else ("", at)
-
-
-def _closing(text, at):
-    """The place of the bracket that closes the one at a place; None where there is none."""
-    depth = 0
-    for i in range(at, len(text)):
-        depth += (text[i] == "(") - (text[i] == ")")
-        if depth == 0:
-            return i if text[at] == "(" else None
-    return None

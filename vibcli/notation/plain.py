@@ -226,12 +226,17 @@ class Plain(Notation):
 
 def enclosed(text):
     """Is the text one pair of brackets around everything?"""
+    return closing(text, 0) == len(text) - 1
+
+
+def closing(text, at):
+    """The place of the bracket that closes the one at a place; None where there is none."""
     depth = 0
-    for i, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
+    for i in range(at, len(text)):
+        depth += (text[i] == "(") - (text[i] == ")")
         if depth == 0:
-            return text.startswith("(") and i == len(text) - 1
-    return False
+            return i if text[at] == "(" else None
+    return None
 
 
 def shown_as_decimal(value):

@@ -159,10 +159,6 @@ def _sensitivity(problem, tree, args):
     return rate, ROUNDING
 
 
-def _by_parameter(spec, tree):
-    return units.times(units.RATE, spec.dimensions.of(tree.indices[1]), -1)
-
-
 def _estimate(which):
     def value(problem, tree, args):
         return getattr(problem.modal.result("estimates"), which), ROUNDING
@@ -242,7 +238,8 @@ QUANTITIES = {
         kind=COMPLEX),
     "sensitivity": Declaration(
         "derivative of the natural angular frequency of mode i by a parameter p that is not defined by others, the "
-        "shift of the equilibrium included", None, _sensitivity, ("mode", "parameter"), dimension=_by_parameter),
+        "shift of the equilibrium included", None, _sensitivity, ("mode", "parameter"),
+        dimension=lambda spec, tree: units.times(units.RATE, spec.dimensions.of(tree.indices[1]), -1)),
     "rayleigh": Declaration(
         "Rayleigh's estimate of omega[1] by the static deflection, an upper bound", "rad/s", _estimate("rayleigh")),
     "dunkerley": Declaration("Dunkerley's estimate of omega[1], a lower bound", "rad/s", _estimate("dunkerley")),

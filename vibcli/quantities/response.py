@@ -102,10 +102,6 @@ def _small(name):
     return number
 
 
-def _final(problem, tree, args):
-    return _signal(problem, tree).final()
-
-
 def _overshoot(problem, tree, args):
     import numpy as np
 
@@ -169,7 +165,8 @@ QUANTITIES = {
     "mean": _of_signal("mean over a period of the steady state, or of free vibrations that do not die out", SIGNAL,
                        _small("mean")),
     "rms": _of_signal("root mean square of the same", SIGNAL, _small("rms")),
-    "final": _of_signal("limit for t → ∞", SIGNAL, _final),
+    "final": _of_signal("limit for t → ∞", SIGNAL,
+                        lambda problem, tree, args: _signal(problem, tree).final()),
     "overshoot": _of_signal("(max − final)/(final − start)", "1", _overshoot, size=one),
     "decrement": _of_signal("logarithmic decrement of a free motion, by successive maxima", "1",
                             _small("decrement"), size=one),

@@ -78,7 +78,11 @@ def arguments_fit(spec, reader, expression, tree, bare=False):
         reader.report(place, f"'{tree.text}' is a function of frequency", f"write {tree.text}(5 Hz)")
         return False
     if len(args) != len(quantity.args) and not bare:
-        _miscounted(spec, reader, expression, tree, place)
+        if head == VALUE:
+            applied(reader, expression, tree)
+        else:
+            reader.report(place, f"'{head}' takes one argument in round brackets, found {len(args) or 'none'}",
+                          f"write {usage_of(head, quantity, spec)}")
         return False
     kinds = zip(quantity.args, args, strict=False)
     return all(_argument(spec, reader, expression, tree, kind, arg) for kind, arg in kinds)
@@ -92,14 +96,6 @@ def check_questions(spec, reader, signals, drivers):
         if not isinstance(expression.tree, NameRef) or input_dimension(spec, expression.text) is None:
             reader.report(expression.where, f"this scene has no input {quoted(expression.text)}",
                           nearest(expression.text, inputs(spec)))
-
-
-def _miscounted(spec, reader, expression, tree, place):
-    if tree.head == VALUE:
-        applied(reader, expression, tree)
-        return
-    reader.report(place, f"'{tree.head}' takes one argument in round brackets, found {len(tree.args) or 'none'}",
-                  f"write {usage_of(tree.head, declared(tree), spec)}")
 
 
 def _argument(spec, reader, expression, tree, kind, arg):
@@ -132,7 +128,7 @@ def _signal(spec, reader, expression, tree, arg):
                       "signals are made of coordinates, points, springs and forces")
     if len(reader.diagnostics) > before or _dimension(spec, reader, expression, arg) is False:
         return False
-    return _counted(reader, expression, lambda: cycles(spec, expression.text).count(arg))
+    return _counted(spec, reader, expression, "signal", arg)
 
 
 def _all_names(tree):
@@ -203,23 +199,21 @@ def _number(spec, reader, expression, kind, arg):
     bare = spec.free_numbers == ALL_NUMBERS or (
         spec.free_numbers and not any(part.units for part in parts_of(arg).numbers))
     if found is None or bare or spec.dimensions.equate(found, wanted):
-        return _counted(reader, expression, lambda: _counts(cycles(spec, expression.text), kind, arg))
+        return _counted(spec, reader, expression, kind, arg)
     reader.report(expression.scalar.place(arg.start, arg.end - arg.start),
                   f"expected {words}, found {units.name(spec.dimensions.resolve(found))}",
                   "write for example 2.5 s" if kind == "time" else "write for example 20 rad/s or 5 Hz")
     return False
 
 
-def _counts(counter, kind, arg):
-    """An instant is no number of cycles, and a frequency one in rad/s or Hz."""
-    if kind == "time" or left_over(counter.count(arg)) not in (0, 1):
-        counter.require_radians(arg)
-
-
-def _counted(reader, expression, count):
-    """Can the cycles be counted? Reports where they stand for radians."""
+def _counted(spec, reader, expression, kind, arg):
+    """Can the cycles be counted? An instant is no number of cycles, and a frequency one in rad/s or Hz. Reports where
+    they stand for radians."""
     try:
-        count()
+        counter = cycles(spec, expression.text)
+        count = counter.count(arg)
+        if kind == "time" or (kind != "signal" and left_over(count) not in (0, 1)):
+            counter.require_radians(arg)
     except ExpressionError as error:
         reader.report(expression.scalar.place(error.offset, error.width), error.message, error.hint)
         return False

@@ -103,14 +103,9 @@ def read_spec(root, file, diagnostics=(), settings=None):
     for spec in everything:
         _report_unused(spec, used, found)
     if found:
-        raise SpecError(_once(found))
+        unique = {(d.where, d.message): d for d in found}
+        raise SpecError(sorted(unique.values(), key=lambda d: d.where[1:3] if d.where else (0, 0)))
     return base._replace(cases=specs)
-
-
-def _once(diagnostics):
-    """Each diagnostic once, in the order of the file."""
-    unique = {(d.where, d.message): d for d in diagnostics}
-    return sorted(unique.values(), key=lambda d: d.where[1:3] if d.where else (0, 0))
 
 
 def _merged(root, part):

@@ -9,10 +9,9 @@ from vibcli.symbolic.semantics import ALL_NUMBERS
 
 
 def resolve(spec, reader):
-    """`spec` with its names and dimensions settled; whatever does not fit goes to reader.diagnostics.
-
-    A scene that uses no unit is taken in consistent SI numbers. Its dimensions are those of its letters, small whole
-    numbers being factors, where all fits so; else, if it has data in numbers, everything fits: 2·d³ may be a force."""
+    """`spec` with its names and dimensions settled; whatever does not fit goes to reader.diagnostics. A scene that uses
+    no unit is taken in consistent SI numbers. Its dimensions are those of its letters, small whole numbers being
+    factors, where all fits so; else, if it has data in numbers, everything fits: 2·d³ may be a force."""
     before = len(reader.diagnostics)
     spec = spec._replace(free_numbers=_uses_no_units(spec, reader))
     if not (spec.free_numbers and _has_numbers(spec, reader)):

@@ -22,10 +22,8 @@ def shorter(node):
 
 
 def fraction(node):
-    """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients.
-
-    The node alone where it is too long.
-    """
+    """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients. The node
+    alone where it is too long."""
     table = node.table
     try:
         terms = reduced(expanded(node))

@@ -148,17 +148,15 @@ class Cycles(NamedTuple):
         over = [left_over(count) for count in counts]
         if not agree(counts, [self.dimension(part) for part in parts] if len(set(over)) > 1 else ()):
             cyclic = max(range(len(parts)), key=lambda i: abs(over[i]))
-            other = next(i for i in range(len(parts)) if over[i] != over[cyclic])
-            self._misfit(parts[cyclic], parts[other], done)
+            other = next(part for i, part in enumerate(parts) if over[i] != over[cyclic])
+            cyclic = parts[cyclic]
+            raise ExpressionError(cyclic.start, cyclic.end - cyclic.start, f"these cannot be {done}: "
+                                  f"{quoted(self._text(cyclic))} counts cycles (Hz), as "
+                                  f"{quoted(self._text(other))} does not", self.advice(cyclic))
         if counts and all(count == counts[0] for count in counts):
             return counts[0]
         most = max(over, default=0) or (min(over, default=0) if 0 not in over else 0)
         return {CYCLE: most} if most else NEITHER
-
-    def _misfit(self, cyclic, other, done):
-        raise ExpressionError(cyclic.start, cyclic.end - cyclic.start, f"these cannot be {done}: "
-                              f"{quoted(self._text(cyclic))} counts cycles (Hz), as "
-                              f"{quoted(self._text(other))} does not", self.advice(cyclic))
 
     def _call(self, tree):
         name, args = tree.name, tree.args

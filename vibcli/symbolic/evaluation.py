@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.rationals import HALF, ONE, bits
+from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 
 ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
 
@@ -38,16 +38,11 @@ def evaluate(nodes, arithmetic, values):
         elif node.op == "pi":
             done[node] = arithmetic.pi
         elif node.name in node.table.records:
-            done[node] = _recorded(node, arithmetic, done[node.args[0]])
+            order = node.args[1].coefficient if len(node.args) > 1 else 0
+            done[node] = arithmetic.record(node.name, node.table.records[node.name])(done[node.args[0]], order)
         else:
             done[node] = functions[node.name](*[done[arg] for arg in node.args])
     return [done[node] for node in nodes]
-
-
-def _recorded(node, arithmetic, u):
-    """The value of a record, or of a rate of it."""
-    order = node.args[1].coefficient if len(node.args) > 1 else 0
-    return arithmetic.record(node.name, node.table.records[node.name])(u, order)
 
 
 def _sign(x):
@@ -124,10 +119,10 @@ class Rationals:
             raise cls.Irrational
         if exponent.denominator == 1:
             return Fraction(base) ** exponent.numerator
-        up, down = math.isqrt(abs(base.numerator)), math.isqrt(base.denominator)
-        if exponent.denominator == 2 and base >= 0 and up * up == base.numerator and down * down == base.denominator:
-            return Fraction(up, down) ** exponent.numerator
-        raise cls.Irrational
+        root = exact_root(base) if exponent.denominator == 2 and base >= 0 else None
+        if root is None:
+            raise cls.Irrational
+        return root ** exponent.numerator
 
 
 def evaluate_rational(nodes, values):

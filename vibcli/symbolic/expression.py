@@ -13,11 +13,9 @@ from vibcli.symbolic.rationals import BITS, HALF, ONE, ZERO, bits, exact, ration
 
 
 class Table:
-    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators.
-
-    `sample`: float values of the parameters, once they are known; they decide only how R − r is written, and with
-    `squares_at_sample` how (R − r)² is.
-    """
+    """All nodes of one scene. Symbols are made by `parameter` and `variable`; the rest by the operators. `sample`:
+    float values of the parameters, once they are known; they decide only how R − r is written, and with
+    `squares_at_sample` how (R − r)² is."""
 
     def __init__(self, records=None, squares_at_sample=False):
         """`records`: {name: samples} of functions of the time."""

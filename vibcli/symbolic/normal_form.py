@@ -6,11 +6,11 @@ factors taken out. Work is bounded; what grows beyond MOST terms is left as it i
 
 from fractions import Fraction
 from functools import reduce
-from math import gcd, isqrt
+from math import gcd
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
-from vibcli.symbolic.rationals import HALF, ONE, ZERO
+from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
 
 MOST = 300
 
@@ -20,10 +20,8 @@ class TooLong(ArithmeticError):
 
 
 def expanded(node, kept=None):
-    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices.
-
-    Sums that stand in a denominator are atoms, above as well as below the line, so that they cancel.
-    """
+    """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
+    that stand in a denominator are atoms, above as well as below the line, so that they cancel."""
     kept = _denominators(node) if kept is None else kept
     if node.op == "number":
         return {(): node.coefficient} if node.coefficient else {}
@@ -153,7 +151,7 @@ def _addition(terms, monomial, a, b):
         cosine_first = other if a.name == "sin" else value
         new, factor = table.call("sin", u + w if sine_first == cosine_first else u - w), sine_first
     polynomial = multiplied({rest: ONE}, expanded(new))
-    _move(terms, (monomial, partner), None, None)
+    del terms[monomial], terms[partner]
     for extra, c in polynomial.items():
         add(terms, extra, c * factor)
     return True
@@ -161,9 +159,8 @@ def _addition(terms, monomial, a, b):
 
 def _move(terms, old, new, value):
     for monomial in old:
-        terms.pop(monomial)
-    if new is not None:
-        add(terms, new, value)
+        del terms[monomial]
+    add(terms, new, value)
 
 
 def is_zero(node):
@@ -262,7 +259,7 @@ def _scale(values):
 
 def square_root(terms):
     """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
-    squares = {monomial: _exact_root(value) for monomial, value in terms.items()
+    squares = {monomial: exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
     roots = [(tuple((atom, e * HALF) for atom, e in monomial), value) for monomial, value in squares.items() if value]
     k = len(roots)
@@ -276,11 +273,6 @@ def square_root(terms):
     return None
 
 
-def _exact_root(value):
-    up, down = isqrt(value.numerator), isqrt(value.denominator)
-    return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None
-
-
 def root_of_square(node):
     """√node up to sign as a node where that needs no root, else None."""
     try:
@@ -289,7 +281,7 @@ def root_of_square(node):
         return None
     if len(terms) == 1:
         (monomial, value), = terms.items()
-        root = _exact_root(value) if value > 0 else None
+        root = exact_root(value) if value > 0 else None
         if root is None or any((e * HALF).denominator > 1 for _, e in monomial):
             return None
         return node.table.product((node.table.number(root), ONE), *((atom, e * HALF) for atom, e in monomial))

@@ -23,10 +23,9 @@ LONGEST = 40            # terms on one line
 
 class Source:
     """Lines of assignments to slots that compute expressions, given {symbol: slot} and the values of parameters.
-
     switches: {argument: slot} of the sign of each argument, to which unknown ones are added; None: |u|, sign u, min,
-    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants:
-    {node: value} of what is known already."""
+    max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node:
+    value} of what is known already."""
 
     def __init__(self, slots, floats, switches, constants=()):
         self.slots, self.floats, self.switches = dict(slots), floats, switches
@@ -166,10 +165,8 @@ def function(head, lines, result, records=()):
 
 class Compiled:
     """Expressions of (t, q, v) as functions of arrays over instants: q and v are of shape (coordinates, instants).
-
     `switches`: {argument: slot}, shared by what is to be smooth; None where |u|, sign u, min and max may bend.
-    `prepared(t)`: the parts that depend on the time alone, at the instants t.
-    """
+    `prepared(t)`: the parts that depend on the time alone, at the instants t."""
 
     def __init__(self, scene, floats, switches, nodes):
         time = scene.time

@@ -55,7 +55,9 @@ def parse(text, equation=None):
         if parser.text.startswith("=", parser.at):
             raise ExpressionError(parser.at, 1, "an equation has one '='", "write left = right")
         tree = Equation(0, len(text), tree, right)
-    parser.finish()
+    parser.skip()
+    if parser.at < len(text):
+        parser.fail_after()
     return tree
 
 
@@ -72,11 +74,6 @@ class _Parser:
             self.at += len(token)
             return True
         return False
-
-    def finish(self):
-        self.skip()
-        if self.at < len(self.text):
-            self.fail_after()
 
     def fail_after(self):
         """Something stands where an operator or the end was expected."""

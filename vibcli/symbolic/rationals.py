@@ -30,10 +30,15 @@ def rational_power(base, exponent):
         power = exponent.numerator
         return exact(Fraction(base)**power) if bits(base) * abs(power) <= BITS else None
     if exponent.denominator == 2 and base >= 0:
-        up, down = isqrt(base.numerator), isqrt(base.denominator)
-        if up * up == base.numerator and down * down == base.denominator:
-            return rational_power(exact(Fraction(up, down)), exact(exponent * 2))
+        root = exact_root(base)
+        return None if root is None else rational_power(exact(root), exact(exponent * 2))
     return None
+
+
+def exact_root(value):
+    """√value of a rational that is not negative as a Fraction; None where it is irrational."""
+    up, down = isqrt(value.numerator), isqrt(value.denominator)
+    return Fraction(up, down) if up * up == value.numerator and down * down == value.denominator else None
 
 
 def square_part(value):

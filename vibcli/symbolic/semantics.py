@@ -20,11 +20,9 @@ def literal_unit(chain):
 
 class DimensionCheck(NamedTuple):
     """The dimension of trees, given `of(name, primes)`, that of a name, and `quantity(tree)`, that of a quantity (None:
-    any); every misfit is raised as an ExpressionError, which quotes the text.
-
-    `free_numbers`: the scene uses no units at all, so a bare number may stand for any quantity; small whole ones are
-    factors, unless it is ALL_NUMBERS: then everything fits, as a factor 1 with a unit is not written.
-    """
+    any); every misfit is raised as an ExpressionError, which quotes the text. `free_numbers`: the scene uses no units
+    at all, so a bare number may stand for any quantity; small whole ones are factors, unless it is ALL_NUMBERS: then
+    everything fits, as a factor 1 with a unit is not written."""
 
     dimensions: units.Dimensions
     of: Callable

@@ -8,9 +8,7 @@ from vibcli.symbolic.rationals import ONE, square_part
 
 class Pair:
     """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
-
-    `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter.
-    """
+    `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter."""
 
     def __init__(self, quotients, modulus, sample):
         c, b, a = quotients.cleared(modulus)[0]

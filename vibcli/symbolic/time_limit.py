@@ -16,10 +16,8 @@ class CallsSpent(BaseException):
 
 def within(calls, work, otherwise):
     """The result of `work()`, or `otherwise` where it takes more calls, times the patience of the task under way.
-
     Within another call the nearer of the two ends counts. What the work imports is imported before: an import that is
-    broken off leaves modules half made.
-    """
+    broken off leaves modules half made."""
     import sympy  # noqa: F401
 
     task = under_way()

@@ -213,12 +213,9 @@ class Tree:
                 break
             index, text = found.end(), found[1]
             where = decoding.place(self.source, found.start(1), self.file, len(text))
-            if text[0] == "!":
-                self.report(where, f"found the tag {quoted(text)}, which scenes do not use",
-                            "leave it out; a text that starts with ! needs quotes")
-            else:
-                self.report(where, f"found the anchor {quoted(text)}, which scenes do not use",
-                            "leave it out; a text that starts with & needs quotes")
+            kind = "tag" if text[0] == "!" else "anchor"
+            self.report(where, f"found the {kind} {quoted(text)}, which scenes do not use",
+                        f"leave it out; a text that starts with {text[0]} needs quotes")
 
     def _escapes(self, mark, end, text):
         """Report characters that stand in double quotes as escapes but may not stand in a file."""

@@ -17,12 +17,10 @@ from vibcli.symbolic.rationals import ONE, ZERO
 
 
 def solve_equations(nodes, unknowns, scene, thorough=False):
-    """The Candidates for `unknowns` (symbol nodes) from nodes = 0; None where none were found in letters.
-
-    One unknown from an equation that is linear in a power of it, the others from the equations that are left; of two
-    the other one is eliminated as well, where that gives the first in a shorter form. `thorough`: SymPy may try what
-    is not of degree one or two.
-    """
+    """The Candidates for `unknowns` (symbol nodes) from nodes = 0; None where none were found in letters. One unknown
+    from an equation that is linear in a power of it, the others from the equations that are left; of two the other one
+    is eliminated as well, where that gives the first in a shorter form. `thorough`: SymPy may try what is not of degree
+    one or two."""
     if len(unknowns) == 1:
         relevant = next((node for node in nodes if depends(node, unknowns)), None)
         return None if relevant is None else solve_equation(relevant, unknowns[0], scene, thorough)

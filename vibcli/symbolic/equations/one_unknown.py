@@ -42,8 +42,9 @@ class _Condition:
         table = self.table = node.table
         self.x, self.samples = unknown, samples
         self.sine, self.cosine = table.call("sin", unknown), table.call("cos", unknown)
-        extra = [self.sine, self.cosine, *_under_roots(node, unknown)]
-        self.quotients = Quotients(table, [node, *extra])
+        under_roots = [base for part in reachable([node]) if part.op == "product" for base, e in part.args
+                       if e.denominator == 2 and base.mask & unknown.mask]
+        self.quotients = Quotients(table, [node, self.sine, self.cosine, *under_roots])
         self.node = node
 
     def solutions(self):
@@ -160,9 +161,3 @@ class _Condition:
             for branch in (inner, table.pi - inner, -table.pi - inner):
                 found += [SymbolicSolution(branch - lean + k * table.pi, sine, cosine) for k in (0, 1, -1)]
         return found
-
-
-def _under_roots(node, unknown):
-    """The sums under roots that hold the unknown."""
-    return [base for part in reachable([node]) if part.op == "product" for base, e in part.args
-            if e.denominator == 2 and base.mask & unknown.mask]

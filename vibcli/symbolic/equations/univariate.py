@@ -38,10 +38,8 @@ def depends(node, symbols):
 
 
 def solve_equation(node, x, scene, thorough=False):
-    """The Candidates for the symbol x from node = 0; None where none were found in letters.
-
-    `thorough`: SymPy may try what is not of degree one or two.
-    """
+    """The Candidates for the symbol x from node = 0; None where none were found in letters. `thorough`: SymPy may try
+    what is not of degree one or two."""
     terms = polynomial(node, x)
     if terms is None:
         found = _angles(node, x, scene)
@@ -146,17 +144,13 @@ def _cleared(node, x):
     for part in reachable([node]):
         args = part.args if part.op != "call" else ()
         if part is x or not any(below.get(arg) is not None for arg, _ in args):
-            above[part], below[part] = part, {} if part is x or _holds(part, below) else None
+            holds = part is x or (part.op == "call" and any(below.get(arg) is not None for arg in part.args))
+            above[part], below[part] = part, {} if holds else None
         elif part.op == "sum":
             above[part], below[part] = _cleared_sum(table, part, above, below)
         else:
             above[part], below[part] = _cleared_product(table, part, above, below)
     return above[node]
-
-
-def _holds(call, below):
-    """Does a function have an argument that holds x?"""
-    return call.op == "call" and any(below.get(arg) is not None for arg in call.args)
 
 
 def _cleared_sum(table, part, above, below):
