@@ -85,16 +85,7 @@ def floats(a, bits):
 
 def identity(n, bits):
     """The unit matrix."""
-    out = zeros((n, n))
-    out[range(n), range(n)] = 1 << bits
-    return out
-
-
-def zeros(shape):
-    """An array of integer zeros."""
-    out = np.empty(shape, object)
-    out.fill(0)
-    return out
+    return np.eye(n, dtype=object) << bits
 
 
 def count_floats(n, many=1):
@@ -134,10 +125,7 @@ def assembled(n, terms, matrix, powers, scale, bits):
     for (i, j), x in matrix.items():
         m, e = mantissa(x)
         out[i][j] += shifted(m, e + powers[i] + powers[j] + bits - scale)
-    a = np.empty((n, n), object)
-    for i in range(n):
-        a[i, :] = out[i]
-    return a
+    return np.array(out, object).reshape(n, n)
 
 
 def is_diagonal(a):
@@ -149,7 +137,7 @@ def is_diagonal(a):
 def cholesky(a, bits):
     """Lower triangular L with L Lᵀ = a; None and the first pivot that is not positive or but rounding."""
     n = len(a)
-    lower, rest = zeros((n, n)), a.copy()
+    lower, rest = np.zeros((n, n), object), a.copy()
     for j in range(n):
         if rest[j, j] <= abs(a[j, j]) >> (bits - bits // 3):
             return None, j

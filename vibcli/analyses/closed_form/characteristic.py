@@ -36,11 +36,9 @@ class Characteristic:
         return self._in_lambda(self.quotients.settled(self.quotients.field(whole)).numer)
 
     def _in_lambda(self, polynomial):
-        found = {}
-        for powers, value in polynomial.terms():
-            half = powers[-1] // 2
-            found[(*powers[:-1], half)] = value * (-1) ** half
-        return self.quotients.ring.from_dict(found)
+        halved = {(*powers[:-1], powers[-1] // 2): value * (-1) ** (powers[-1] // 2)
+                  for powers, value in polynomial.terms()}
+        return self.quotients.ring.from_dict(halved)
 
     def _split(self, polynomial):
         """[(coefficients from the lowest, multiplicity)] of the factors that hold λ."""

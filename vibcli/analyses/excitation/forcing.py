@@ -52,22 +52,14 @@ def oscillates(forcing):
 
 class Forcing:
     """Segments in order of time, the first from 0 on; of periodic forcing those of the first period, repeated from
-    `since` + `period` on (None: not periodic). `channels`: how many there are."""
+    `since` + `period` on (None: not periodic). `channels`: how many there are; `listed`: are its segments so many that
+    all can be told? `turn`: the longest time after which something of it repeats for ever; None where nothing does."""
 
-    __slots__ = ("channels", "period", "pieces", "since")
+    __slots__ = ("channels", "listed", "period", "pieces", "since", "turn")
 
     def __init__(self, channels, pieces, period=None, since=0.0):
-        self.channels, self.pieces, self.period, self.since = channels, tuple(pieces), period, since
-
-    @property
-    def listed(self):
-        """Are its segments so many that all can be told?"""
-        return self.period is None
-
-    @property
-    def turn(self):
-        """The longest time after which something of it repeats for ever; None where nothing does."""
-        return self.period
+        self.channels, self.pieces, self.since = channels, tuple(pieces), since
+        self.period, self.turn, self.listed = period, period, period is None
 
     def segments(self, until, work=None):
         """The segments that start before `until`; work: what counts them."""

@@ -19,7 +19,8 @@ def adaptive(system, low, high, log=True, known=None):
     endless = np.array([one.Omega for one in known if not one.value])
     even = np.geomspace(low, high, EVEN) if log else np.linspace(low, high, EVEN)
     near = [*places(system), *(one.Omega for one in known)]
-    Omega = _clear(_apart(np.unique([*even, *(x for x in near if low < x < high)])), endless)
+    Omega = np.unique([*even, *(x for x in near if low < x < high)])
+    Omega = _clear(Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])], endless)
     values = sampled(system, Omega)[0]
     for _ in range(ROUNDS):
         gaps = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
@@ -31,10 +32,6 @@ def adaptive(system, low, high, log=True, known=None):
         Omega, values = (np.concatenate(pair)[order] for pair in ((Omega, middle),
                                                                    (values, sampled(system, middle)[0])))
     return Omega, values
-
-
-def _apart(Omega):
-    return Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])]
 
 
 def _clear(Omega, endless):

@@ -58,7 +58,7 @@ class MassiveSystem:
         heavy = [i for i in range(n) if i not in bare]
         turn, loose = _loose(c[np.ix_(moved, moved)], bits)
         order = heavy + moved
-        basis = fx.zeros((n, len(order)))
+        basis = np.zeros((n, len(order)), object)
         basis[order, range(len(order))] = 1 << bits
         z = range(len(heavy), len(order))
         basis[np.ix_(moved, z)] = turn
@@ -71,7 +71,7 @@ class MassiveSystem:
     def _condense(self, basis, k, kept, still, bits):
         """Lets the undamped massless directions follow."""
         gone = [j for j in range(basis.shape[1]) if j not in kept]
-        free = fx.zeros((len(basis), len(still)))
+        free = np.zeros((len(basis), len(still)), object)
         free[still, range(len(still))] = 1 << bits
         whole = np.concatenate([basis[:, kept], basis[:, gone], free], axis=1)
         k = fx.product(whole.T, fx.product(k, whole, bits), bits)
@@ -127,7 +127,7 @@ class MassiveSystem:
     def _matrix(self):
         """y' = A y for y = (a', a, z)."""
         bits, h, n = self.bits, self.massive, len(self.c)
-        out = fx.zeros((n + h, n + h))
+        out = np.zeros((n + h, n + h), object)
         rates = np.concatenate([self.c[h:, :h], self.k[h:]], axis=1)
         out[2 * h:] = -fx.product(self.release, rates, bits)
         out[:h] = -np.concatenate([self.c[:h, :h], self.k[:h]], axis=1)

@@ -35,7 +35,9 @@ class Follower(MassiveSystem):
         noise = self.top - 2 * self.coupled
 
         def enough(root):
-            return self._enough(root, wanted, noise + 60)
+            size = fx.magnitude(math.isqrt(root.re * root.re + root.im * root.im), bits)
+            rate = fx.magnitude(root.im, bits) - wanted if root.im else -math.inf
+            return root.radius <= max(size - self.deep, rate, noise + 60)
 
         self.form, self.norms = block_diagonal(lambda y: fx.product(a, y, bits), matrix, bits, enough, noise)
         return self._all(self.norms)
@@ -60,13 +62,6 @@ class Follower(MassiveSystem):
         for i, x in zip(resting, shapes, strict=True):
             found[i] = found[i]._replace(x=x)
         return found
-
-    def _enough(self, root, wanted, floor):
-        size = fx.magnitude(math.isqrt(root.re * root.re + root.im * root.im), self.bits)
-        goal = size - self.deep
-        if root.im:
-            goal = max(goal, fx.magnitude(root.im, self.bits) - wanted)
-        return root.radius <= max(goal, floor)
 
     def _of(self, root):
         """The λ of one μ: two for a pair that nothing tells from two real ones."""

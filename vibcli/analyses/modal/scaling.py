@@ -64,20 +64,11 @@ def scaling(elements):
 
 def _diagonal_exponents(terms, matrix):
     """For each coordinate the exponent of its largest diagonal term Σ w sᵢ²."""
+    found = [(i, exponent(weight) + 2 * exponent(x)) for weight, row in terms if weight for i, x in row.items() if x]
+    found += [(i, exponent(value)) for (i, j), value in matrix.items() if i == j and value]
     largest = {}
-    for weight, row in terms:
-        if weight:
-            e = exponent(weight)
-            for i, component in row.items():
-                if component:
-                    term = e + 2 * exponent(component)
-                    if term > largest.get(i, term - 1):
-                        largest[i] = term
-    for (i, j), value in matrix.items():
-        if i == j and value:
-            term = exponent(value)
-            if term > largest.get(i, term - 1):
-                largest[i] = term
+    for i, e in found:
+        largest[i] = max(e, largest.get(i, e))
     return largest
 
 

@@ -119,7 +119,7 @@ class StandardForm:
             a = fx.backward(self.lower, vectors, self.bits)
         if not self.massless:
             return a
-        out = fx.zeros((self.n, a.shape[1]))
+        out = np.zeros((self.n, a.shape[1]), object)
         out[self.massive] = a
         out[self.massless] = -fx.product(self.follow, a, self.bits)
         return out

@@ -60,7 +60,9 @@ class Trajectory:
     def at(self, times):
         """(q, q̇, q̈), each of shape (coordinates, times), at times within 0 and `until` [s]."""
         times = np.atleast_1d(np.asarray(times, dtype=float))
-        self._require(times)
+        late = times.max(initial=0.0)
+        if late > self.end * (1 + LATE):
+            raise self.unknown(late)
         found = np.empty((3, len(self.names), len(times)))
         number = self._numbers(times)
         P = rule(POINTS).basis(2 * (times - self.starts[number]) / self.lengths[number] - 1)
@@ -127,11 +129,6 @@ class Trajectory:
     def stop(self, instant, reason, advice):
         """End at an instant, for a reason that is told where more is asked for."""
         self.end, self.reason, self.advice = instant, reason, advice
-
-    def _require(self, times):
-        late = times.max(initial=0.0)
-        if late > self.end * (1 + LATE):
-            raise self.unknown(late)
 
     def unknown(self, t):
         """The refusal of an instant after the end."""

@@ -4,7 +4,6 @@ import numpy as np
 
 from vibcli.analyses.transient.static_condensation import condensed
 from vibcli.base.errors import PhysicsError
-from vibcli.numerics.fixed_point import zeros
 
 
 class Descriptor:
@@ -20,7 +19,7 @@ class Descriptor:
         still = [i for i in range(n) if i not in heavy and i not in held]
         kept, h = heavy + held, len(heavy)
         self.places, self.heavy, r = kept, heavy, len(kept)
-        self.Q, self.F = zeros((n, r + h)), zeros((n, n))
+        self.Q, self.F = np.zeros((n, r + h), object), np.zeros((n, n), object)
         self.Q[kept, range(r)] = 1
         if still:
             follow = _inverse(K[np.ix_(still, still)])
@@ -30,7 +29,7 @@ class Descriptor:
         rates[:, r:] += C[np.ix_(kept, heavy)]
         inverse = _inverse(np.concatenate([C[np.ix_(kept, held)], M[np.ix_(kept, heavy)]], axis=1))
         self.A = np.concatenate([np.eye(h, r + h, r, dtype=object), -inverse.dot(rates)])
-        self.B = np.concatenate([zeros((h, n)), inverse.dot(pushed)])
+        self.B = np.concatenate([np.zeros((h, n), object), inverse.dot(pushed)])
 
 
 def _inverse(matrix):

@@ -62,7 +62,7 @@ def _generator(system, waves, state, channels, n):
 
     first = len(state)
     size = first + sum(2 * (wave.power + 1) for wave in waves)
-    G, forces, z, at = fx.zeros((size, size)), fx.zeros((channels, size)), fx.zeros(size), first
+    G, forces, z, at = np.zeros((size, size), object), np.zeros((channels, size), object), np.zeros(size, object), first
     z[:first] = state
     for channel, coefficient, power, exponent in waves:
         s, c = mp.mpc(exponent), mp.mpc(coefficient) * mp.factorial(power)
@@ -82,7 +82,7 @@ def _generator(system, waves, state, channels, n):
 
 def _read(G, z, forces, Q, output, order):
     """The output and its derivatives: those of z are G z, G² z …"""
-    row = fx.zeros(len(z))
+    row = np.zeros(len(z), object)
     for parts in (output.a, output.v, output.q):        # (a G + v) G + q
         row = row.dot(G)
         for i, x in parts.items():

@@ -60,8 +60,8 @@ def undying(blocks):
 
 def phasor(motion, s, force):
     """Q of q = Re(Q e^{st}) under the forces Re(F e^{st})."""
-    near = [block for block in motion.blocks if any(_meets(node, s) for node in _spectrum(block))]
-    if not near:
+    if not any(_meets(node, s) or (block.half and _meets(node.conjugate(), s))
+               for block in motion.blocks for node in block.nodes):
         return np.linalg.solve(s * s * motion.M + s * motion.C + motion.K, force.astype(complex))
     total = np.zeros(len(force), complex)
     if motion.system is not None:
@@ -73,10 +73,6 @@ def phasor(motion, s, force):
         else:
             total += _kept_up(block.B, block.X, block.W, s, force)
     return total
-
-
-def _spectrum(block):
-    return [*block.nodes, *(node.conjugate() for node in block.nodes if block.half)]
 
 
 def _meets(node, s):

@@ -14,10 +14,6 @@ def later(wave, by):
     return tuple(Wave(wave.channel, c * math.comb(k, j) * by ** (k - j), j, wave.exponent) for j in range(k + 1))
 
 
-def negative(wave):
-    return wave._replace(coefficient=-wave.coefficient)
-
-
 def running(pieces, time):
     """The piece that runs at a time, its waves counted from there, without its impulses."""
     piece = max((piece for piece in pieces if piece.start <= time), key=lambda piece: piece.start)
@@ -32,8 +28,8 @@ def difference(pieces, others, until):
             impulses.setdefault(piece.start, []).extend((channel, sign * size) for channel, size in piece.impulses)
     found = []
     for start in sorted(start for start in impulses if start < until):
-        waves = (*running(pieces, start).waves, *map(negative, running(others, start).waves))
-        found.append(Segment(start, waves, tuple(impulses[start])))
+        less = (wave._replace(coefficient=-wave.coefficient) for wave in running(others, start).waves)
+        found.append(Segment(start, (*running(pieces, start).waves, *less), tuple(impulses[start])))
     return found
 
 
