@@ -11,7 +11,6 @@ from vibcli.inverse.conditions import ConditionSystem
 from vibcli.inverse.folds import followed
 from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
-from vibcli.numerics.newton_systems import common_zeros
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 
 SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
@@ -169,8 +168,9 @@ def _newton(system):
     def start(point):
         return [_start(span, p) for span, p in zip(spans, point, strict=True)]
 
-    found = common_zeros(function, start, len(spans))
-    return sorted(values(u) for u in found)
+    from vibcli.numerics.newton_systems import common_zeros
+
+    return sorted(values(u) for u in common_zeros(function, start, len(spans)))
 
 
 def _start(span, p):

@@ -7,6 +7,8 @@ centre of the cube and those of a Halton sequence (Halton 1960); the search ends
 
 from itertools import chain, islice, product
 
+import numpy as np
+
 from vibcli.numerics.halton import halton
 
 GRID, BESIDE = 24, 0.25         # cells along a side of the box; how far beside its triangle such a zero may lie
@@ -41,8 +43,6 @@ def _add(found, u):
 def _across(function, u):
     """Places to both sides of a zero in the direction in which the functions change least: of two zeros that are near
     to meet, the other lies there."""
-    import numpy as np
-
     slope = _jacobian(function, np.array(u), _values(function, u))
     if slope is not None:
         softest = np.linalg.svd(slope)[2][-1]
@@ -52,8 +52,6 @@ def _across(function, u):
 
 def _crossings(function, place):
     """Where two functions that are linear on each triangle of a grid, as at its corners, vanish."""
-    import numpy as np
-
     line = range(GRID + 1)
     places = {(i, j): np.array(place([i / GRID, j / GRID])) for i, j in product(line, line)}
     values = {key: _values(function, u) for key, u in places.items()}
@@ -76,8 +74,6 @@ def _distance(a, b):
 def newton(function, u):
     """A zero reached from u by Newton steps (Gauss–Newton of more values than unknowns), halved until they lower the
     sum of squares; None where they do not get there."""
-    import numpy as np
-
     value = _values(function, u)
     if value is None:
         return None
@@ -104,8 +100,6 @@ def newton(function, u):
 
 
 def _values(function, u):
-    import numpy as np
-
     value = function(list(map(float, u)))
     if value is None:
         return None
@@ -114,8 +108,6 @@ def _values(function, u):
 
 
 def _jacobian(function, u, value):
-    import numpy as np
-
     columns = []
     for j in range(len(u)):
         step = STEP * max(1.0, abs(u[j]))

@@ -10,7 +10,7 @@ from math import gcd
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE
 
-LARGEST, DIGITS, HEIGHT = 60, 60, 60        # N; working digits; numerators and denominators of the map
+LARGEST, DIGITS, HEIGHT = 60, 60, 60        # N; working digits; denominators of the map
 
 
 class Cosine:
@@ -149,17 +149,10 @@ def _map(waves, roots, mpmath):
     b = (roots[-1] - roots[0]) / (waves[-1] - waves[0])
     a = roots[0] - b * waves[0]
     tolerance = mpmath.mpf(10) ** (20 - DIGITS)
-    rational = [_short_fraction(x, tolerance, mpmath) for x in (a, b)]
-    if None in rational or any(abs(a + b * w - r) > tolerance for w, r in zip(waves, roots, strict=True)):
+    rational = [Fraction(mpmath.nstr(x, DIGITS)).limit_denominator(HEIGHT) for x in (a, b)]
+    a, b = (mpmath.mpf(x.numerator) / x.denominator for x in rational)
+    if any(abs(a + b * w - r) > tolerance for w, r in zip(waves, roots, strict=True)):
         return None
     return rational
-
-
-def _short_fraction(x, tolerance, mpmath):
-    for below in range(1, HEIGHT):
-        above = mpmath.nint(x * below)
-        if abs(x * below - above) < tolerance:
-            return Fraction(int(above), below)
-    return None
 
 

@@ -100,7 +100,7 @@ def _sign(here, numbers, at_zero=0):
         if abs(height) >= 1:
             return constant(ONE if height > 0 else -ONE)
         angle = numbers.arc_sine(numbers.number(height))
-        return gate(piecewise_linear.sign_of_sine(a, b, height, angle, numbers.pi, None))
+        return gate(piecewise_linear.sign_of_sine(a, b, angle, numbers.pi, None))
     a, b = line
     if not a:
         return constant(Fraction((b > 0) - (b < 0) if b else at_zero))
@@ -148,7 +148,7 @@ def _impulse(here, order, numbers):
             return {}
         steep = numbers.arithmetic.power(numbers.number(1 - height * height), HALF)
         arc = numbers.arc_sine(numbers.number(height))
-        return gate(piecewise_linear.sign_of_sine(a, b, height, arc, numbers.pi, 1 / (size * a * numbers.exact(steep))))
+        return gate(piecewise_linear.sign_of_sine(a, b, arc, numbers.pi, 1 / (size * a * numbers.exact(steep))))
     a, b = line
     if not (a or b):
         raise NotSaid("an impulse acts at an instant, here at all times")

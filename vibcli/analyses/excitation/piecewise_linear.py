@@ -99,7 +99,7 @@ def sawtooth(a, b, pi, order):
     return Periodic(a / (2 * pi), b / (2 * pi), (Fraction(0),), ((-sign, 2 * sign),))
 
 
-def sign_of_sine(a, b, height, arc, pi, rate):
+def sign_of_sine(a, b, arc, pi, rate):
     """The sign of sin u + height, u = a·t + b, |height| < 1, arc = asin(height); or, as a `rate`, δ(sin u + height)."""
     rise, fall = -arc / (2 * pi), Fraction(1, 2) + arc / (2 * pi)
     corners = ((rise % 1, 1), (fall % 1, -1))

@@ -71,7 +71,7 @@ def steepness(system, Omega):
         return np.where(values == 0, np.nan, (1j * slopes / np.where(values == 0, 1.0, values)).real)
 
 
-def places(system, low=None, high=None):
+def places(system):
     """Frequencies near poles and zeros, and between them, ascending and different."""
     marks = np.concatenate([poles(system), zeros(system)])
     marks = marks[(marks.imag > 0) & np.isfinite(marks)]
@@ -82,8 +82,7 @@ def places(system, low=None, high=None):
     between = np.sort(middle)
     near = np.concatenate([near, (between[1:] + between[:-1]) / 2, between * 0.9, between * 1.1])
     typical = pace(system)
-    low = low or min([typical, *middle]) / WIDE
-    high = high or max([typical, *middle]) * WIDE
+    low, high = min([typical, *middle]) / WIDE, max([typical, *middle]) * WIDE
     near = np.concatenate([near, np.geomspace(low, high, 161)])
     return np.unique(near[(near >= low) & (near <= high)])
 

@@ -60,7 +60,7 @@ def collected(answer, numbers, shapes):
             square = math.isqrt(int(system.values[mode]) << bits)
             zeta = numbers.number((int(system.c[mode, mode]) << bits) // (2 * square), bits)
             decay = numbers.number(int(system.c[mode, mode]), bits + 1 - scale.time)
-        note = _note(system, d, zeta)
+        note = _note(d, zeta)
         key = ("mode", mode) if mode is not None else ("own", i)
         place = index.setdefault(key, len(index) + 1)
         least = fx.magnitude(min(abs(re), d.im), bits) if answer.undamped and re and d.im else size
@@ -131,7 +131,7 @@ def _nearly_alone(system):
             yield i, (far, values[i] / far)
 
 
-def _note(system, d, zeta):
+def _note(d, zeta):
     """What to say of a mode at or next to critical damping, and of a zero."""
     if not d.re and not d.im:
         return "rigid motion: λ = 0"

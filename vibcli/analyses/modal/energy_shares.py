@@ -8,6 +8,8 @@ an inverted pendulum, has a negative share. Of gyroscopic and damped modes they 
 
 from typing import NamedTuple
 
+import mpmath
+
 from vibcli.analyses.modal.modes_precise import WORKING, coinciding
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import inner
@@ -28,8 +30,6 @@ class Shares(NamedTuple):
 
 def shares(modal, _):
     """The Shares of a system."""
-    import mpmath
-
     with mpmath.workdps(WORKING):
         owned, modes, dissipation = owned_forms(modal.configuration), modal.sharp_modes, None
         kinetic = {mode.index: _shares(owned.kinetic, mode.shape) for mode in modes}

@@ -9,6 +9,8 @@ coordinate that measures what the first one with inertia does, lengths or angles
 
 from typing import NamedTuple
 
+import mpmath
+
 from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.element_contributions import owned_forms
@@ -27,8 +29,6 @@ class Estimates(NamedTuple):
 
 def estimates(modal, _):
     """The Estimates of a system; PhysicsError where the bounds do not hold."""
-    import mpmath
-
     with mpmath.workdps(WORKING):
         _require_bounds(modal)
         elements = modal.configuration.precise_system(WORKING)
@@ -61,8 +61,6 @@ def _require_bounds(modal):
 
 def _flexibility(K):
     """K⁻¹; PhysicsError where K is not positive definite, which massless coordinates may hide from the modes."""
-    import mpmath
-
     try:
         mpmath.cholesky(K)
     except ValueError:
@@ -78,8 +76,6 @@ def _unit_displacement(system, elements):
 
 
 def _matrix(entries, n):
-    import mpmath
-
     found = mpmath.zeros(n)
     for pair, entry in entries.items():
         found[pair] = entry

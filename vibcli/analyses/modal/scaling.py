@@ -77,11 +77,9 @@ def check_finite(elements):
     named = (("inertia", elements.inertias, elements.M), ("stiffness", elements.springs, elements.K),
              ("damping", elements.dampers, elements.C), ("gyroscopic coupling", (), elements.G))
     for name, terms, matrix in named:
-        for weight, row in terms:
-            for value in (weight, *row.values()):
-                if not _finite(value):
-                    raise PhysicsError(f"the {name} is not a finite number at this equilibrium",
-                                       hint="look for a length, an angle or a law that is singular there")
+        if not all(_finite(value) for weight, row in terms for value in (weight, *row.values())):
+            raise PhysicsError(f"the {name} is not a finite number at this equilibrium",
+                               hint="look for a length, an angle or a law that is singular there")
         for (i, j), value in matrix.items():
             if not _finite(value):
                 raise PhysicsError(f"the {name} between coordinates {i + 1} and {j + 1} is not finite",

@@ -9,6 +9,8 @@ coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′
 
 from typing import NamedTuple
 
+import mpmath
+
 from vibcli.analyses.modal.modes_precise import SAME, WORKING, by_frequency, coinciding
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inner_products import conjugate, inner, only
@@ -45,8 +47,6 @@ class DampedSensitivity(NamedTuple):
 
 def sensitivities(modal, _):
     """The Sensitivities of a system."""
-    import mpmath
-
     with mpmath.workdps(WORKING):
         modes, (damped, remark) = modal.sharp_modes, _damped_modes(modal)
         elements = modal.configuration.precise_system(WORKING)
@@ -83,8 +83,6 @@ class _Group:
 
     def rates(self, change):
         """∂ω/∂p of the modes, ascending; None of gyroscopic modes that coincide."""
-        import mpmath
-
         shapes = [mode.shape for mode in self.modes]
         if not shapes[1:]:
             return [mpmath.re(self._entry(change, shapes[0], shapes[0]) / self.size)]
@@ -161,8 +159,6 @@ def _eigenvalue_rates(mode, changes, elements):
 
 def _left(root, elements):
     """y with yᵀ(λ²M + λ(C + G) + K) = 0, by one step of inverse iteration next to λ."""
-    import mpmath
-
     M, C, G, K = elements.matrices()
     near = root * (1 + mpmath.mpf(SAME))
     D = mpmath.zeros(elements.n)

@@ -20,7 +20,7 @@ def balance(system, switching, windows, ends, struck, corners=()):
     points = [_at_points(window, r) for window in windows]
     q, v, a = (np.concatenate([part[i] for part in points], axis=1) for i in range(3))
     t = np.concatenate([window.start + r.c * window.end for window in windows])
-    senses = _senses(system, switching, windows, points, r)
+    senses = _senses(switching, windows, points, r)
     kinetic, *rates = _rates(system, flow, t, q, v, a, senses)
     lengths = np.array([window.end for window in windows])
     loads, lost, drive = (np.concatenate([[0.0], np.cumsum(rate.reshape(-1, POINTS) @ r.w * lengths)])
@@ -89,7 +89,7 @@ def _gained(system, flow, instant, place, before, after):
     return np.diff(np.broadcast_to(found, 2))[0]
 
 
-def _senses(system, switching, windows, parts, rule):
+def _senses(switching, windows, parts, rule):
     """The senses of the switches at the Gauss points of all windows, those that slide included."""
     found = []
     for window, (q, v, _) in zip(windows, parts, strict=True):

@@ -1,6 +1,7 @@
 """M q̈ + C q̇ + K q = f of any number of digits as a system of first order, some coordinates being without inertia."""
 
 import numpy as np
+from mpmath import mp, mpf
 
 from vibcli.analyses.transient.static_condensation import condensed
 from vibcli.base.errors import PhysicsError
@@ -33,8 +34,6 @@ class Descriptor:
 
 
 def _inverse(matrix):
-    from mpmath import mp
-
     inverse = mp.matrix(matrix.tolist())**-1 if len(matrix) else matrix
     return np.array(inverse.tolist(), object).reshape(matrix.shape)
 
@@ -50,6 +49,4 @@ def _require_held(M, C, K):
 
 
 def real(x):
-    from mpmath import mp, mpf
-
     return mpf(x.numerator) / x.denominator if hasattr(x, "numerator") and not isinstance(x, float) else mp.mpf(x)

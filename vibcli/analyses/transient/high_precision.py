@@ -8,6 +8,7 @@ until two results agree.
 import math
 
 import numpy as np
+from mpmath import mp
 
 from vibcli.analyses.transient.descriptor_system import Descriptor, real
 from vibcli.numerics import fixed_point as fx
@@ -25,8 +26,6 @@ def precise_values(M, C, K, forcing, q0, v0, outputs, time, digits, order=0):
 
     M, C, K: nested lists of numbers, as q0, v0 and those of the forcing and the outputs: float, Fraction, mpf or mpc.
     """
-    from mpmath import mp
-
     bits, before = math.ceil(digits * math.log2(10)) + GUARD, None
     for _ in range(TRIES):
         with mp.workprec(bits + GUARD):
@@ -58,8 +57,6 @@ def _values(M, C, K, forcing, q0, v0, outputs, time, order, bits):
 
 def _generator(system, waves, state, channels, n):
     """(G, z, rows of the forces, rows of q): z = (y, parts of the waves), f = forces z, q = Q z."""
-    from mpmath import mp
-
     first = len(state)
     size = first + sum(2 * (wave.power + 1) for wave in waves)
     G, forces, z, at = np.zeros((size, size), object), np.zeros((channels, size), object), np.zeros(size, object), first
@@ -96,8 +93,6 @@ def _read(G, z, forces, Q, output, order):
 
 def _carried(G, tau, z, bits):
     """e^{Gτ} z."""
-    from mpmath import mp
-
     if not tau:
         return z
     size = len(G)
