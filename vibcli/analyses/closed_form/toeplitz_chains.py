@@ -10,7 +10,7 @@ from math import gcd
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE
 
-LARGEST, DIGITS, HEIGHT = 60, 60, 60        # N; working digits; denominators of the map
+LARGEST, DIGITS, HEIGHT = 60, 60, 59        # N; working digits; denominators of the map
 
 
 class Cosine:

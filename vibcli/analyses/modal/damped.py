@@ -8,6 +8,11 @@ nonsymmetric_large.py).
 
 import math
 
+import numpy as np
+
+from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
+from vibcli.analyses.modal.damped_modes import collected
+from vibcli.analyses.modal.massless_coordinates import MassiveSystem
 from vibcli.analyses.modal.method import (
     ENCLOSED,
     FIRST_ORDER,
@@ -20,8 +25,13 @@ from vibcli.analyses.modal.method import (
     dragged,
     form_of,
 )
+from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, in_units
+from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
 from vibcli.analyses.modal.scaling import exponent
 from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared, within_floats
+from vibcli.analyses.modal.undamped_certified import enclosed, spread
+from vibcli.numerics import fixed_point as fx
+from vibcli.numerics.precision import working_bits
 
 GOAL = 160
 WANTED = 60
@@ -57,9 +67,6 @@ def _damped(elements, precise, exact, digits):
         modes = damped_floats(elements)
         if arithmetic == IN_FLOATS or max(mode.error for mode in modes) <= ENOUGH:
             return modes
-    from vibcli.analyses.modal.damped_modes import collected
-    from vibcli.analyses.modal.mode_numbers import NearestFloats
-
     data = _exactly(exact, elements)
     unit = EVALUATED if data is None and precise is not None else EXACT
     answer = CertifiedEigenvalues(elements, data or elements, GOAL, WANTED, unit)
@@ -70,10 +77,7 @@ def _damped(elements, precise, exact, digits):
 
 def damped_digits(elements, precise, exact, digits):
     """The damped modes to `digits` correct digits, in numbers of mpmath."""
-    from vibcli.analyses.modal.damped_modes import collected
     from vibcli.analyses.modal.damped_shapes_precise import shapes
-    from vibcli.analyses.modal.mode_numbers import Digits
-    from vibcli.numerics.precision import working_bits
 
     wanted = working_bits(digits)
     goal = GOAL + 2 * wanted
@@ -96,8 +100,6 @@ def _exactly(exact, elements):
 
 def depth(elements, scale):
     """Bits that soft springs and strong damping, and that very weak damping need besides."""
-    from vibcli.analyses.modal.undamped_certified import spread
-
     p, sizes = scale.coordinates, [0]
     for weight, row in elements.dampers:
         felt = [exponent(x) + p[i] for i, x in row.items() if x]
@@ -120,9 +122,6 @@ class CertifiedEigenvalues:
     __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
 
     def __init__(self, elements, data, goal, wanted, unit):
-        from vibcli.analyses.modal.massless_coordinates import MassiveSystem
-        from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
-
         form, follows, held = form_of(elements), elements.circulatory, bool(dragged(elements))
         self.undamped = not damped_at_all(elements)
         self.conservative, self.follower = self.undamped and not follows, form == FOLLOWER
@@ -160,10 +159,6 @@ class CertifiedEigenvalues:
             self.decided = all(d.re or d.im for d in self.found)
 
     def _modal(self, elements, data, goal, deep, zeros, unit):
-        from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
-        from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
-        from vibcli.analyses.modal.undamped_certified import enclosed
-
         answer = enclosed(data, self.scale, zeros, goal=goal)
         if unit > EXACT or data.K_size:
             answer.add_data_error(data, self.scale, unit)
@@ -173,12 +168,10 @@ class CertifiedEigenvalues:
 
     def worst(self):
         """log2 of the largest relative bound of an eigenvalue; under follower forces of each of its parts."""
-        from vibcli.numerics.fixed_point import log2
-
         bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
-        sizes = [log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
+        sizes = [fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
         if self.follower:
-            sizes = [log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
+            sizes = [fx.log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
         return max((d.radius - size for d, size in zip(moving, sizes, strict=True)), default=-math.inf)
 
     def settled(self, goal):
@@ -187,11 +180,6 @@ class CertifiedEigenvalues:
 
     def shapes(self):
         """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""
-        import numpy as np
-
-        from vibcli.analyses.modal.mode_numbers import in_units
-        from vibcli.numerics import fixed_point as fx
-
         basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
         out = basis @ np.array([d.x for d in self.found]).T
         lead = out[np.argmax(np.abs(out), axis=0), range(out.shape[1])]

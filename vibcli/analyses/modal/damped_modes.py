@@ -3,6 +3,8 @@
 import math
 from itertools import pairwise
 
+import numpy as np
+
 from vibcli.analyses.modal.undamped import kind
 from vibcli.numerics import fixed_point as fx
 
@@ -117,8 +119,6 @@ def _real(d, bits):
 
 def _nearly_alone(system):
     """Over-damped modes coupled no more than by rounding, each with its two eigenvalues."""
-    import numpy as np
-
     c, values = fx.floats(system.c, system.bits), fx.floats(system.values, system.bits)
     own = np.abs(c.diagonal())
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -32,7 +32,7 @@ def estimates(modal, _):
     with mpmath.workdps(WORKING):
         _require_bounds(modal)
         elements = modal.configuration.precise_system(WORKING)
-        M, _, _, K = (_matrix(entries, elements.n) for entries in elements.matrices())
+        M, _, _, K = (matrix_of(entries, elements.n) for entries in elements.matrices())
         flexibility = _flexibility(K)
         pulled = M * mpmath.matrix(_unit_displacement(modal.system, elements))
         deflection = flexibility * pulled
@@ -75,7 +75,8 @@ def _unit_displacement(system, elements):
     return [int(kind == kinds[heavy[0]]) for kind in kinds]
 
 
-def _matrix(entries, n):
+def matrix_of(entries, n):
+    """{(i, j): number} as a matrix of mpmath's."""
     found = mpmath.zeros(n)
     for pair, entry in entries.items():
         found[pair] = entry

@@ -6,6 +6,8 @@ while they oscillate. A rigid-body mode is one entry in both lists, though a mod
 zero twice.
 """
 
+import numpy as np
+
 from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
 from vibcli.mechanics.factored_system import summed
@@ -84,6 +86,4 @@ def _natural(mode):
 
 
 def _real(shape):
-    import numpy as np
-
     return np.array([x.real for x in shape.tolist()])

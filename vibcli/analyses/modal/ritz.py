@@ -54,6 +54,7 @@ def ritz(modal, asked):
     """The RitzEstimates of a system; PhysicsError where its shapes or its matrices give no bounds."""
     import mpmath
 
+    from vibcli.analyses.modal.estimates import matrix_of
     from vibcli.analyses.modal.modes_precise import WORKING
 
     if asked is None:
@@ -61,7 +62,7 @@ def ritz(modal, asked):
                            "ask with find: [{ritz: {shapes: [{" + modal.scene.coordinates[0] + ": 1}]}}]")
     with mpmath.workdps(WORKING):
         elements = modal.configuration.precise_system(WORKING)
-        M, _, _, K = (_matrix(entries, elements.n) for entries in elements.matrices())
+        M, _, _, K = (matrix_of(entries, elements.n) for entries in elements.matrices())
         _require_bounds(modal.configuration.linear_system, M, K)
         shapes = [_shape(modal, shape) for shape in asked["shapes"]]
         basis = _orthonormal(shapes, M, [_place(shape, asked) for shape in asked["shapes"]])
@@ -165,15 +166,6 @@ def _combined(basis, weights):
 def _form(matrix, a, b, of=lambda x: x):
     """aᵀ matrix b; `of` abs: the sum of the sizes of its terms."""
     return sum(of(x * matrix[i, j] * y) for i, x in enumerate(a) if x for j, y in enumerate(b) if y)
-
-
-def _matrix(entries, n):
-    import mpmath
-
-    found = mpmath.zeros(n)
-    for pair, entry in entries.items():
-        found[pair] = entry
-    return found
 
 
 def _floats(numbers):

@@ -7,10 +7,15 @@ The eigenvalues are enclosed rigorously in fixed-point arithmetic (undamped_cert
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, choose
+from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, beyond, in_units
 from vibcli.analyses.modal.rigid_body_modes import rank
 from vibcli.analyses.modal.scaling import mechanism, scaling
+from vibcli.analyses.modal.undamped_certified import enclosed
 from vibcli.base.errors import Inertless
+from vibcli.numerics.precision import working_bits
 
 ENOUGH = 5e-13
 EXACT = -math.inf
@@ -63,14 +68,10 @@ def undamped(elements, precise=None, digits=None):
 
 def within_floats(solve, *data):
     """What solves for modes; the refusal of those that floats cannot hold."""
-    import numpy as np
-
     try:
         with np.errstate(all="ignore"):
             return solve(*data)
     except OverflowError:
-        from vibcli.analyses.modal.mode_numbers import beyond
-
         raise beyond() from None
 
 
@@ -85,8 +86,6 @@ def _undamped(elements, precise, digits):
         answer = approximate(elements, scale, zeros)
         if arithmetic == IN_FLOATS or answer.errors.max() <= ENOUGH:
             return many_modes(answer, scale)
-    from vibcli.analyses.modal.mode_numbers import NearestFloats
-
     return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
 
 
@@ -105,8 +104,6 @@ def prepared(elements, dragged=False):
 
 def certain(elements, scale, zeros, precise):
     """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
-    from vibcli.analyses.modal.undamped_certified import enclosed
-
     answer = enclosed(elements, scale, zeros)
     if precise is None:
         if elements.K_size:
@@ -122,10 +119,6 @@ def certain(elements, scale, zeros, precise):
 
 def undamped_digits(elements, scale, zeros, precise, digits):
     """The modes to `digits` correct digits, in numbers of mpmath."""
-    from vibcli.analyses.modal.mode_numbers import Digits
-    from vibcli.analyses.modal.undamped_certified import enclosed
-    from vibcli.numerics.precision import working_bits
-
     goal = working_bits(digits)
     if precise is None:
         return modes(enclosed(elements, scale, zeros, goal), scale, Digits)
@@ -166,8 +159,6 @@ def check_ties(elements):
 
 def modes(answer, scale, numbers):
     """Mode objects of enclosed eigenvalues, in floats or mpmath's numbers."""
-    import numpy as np
-
     bits = answer.bits
     powers = bits - np.broadcast_to(np.array(scale.coordinates)[:, None], answer.shapes.shape)
     direction = numbers.array(answer.shapes, powers)
@@ -188,10 +179,6 @@ def modes(answer, scale, numbers):
 
 def many_modes(answer, scale):
     """Mode objects of approximate eigenvalues in floats."""
-    import numpy as np
-
-    from vibcli.analyses.modal.mode_numbers import in_units
-
     (direction, full), out = in_units(answer.shapes, scale), []
     for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):
         value = float(answer.values[i])
