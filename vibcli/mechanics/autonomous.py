@@ -8,7 +8,7 @@ coefficients (a shaken pivot) are refused by name.
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import at_position, residual_terms
-from vibcli.mechanics.linearise import expanded_terms, load_at_rest, without_time
+from vibcli.mechanics.linearise import expanded_terms, load_at_rest, row_of, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.delta_functions import at_impulses
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -18,7 +18,6 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
-MATRICES = ("M", "C", "G", "drag")
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
 
 
@@ -34,11 +33,9 @@ def steady(scene, form):
             _gather(stiffness, {pair: force * second for pair, second in curvature.items()})
         else:
             curved.append((without_time(scene, force), curvature, row))
-    parts = _still_parts(scene, form.residual, residual), _still_parts(scene, form.K, stiffness)
-    start = {scene.time: scene.table.zero}
-    return form._replace(
-        springs=springs, curved=curved, residual=parts[0], K=parts[1], inertias=_at(form.inertias, start),
-        dampers=_at(form.dampers, start), **{kind: _entries_at(getattr(form, kind), start) for kind in MATRICES})
+    at_start = at_position(form._replace(springs=[], curved=[], residual=[], K=[]), {scene.time: scene.table.zero})
+    return at_start._replace(springs=springs, curved=curved, residual=_still_parts(scene, form.residual, residual),
+                             K=_still_parts(scene, form.K, stiffness))
 
 
 def _still_springs(form, time, stiffness):
@@ -63,10 +60,6 @@ def _still_parts(scene, parts, bucket):
     return [*found, _summed(scene, bucket)]
 
 
-def _entries_at(entries, start):
-    return dict(zip(entries, substitute(list(entries.values()), start), strict=True))
-
-
 def _gather(bucket, entries):
     for key, node in entries.items():
         bucket.setdefault(key, []).append(node)
@@ -76,13 +69,6 @@ def _summed(scene, bucket):
     found = {key: without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
              for key, nodes in bucket.items()}
     return {key: node for key, node in found.items() if not node.is_zero}
-
-
-def _at(terms, start):
-    nodes = [node for weight, row in terms for node in (weight, *row.values())]
-    moved = dict(zip(nodes, substitute(nodes, start), strict=True))
-    return [(moved[weight], {i: moved[node] for i, node in row.items() if not moved[node].is_zero})
-            for weight, row in terms]
 
 
 def require_autonomous(configuration, values):
@@ -133,8 +119,7 @@ def excitation(scene, form, position):
     """
     place = {symbol: node for symbol, node in position.items() if symbol is not scene.time}
     rows, constants, found = residual_terms(at_position(form, place)), _shaken(scene), {}
-    for i, terms in _begun(scene).items():
-        constants.setdefault(i, []).extend(terms)
+    _begun(scene, constants)
     for i, terms in enumerate(rows):
         node = with_time(scene, _negative(scene, terms))
         if i in constants:
@@ -163,15 +148,13 @@ def with_time(scene, node):
                                    if any(atom.mask & time for atom, _ in monomial)})
 
 
-def _begun(scene):
-    """{i: terms} of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
-    found, number = {}, {q: i for i, q in enumerate(scene.q)}
+def _begun(scene, found):
+    """Adds the terms of the residual that are the constants in loads in time: −F₀ ∂s/∂q of F₀ (1 − cos Ωt) along s."""
+    number = {q: i for i, q in enumerate(scene.q)}
     for term in scene.loads_at_still():
         constant = load_at_rest(scene, term)[3]
-        for q, slope in gradient(term.s).items() if not constant.is_zero else ():
-            if q in number:
-                found.setdefault(number[q], []).append(-(constant * slope))
-    return found
+        if not constant.is_zero:
+            _gather(found, {i: -(constant * slope) for i, slope in row_of(term.s, number).items()})
 
 
 def _shaken(scene):

@@ -38,6 +38,14 @@ class FactoredSystem:
         """The same with other parts."""
         return FactoredSystem(**{kind: getattr(self, kind) for kind in self.__slots__} | parts)
 
+    def each(self, change):
+        """The same with `change` applied to every weight, slope and entry of a matrix."""
+        parts = {kind: [(change(weight), {i: change(x) for i, x in row.items()}) for weight, row in getattr(self, kind)]
+                 for kind in ("inertias", "springs", "dampers")}
+        parts |= {kind: {pair: change(x) for pair, x in getattr(self, kind).items()}
+                  for kind in ("M", "C", "G", "K", "drag")}
+        return self.with_parts(**parts)
+
     @property
     def circulatory(self):
         """Is K not symmetric? Exactly, or by more than the rounding of its sums where K_size tells that."""

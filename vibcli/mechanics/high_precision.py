@@ -1,7 +1,6 @@
 """Equilibrium and element data to any number of digits, by Newton's method in mpmath from the float solution."""
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
@@ -133,16 +132,4 @@ def rounded_system(configuration):
         sharper = system_to(configuration, 2 * ROUNDED)
         exact = exact.with_parts(K={pair: x for pair, x in exact.K.items()
                                     if abs(sharper.K.get(pair, 0)) > NOTHING * abs(x)})
-    return FactoredSystem(
-        exact.n, _rows(exact.inertias), _rows(exact.springs), _rows(exact.dampers), M=_floats(exact.M),
-        C=_floats(exact.C), G=_floats(exact.G), drag=_floats(exact.drag), K=_floats(exact.K),
-        K_size={pair: abs(float(x)) for pair, x in exact.K.items()},
-        rational_rows=exact.rational_rows, massless=exact.massless)
-
-
-def _rows(terms):
-    return [(float(weight), {i: float(x) for i, x in row.items()}) for weight, row in terms]
-
-
-def _floats(entries):
-    return {pair: float(x) for pair, x in entries.items()}
+    return exact.each(float).with_parts(K_size={pair: abs(float(x)) for pair, x in exact.K.items()})

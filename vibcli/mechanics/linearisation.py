@@ -31,8 +31,7 @@ def at_position(form, values):
 
     In letters, so that what is zero by structure is exactly zero.
     """
-    nodes = []
-    each(form, lambda node: nodes.append(node) or node)
+    nodes = nodes_of(form)
     moved = dict(zip(nodes, substitute(nodes, values), strict=True))
     return each(form, moved.__getitem__)
 

@@ -28,12 +28,12 @@ def linearise(scene, still=False):
     dampers = scene.at_still("dampers")
     moving, damping, springs, curved = _rows(inertias, number), _rows(dampers, number), [], []
     for term in scene.at_still("springs"):
-        row = _row(term.s, number)
+        row = row_of(term.s, number)
         springs.append((term.weight, row))
-        curved.append((term.force(scene), _curvature(row, number), row))
+        curved.append((term.force(scene), slopes_of(row, number), row))
     for term in scene.weights:
-        row = _row(term.s, number)
-        curved.append((term.weight, _curvature(row, number), row))
+        row = row_of(term.s, number)
+        curved.append((term.weight, slopes_of(row, number), row))
     found = Linearisation(len(scene.q), scene.table, moving, springs, damping, curved, *_written_out(scene, number))
     slips, turning = {}, {}
     for term in scene.loads_at_still():
@@ -54,17 +54,15 @@ def _loaded(scene, found, number, term, slips, turning, still):
     """A force F with the virtual work F δs; `turning`: where its parts that hold the time add F ∂²s, of which that
     remains whose time cancels, as of a force that turns with what it acts on."""
     rest, speeds = dict.fromkeys(scene.v, scene.table.zero), {v: i for i, v in enumerate(scene.v)}
-    row = _row(term.s, number)
+    row = row_of(term.s, number)
     steady, turning_part, waving, _ = load_at_rest(scene, term)
-    curvature, at_once = _curvature(row, number), turning_part if still else turning_part + waving
+    curvature, at_once = slopes_of(row, number), turning_part if still else turning_part + waving
     found.curved.append((turning_part - steady, curvature, row))
     if not at_once.is_zero:
         for pair, second in curvature.items():
             turning.setdefault(pair, []).append(at_once * second)
         found.residual.append({i: -(at_once * slope) for i, slope in row.items()})
-    slopes = gradient(term.weight)
-    by_place = {number[q]: slope for q, slope in slopes.items() if q in number}
-    by_speed = {speeds[v]: slope for v, slope in slopes.items() if v in speeds}
+    by_place, by_speed = row_of(term.weight, number), row_of(term.weight, speeds)
     found.K.append(_at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_place.items()}, rest))
     for (i, j), node in _at_rest({(i, j): -(x * slope) for i, x in row.items() for j, slope in by_speed.items()},
                                  rest).items():
@@ -76,17 +74,17 @@ def _driven(scene, found, number, term, kind, slips):
     first = gradient(term.s).get(scene.time)
     if first is None:
         return
-    row = _row(term.s, number)
-    turning, weight = _row(first, number), term.weight
+    row = row_of(term.s, number)
+    turning, weight = row_of(first, number), term.weight
     if kind == "dampers":
         force, bend = first, turning
     else:
         force = gradient(first).get(scene.time, scene.table.zero)
-        bend = _row(force, number)
+        bend = row_of(force, number)
         for i, x in row.items():
             for j, slope in turning.items():
                 slips.setdefault((i, j), []).append(2 * weight * x * slope)
-    found.curved.append((weight * force, _curvature(row, number), row))
+    found.curved.append((weight * force, slopes_of(row, number), row))
     found.K.append({(i, j): weight * x * slope for i, x in row.items() for j, slope in bend.items()})
 
 
@@ -104,15 +102,17 @@ def _split(found, slips, skew_parts):
 
 
 def _rows(terms, number):
-    return [(term.weight, _row(term.s, number)) for term in terms]
+    return [(term.weight, row_of(term.s, number)) for term in terms]
 
 
-def _row(s, number):
-    return {number[q]: slope for q, slope in gradient(s).items() if q in number}
+def row_of(s, number):
+    """{i: ∂s/∂xᵢ} by the symbols {xᵢ: i} in `number`."""
+    return {number[x]: slope for x, slope in gradient(s).items() if x in number}
 
 
-def _curvature(row, number):
-    return {(i, number[q]): second for i, slope in row.items() for q, second in gradient(slope).items() if q in number}
+def slopes_of(row, number):
+    """{(i, j): ∂rowᵢ/∂xⱼ} by the symbols {xⱼ: j} in `number`."""
+    return {(i, number[x]): second for i, slope in row.items() for x, second in gradient(slope).items() if x in number}
 
 
 def _written_out(scene, number):
@@ -120,25 +120,21 @@ def _written_out(scene, number):
     speeds = {node: i for i, node in enumerate(scene.v)}
     rest = dict.fromkeys(scene.v, scene.table.zero)
     T, V, Phi = (scene.energies[key] for key in ("T", "V", "Phi"))
-    momentum = {speeds[v]: p for v, p in gradient(T).items() if v in speeds}
-    force = {speeds[v]: p for v, p in gradient(Phi).items() if v in speeds}
-    M = _at_rest(_blocks(momentum, speeds), rest)
-    C = _at_rest(_blocks(force, speeds), rest)
-    slips = _at_rest(_blocks(momentum, number), rest)
+    momentum, force = row_of(T, speeds), row_of(Phi, speeds)
+    M = _at_rest(slopes_of(momentum, speeds), rest)
+    C = _at_rest(slopes_of(force, speeds), rest)
+    slips = _at_rest(slopes_of(momentum, number), rest)
     G = {pair: slips.get(pair, scene.table.zero) - slips.get(pair[::-1], scene.table.zero)
          for pair in set(slips) | {(j, i) for i, j in slips}}
     G = {pair: node for pair, node in G.items() if not node.is_zero}
-    slope_V = {number[q]: s for q, s in gradient(V).items() if q in number}
-    slope_T = {number[q]: s for q, s in gradient(T).items() if q in number}
-    K = [_at_rest(_blocks(slope_V, number), rest), _at_rest(_blocks(_negated(slope_T), number), rest)]
-    residual = [_at_rest(slope_V, rest), _at_rest(_negated(slope_T), rest)]
+    conservative = [row_of(V, number), {i: -slope for i, slope in row_of(T, number).items()}]
     drag = [force]
     if scene.timed:
         drag.append({i: gradient(p)[scene.time] for i, p in momentum.items() if scene.time in gradient(p)})
-        for pair, node in _at_rest(_blocks(drag[1], speeds), rest).items():
+        for pair, node in _at_rest(slopes_of(drag[1], speeds), rest).items():
             C[pair] = C.get(pair, scene.table.zero) + node
-    K += [_at_rest(_blocks(part, number), rest) for part in drag]
-    residual += [_at_rest(part, rest) for part in drag]
+    K = [_at_rest(slopes_of(part, number), rest) for part in (*conservative, *drag)]
+    residual = [_at_rest(part, rest) for part in (*conservative, *drag)]
     for key, rows in scene.matrices.items():
         _outright(scene, (M, C, G, K, residual), key, rows)
     return M, C, G, {}, K, residual
@@ -158,16 +154,6 @@ def _outright(scene, parts, key, rows):
             half = (rows[i][j] + sign * rows[j][i]) / 2
             if not half.is_zero:
                 matrix[i, j] = matrix.get((i, j), scene.table.zero) + half
-
-
-def _blocks(slopes, number):
-    """{(i, j): ∂slopeᵢ/∂xⱼ} of {i: slope}, by the symbols in `number`."""
-    return {(i, number[x]): second for i, slope in slopes.items() for x, second in gradient(slope).items()
-            if x in number}
-
-
-def _negated(slopes):
-    return {i: -slope for i, slope in slopes.items()}
 
 
 def _at_rest(entries, rest):

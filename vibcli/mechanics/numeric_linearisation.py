@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
-from vibcli.mechanics.linearisation import each
+from vibcli.mechanics.linearisation import nodes_of
 from vibcli.symbolic.evaluation import evaluate, evaluate_rational
 
 ALIKE = 2.0**-46
@@ -19,11 +19,8 @@ class Numbers(NamedTuple):
 
 def in_numbers(form, arithmetic, values, rational=None):
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
-    nodes = []
-    each(form, lambda node: nodes.append(node) or node)
-    unique = list(dict.fromkeys(nodes))
+    unique = list(dict.fromkeys(nodes_of(form)))
     known = dict(zip(unique, evaluate(unique, arithmetic, values), strict=True))
-    data = _Evaluated(known)
     n, zero = form.n, arithmetic.number(form.table.zero.coefficient)
     K, size = {}, {}
     residual, residual_size = [zero] * n, [zero] * n
@@ -41,10 +38,9 @@ def in_numbers(form, arithmetic, values, rational=None):
             _gather(residual, residual_size, i, known[node])
     if arithmetic.ordered:
         _even_out(K, size)
-    elements = FactoredSystem(
-        n, data.rows(form.inertias), data.rows(form.springs), data.rows(form.dampers), M=data.entries(form.M),
-        C=data.entries(form.C), G=data.entries(form.G), drag=data.entries(form.drag), K=K, K_size=size,
-        massless=massless(form, known), rational_rows=_rational_rows(form, rational))
+    expressions = FactoredSystem(n, form.inertias, form.springs, form.dampers, form.M, form.C, form.G, drag=form.drag)
+    elements = expressions.each(known.__getitem__).with_parts(
+        K=K, K_size=size, massless=massless(form, known), rational_rows=_rational_rows(form, rational))
     return Numbers(elements, residual, residual_size)
 
 
@@ -65,18 +61,6 @@ def _even_out(K, size):
 def _gather(residual, size, i, term):
     residual[i] = residual[i] + term
     size[i] = size[i] + abs(term)
-
-
-class _Evaluated:
-    def __init__(self, known):
-        self.known = known
-
-    def rows(self, terms):
-        known = self.known
-        return [(known[weight], {i: known[node] for i, node in row.items()}) for weight, row in terms]
-
-    def entries(self, mapping):
-        return {pair: self.known[node] for pair, node in mapping.items()}
 
 
 def massless(form, known):

@@ -62,26 +62,16 @@ def force(configuration, text):
     if configuration.spec.connection(name) is not None:
         if part == "force":
             require_fixed_at_rest(configuration, name)
-        _require_equilibrium(configuration)
+        configuration.at_rest  # noqa: B018 - what friction alone holds is no equilibrium without it
         return 0.0
-    known = {reaction.signal: reaction for reaction in configuration.reactions}
+    known = {reaction.signal: reaction.value for reaction in configuration.reactions}
     if part in ("normal", "friction"):
-        return _contact(configuration, name, part, known)
-    if name in (configuration.spec.get("points") or {}) and not part.startswith("drive"):
-        text = f"{pinned_at(configuration.system, name)}.{part}"
-    found = known.get(text)
-    if found is None:
-        pieces = [signal for signal in known if signal.startswith(text + ".")]
-        raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
-                           "see `find: [reactions]` for those that it has")
-    if found.value is None:
+        normal = evaluate(list(normal_of(configuration.scene.resting, name)), Floats, configuration.at_rest)
+        return in_contact(part, normal, [known[f"{name}.reaction.{axis}"] for axis in "xy"])
+    text = reaction_of(configuration.system, text, known)
+    if known[text] is None:
         raise NotFixed(text)
-    return found.value
-
-
-def _require_equilibrium(configuration):
-    """PhysicsError where the forces balance nowhere: what friction alone holds is no equilibrium without it."""
-    return configuration.at_rest
+    return known[text]
 
 
 def _of_outputs(configuration, text):
@@ -98,7 +88,27 @@ def _tension(configuration, name):
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def pinned_at(system, point):
+def reaction_of(system, text, known):
+    """The name of a force in a constraint or support among those `known`; at a point, that of the body pinned there."""
+    name, _, part = text.partition(".")
+    if name in (system.spec.get("points") or {}) and not part.startswith("drive"):
+        text = f"{_pinned_at(system, name)}.{part}"
+    if text not in known:
+        pieces = [signal for signal in known if signal.startswith(text + ".")]
+        raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
+                           "see `find: [reactions]` for those that it has")
+    return text
+
+
+def require_fixed(text, value):
+    """The value of a force in motion; PhysicsError where it is None."""
+    if value is None:
+        raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
+                           "take a redundant support out")
+    return value
+
+
+def _pinned_at(system, point):
     """The one body pinned at a named point."""
     found = [name for name, record in (system.spec.get("bodies") or {}).items()
              if getattr((record.get("pin") or {}).get("at"), "text", None) == point]
@@ -108,11 +118,15 @@ def pinned_at(system, point):
     return found[0]
 
 
-def _contact(configuration, name, part, known):
-    """The reaction of a body on a surface along its normal, or along its tangent."""
-    body = configuration.scene.resting.bodies[name]
-    if body.normal is None:
+def normal_of(scene, name):
+    """The normal of the surface on which a body rolls or slides."""
+    normal = scene.bodies[name].normal
+    if normal is None:
         raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
-    nx, ny = evaluate(list(body.normal), Floats, configuration.at_rest)
-    x, y = (known[f"{name}.reaction.{axis}"].value for axis in "xy")
+    return normal
+
+
+def in_contact(part, normal, reaction):
+    """The `normal` or `friction` part of the reaction (x, y) of a surface."""
+    (nx, ny), (x, y) = normal, reaction
     return x * nx + y * ny if part == "normal" else x * ny - y * nx

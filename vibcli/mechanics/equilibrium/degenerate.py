@@ -10,7 +10,6 @@ from math import sqrt
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent, Equilibrium, relative_residual
-from vibcli.mechanics.factored_system import FactoredSystem
 from vibcli.mechanics.high_precision import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, multiprecision
@@ -19,7 +18,7 @@ BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
 UNSETTLED, NEAR = 1e-9, 0.1        # of the figure: a step that is no rounding; how far a place may move
 TINY = 1e-5                        # of the figure: a displacement of which floats may know less than is printed
 LIMIT = 1e-9                       # at a limit of stability, which is solved for with its null vector
-UNIT = 2.0**53
+UNIT = 2.0**53                     # a stiffness counts as known to 2⁻⁵³ of its K_size
 
 
 def about(configuration, item, forces):
@@ -92,7 +91,7 @@ def at_limit(configuration, position, felt):
     known = {pair: UNIT * LIMIT * size for pair, size in sizes.items()}
     K = {pair: x for pair, x in numbers.elements.stiffness().items() if abs(x) > LIMIT * sizes[pair]}
     return configuration.about(Equilibrium(position, False, relative_residual(numbers)),
-                               _known_to(numbers.elements, K, known), final=True)
+                               numbers.elements.with_parts(springs=(), K=K, K_size=known), final=True)
 
 
 def _blurred(configuration, forces, blur):
@@ -106,10 +105,4 @@ def blurred(numeric, found, forces, blur):
     exact = in_numbers(numeric.system.linearisation, Floats, {**numeric.floats, **found.values}).elements
     felt = dict(zip(forces.rows, forces.D, strict=True))
     size = {(i, j): UNIT * blur * forces.E / (a * b) for i, a in felt.items() for j, b in felt.items()}
-    return _known_to(exact, exact.stiffness(), size)
-
-
-def _known_to(exact, K, size):
-    """The linear system with a stiffness that counts as known to 2⁻⁵³ of `size`."""
-    return FactoredSystem(exact.n, exact.inertias, (), exact.dampers, M=exact.M, C=exact.C, G=exact.G,
-                              drag=exact.drag, K=K, K_size=size, massless=exact.massless)
+    return exact.with_parts(springs=(), K=exact.stiffness(), K_size=size)

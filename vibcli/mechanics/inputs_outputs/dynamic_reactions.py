@@ -14,9 +14,9 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, signal_of, solved
-from vibcli.mechanics.signals import pinned_at
-from vibcli.symbolic.derivatives import gradient
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, signal_of, solved
+from vibcli.mechanics.linearise import row_of, slopes_of
+from vibcli.mechanics.signals import normal_of, reaction_of, require_fixed
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -40,7 +40,7 @@ class MovingReactions:
         real = [i for i, q in enumerate(scene.q) if q.name in self.configuration.spec.coordinates]
         held = [scene.q.index(q) for q in scene.released]
         residual = self._residual()
-        G = self._slopes()
+        G = np.array(evaluate(constraint_slopes(scene), Floats, self.released.values)).reshape(-1, len(scene.q))
         constants = np.array([residual[i].constant for i in (*real, *held)])
         static, loose = solved(G[:, real], constants[:len(real)])
         self._bend(residual, static)
@@ -83,22 +83,12 @@ class MovingReactions:
         inputs = {q.name: {opened.n + k: 1.0} for k, q in enumerate(released.inputs)}
         return [rows[q.name].q if q.name in rows else inputs.get(q.name, {}) for q in released.q]
 
-    def _slopes(self):
-        """∂G_k/∂p as an array."""
-        import numpy as np
-
-        scene = self.released.scene
-        slopes = [gradient(constraint.node) for constraint in scene.constraints]
-        nodes = [slope.get(q, scene.table.zero) for slope in slopes for q in scene.q]
-        return np.array(evaluate(nodes, Floats, self.released.values)).reshape(len(slopes), len(scene.q))
-
     def _bend(self, residual, multipliers):
         """Adds Σ λ_k δ(∂G_k/∂p) to the residual."""
         scene, motions = self.released.scene, self._motions()
         number = {q: i for i, q in enumerate(scene.q)}
         for constraint, size in zip(scene.constraints, multipliers, strict=True):
-            seconds = {(number[p], number[q]): node for p, slope in gradient(constraint.node).items() if p in number
-                       for q, node in gradient(slope).items() if q in number}
+            seconds = slopes_of(row_of(constraint.node, number), number)
             values = evaluate(list(seconds.values()), Floats, self.released.values)
             for (i, j), x in zip(seconds, values, strict=True):
                 if i in residual and x and size:
@@ -109,22 +99,11 @@ class MovingReactions:
         name, _, part = text.partition(".")
         if part in ("normal", "friction"):
             return self._contact(name, part)
-        if name in (self.configuration.spec.get("points") or {}) and not part.startswith("drive"):
-            text = f"{pinned_at(self.configuration.system, name)}.{part}"
-        if text not in self.rows:
-            pieces = [signal for signal in self.rows if signal.startswith(text + ".")]
-            raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
-                               "see `find: [reactions]` for those that it has")
-        if self.rows[text] is None:
-            raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
-                               "take a redundant support out")
-        return self.rows[text]
+        text = reaction_of(self.configuration.system, text, self.rows)
+        return require_fixed(text, self.rows[text])
 
     def _contact(self, name, part):
-        body = self.opened.scene.bodies[name]
-        if body.normal is None:
-            raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
-        nx, ny = self.opened.rows(list(body.normal))
+        nx, ny = self.opened.rows(list(normal_of(self.opened.scene, name)))
         x, y = (self.row(f"{name}.reaction.{axis}") for axis in "xy")
         parts = [(1.0, x, nx), (1.0, y, ny)] if part == "normal" else [(1.0, x, ny), (-1.0, y, nx)]
         return combined((sign, product(one, two)) for sign, one, two in parts)

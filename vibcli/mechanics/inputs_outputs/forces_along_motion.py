@@ -7,11 +7,17 @@ As in equilibrium (mechanics/reactions.py) the scene is released, with the inert
 
 from functools import cached_property
 
-from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, signal_of, solved
+from vibcli.mechanics.inputs_outputs.reactions import (
+    LENGTHENING,
+    OPEN,
+    Released,
+    constraint_slopes,
+    signal_of,
+    solved,
+)
 from vibcli.mechanics.lagrange import equation_of
-from vibcli.mechanics.signals import pinned_at
+from vibcli.mechanics.signals import in_contact, normal_of, reaction_of, require_fixed
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate
@@ -32,8 +38,7 @@ class ForcesAlong:
         """E of every coordinate and every ∂G_k/∂q, what is released being held."""
         scene = self.released.scene
         T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
-        slopes = [node for row in self.released.slopes() for node in row]
-        flat = [*(equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))), *slopes]
+        flat = [*(equation_of(scene, i, T, V, Phi) for i in range(len(scene.q))), *constraint_slopes(scene)]
         n = len(self.released.real)
         return substitute(flat, dict.fromkeys((*scene.q[n:], *scene.v[n:], *scene.a[n:]), scene.table.zero))
 
@@ -71,25 +76,14 @@ class ForcesAlong:
         name, _, part = text.partition(".")
         if part in ("normal", "friction"):
             return self._contact(known, name, part, state)
-        if name in (self.numeric.spec.get("points") or {}) and not part.startswith("drive"):
-            text = f"{pinned_at(self.numeric.system, name)}.{part}"
-        if text not in known:
-            pieces = [signal for signal in known if signal.startswith(text + ".")]
-            raise PhysicsError(f"this scene has no force '{text}'", "ask for " + " or ".join(pieces) if pieces else
-                               "see `find: [reactions]` for those that it has")
-        if known[text] is None:
-            raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
-                               "take a redundant support out")
-        return known[text]
+        text = reaction_of(self.numeric.system, text, known)
+        return require_fixed(text, known[text])
 
     def _contact(self, known, name, part, state):
-        normal = self.released.scene.bodies[name].normal
-        if normal is None:
-            raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
         scene, n = self.released.scene, len(self.released.real)
-        nx, ny = evaluate(substitute(normal, dict.fromkeys(scene.q[n:], scene.table.zero)), Arrays, state)
-        x, y = (self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy")
-        return x * nx + y * ny if part == "normal" else x * ny - y * nx
+        held = dict.fromkeys(scene.q[n:], scene.table.zero)
+        normal = evaluate(substitute(normal_of(scene, name), held), Arrays, state)
+        return in_contact(part, normal, [self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy"])
 
 
 def _at_one(states, k):

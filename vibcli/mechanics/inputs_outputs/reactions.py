@@ -9,6 +9,7 @@ R is the force (moment) that the support exerts on the body, in the fixed axes, 
 centre, of what rolls about the centre of its circle; λ is a tension for ropes and links, positive in lengthening.
 """
 
+from fractions import Fraction
 from typing import NamedTuple
 
 from vibcli.mechanics.lagrange import equation_of
@@ -37,27 +38,17 @@ class Released:
     def __init__(self, numeric):
         self.numeric, self.scene = numeric, numeric.scene.with_released_supports()
         if self.scene.static_preloads and not numeric.has_free_symbols:
-            self.scene = self.scene.with_preloads({node: self.scene.table.number(_float_of(numeric, record))
-                                                   for node, record in self.scene.static_preloads})
+            tensions = {node: numeric.system.preloads[record.name] for node, record in self.scene.static_preloads}
+            values = evaluate(list(tensions.values()), Floats, numeric.floats)
+            self.scene = self.scene.with_preloads({node: self.scene.table.number(Fraction(value))
+                                                   for node, value in zip(tensions, values, strict=True)})
         count = len(numeric.spec.coordinates)
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
-    def slopes(self):
-        """∂G_k/∂q over all coordinates, releases last, as lists of expressions."""
-        return self._slopes_of(self.scene.constraints)
 
-    def slopes_at_rest(self):
-        return self._slopes_of(self.scene.resting.constraints)
-
-    def _slopes_of(self, constraints):
-        zero = self.scene.table.zero
-        return [[gradient(constraint.node).get(q, zero) for q in self.scene.q] for constraint in constraints]
-
-
-def _float_of(numeric, record):
-    from fractions import Fraction
-
-    return Fraction(evaluate([numeric.system.preloads[record.name]], Floats, numeric.floats)[0])
+def constraint_slopes(scene):
+    """[∂G_k/∂q] of one constraint after the other, over all coordinates."""
+    return [gradient(constraint.node).get(q, scene.table.zero) for constraint in scene.constraints for q in scene.q]
 
 
 def reactions(configuration):
@@ -70,7 +61,7 @@ def reactions(configuration):
     terms = residual_terms(linearise(scene, still=True))
     nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
     sizes = evaluate([term for row in terms for term in row], Floats, values)
-    flat = evaluate([*nodes, *(node for row in released.slopes_at_rest() for node in row)], Floats, values)
+    flat = evaluate([*nodes, *constraint_slopes(scene)], Floats, values)
     E = np.array(flat[:len(nodes)])
     G = np.array(flat[len(nodes):]).reshape(len(scene.constraints), len(nodes))
     multipliers, loose = solved(G[:, :n], E[:n])
@@ -125,8 +116,7 @@ def along_the_motion(numeric):
     still = {node: table.zero for symbol in released.held
              for node in (symbol, table.variable(symbol.name + "'"), table.variable(symbol.name + "''"))}
     symbols = [table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
-    found = {}
-    equations = {}
+    found, equations = {}, {}
     for i, symbol in enumerate(scene.q):
         ties = [(_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier, ONE)
                 for constraint, multiplier in zip(scene.constraints, symbols, strict=True)
