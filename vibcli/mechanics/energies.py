@@ -5,11 +5,6 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import HALF, ONE
 
 
-def rate(scene, s):
-    """ds/dt = Σ (∂s/∂qᵢ) q̇ᵢ + Σ (∂s/∂q̇ᵢ) q̈ᵢ + ∂s/∂t."""
-    return scene.rate(s)
-
-
 def potential(scene):
     """V = Σ (N s + ½ k s²) + Σ f s + what is written out."""
     return scene.table.sum(*_stored(scene, scene.springs, scene.weights), *_quadratic(scene, "K", scene.q),
@@ -93,7 +88,7 @@ def _textbook_dissipation(scene):
     table, parts = scene.table, []
     rest = [*_quadratic(scene, "C", scene.v), (scene.energies["Phi"], ONE)]
     for term in scene.dampers:
-        speed = textbook(rate(scene, term.s))
+        speed = textbook(scene.rate(term.s))
         if speed.op == "sum":
             parts.append((table.product((term.weight, ONE), (speed, ONE + ONE)), HALF))
         else:

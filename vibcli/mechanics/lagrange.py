@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential, rate
+from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.symbolic.rationals import HALF, ONE
@@ -42,7 +42,7 @@ def equation_of(scene, i, T=None, V=None, Phi=None):
     """The left side of the equation of motion of coordinate i, as it comes from the energies."""
     T, V, Phi = T or kinetic(scene), V or potential(scene), Phi or dissipation(scene)
     q, v, zero = scene.q[i], scene.v[i], scene.table.zero
-    momentum = rate(scene, gradient(T).get(v, zero))
+    momentum = scene.rate(gradient(T).get(v, zero))
     left = momentum - gradient(T).get(q, zero) + gradient(V).get(q, zero) + gradient(Phi).get(v, zero)
     return left + gyroscopic(scene, i) - generalised_force(scene, i)
 

@@ -27,7 +27,8 @@ def left_out(symbolic):
     place = {symbol: node for symbol, node in place.items() if symbol is not scene.time}
     parts, sizes = {}, {}
     for term in scene.loads_at_still():
-        load = _in_time(scene, term)
+        _, turning, waving, constant = load_at_rest(scene, term)
+        load = turning + waving, constant       # what holds the time, and the constant that goes with it
         slopes = {q: slope for q, slope in gradient(term.s).items() if q in number}
         for q, slope in slopes.items() if any(not part.is_zero for part in load) else ():
             for other, second in gradient(slope).items():
@@ -49,12 +50,6 @@ def _driven(symbolic):
     from vibcli.mechanics.driven_products import driven_products
 
     return driven_products(symbolic)
-
-
-def _in_time(scene, term):
-    """(what of a load holds the time, the constant that goes with it)."""
-    _, turning, waving, constant = load_at_rest(scene, term)
-    return turning + waving, constant
 
 
 def _at(scene, place, terms):

@@ -32,7 +32,9 @@ class NumericEquations:
         self._slots, self._sizes = {}, None
         self.still = self.m == 0 and all(not node.mask for node in parts.M.values())
         self.direct = self.m == 0 and self.n <= DIRECT
-        self._require_inertia()
+        for i, name in enumerate(scene.coordinates):
+            if (i, i) not in parts.M:
+                raise massless(name)
         self.inertia = self.compiled([parts.M[i, i] for i in range(self.n)])
         if self.direct:
             self._compiled = self.compiled(_solved(scene.table, parts, self.n))
@@ -42,11 +44,6 @@ class NumericEquations:
             self._compiled = self.compiled(entries)
             self._inverse = self._factors() if self.still else None
         self._closing = self.compiled([*parts.gaps, *parts.rates]) if self.m else None
-
-    def _require_inertia(self):
-        for i, name in enumerate(self.scene.coordinates):
-            if (i, i) not in self.parts.M:
-                raise massless(name)
 
     def compiled(self, nodes):
         """The nodes as a function of arrays; its switches are added to those of the system."""
@@ -103,16 +100,14 @@ class NumericEquations:
 
     def sizes(self, t, q, v, g=()):
         """Σ |terms of hᵢ| at one instant: what the rounding of hᵢ is relative to."""
-        terms = [(i, part) for i, node in enumerate(self.parts.h)
-                 for part in ([arg for arg, _ in node.args] if node.op == "sum" else [node])]
-        factors = [abs(float(c)) for node in self.parts.h for c in
-                   ([c for _, c in node.args] if node.op == "sum" else [1])]
+        terms = [(i, part, factor) for i, node in enumerate(self.parts.h)
+                 for part, factor in (node.args if node.op == "sum" else [(node, 1)])]
         if self._sizes is None:
-            self._sizes = self.compiled([part for _, part in terms])
+            self._sizes = self.compiled([part for _, part, _ in terms])
         found = np.zeros(self.n)
         values = self._sizes(np.array([t]), q[:, None], v[:, None], g)
-        for (i, _), factor, value in zip(terms, factors, values, strict=True):
-            found[i] += factor * abs(float(np.max(value)))
+        for (i, _, factor), value in zip(terms, values, strict=True):
+            found[i] += abs(float(factor)) * abs(float(np.max(value)))
         return found
 
     def gaps(self, t, q, v):
@@ -208,4 +203,3 @@ def _solved(table, parts, n):
         rest = table.sum((h[i], ONE), *((M[i, j] * found[j], ONE) for j in range(i + 1, n)))
         found[i] = -(rest / M[i, i])
     return found
-

@@ -28,13 +28,6 @@ def vanishes(scene, terms):
     return True
 
 
-def residual_at(system, place):
-    """The terms of each condition of equilibrium at {symbol: expression}, None: as drawn."""
-    if place is None:
-        return system.drawn_residual
-    return residual_terms(at_position(system.linearisation, {**system.scene.drawn_position, **place}))
-
-
 def equilibrium_in_letters(symbolic):
     """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
     scene, start = symbolic.scene, symbolic.start
@@ -49,8 +42,9 @@ def equilibrium_in_letters(symbolic):
                            "draw it in equilibrium (`preload: static` helps), or give numbers with --set")
     _, _, _, K = matrices_in_letters(symbolic.system.linearisation)
     n, zero = len(scene.q), scene.table.zero
-    load = [textbook(scene.table.sum(*((term, ONE) for term in terms)))
-            for terms in residual_at(symbolic.system, start)]
+    residual = symbolic.system.drawn_residual if start is None else residual_terms(
+        at_position(symbolic.system.linearisation, {**scene.drawn_position, **start}))
+    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in residual]
     held = [i for i in range(n) if any((i, j) in K for j in range(n))]
     for i in range(n):
         if i not in held and not load[i].is_zero:

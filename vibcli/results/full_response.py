@@ -4,7 +4,6 @@ from contextlib import suppress
 from functools import cached_property
 
 from vibcli.base.errors import PhysicsError
-from vibcli.language.parameters import require_values
 from vibcli.language.signals import is_reaction
 from vibcli.results.full_signals import FullSignal
 from vibcli.results.responses import Response
@@ -56,6 +55,19 @@ class StatesInTime(Response):
         found = self._forces.values(list(dict.fromkeys(wanted.values())), self.states(places, trajectory))
         return {symbol: found[name] for symbol, name in wanted.items()}
 
+    def states(self, known, trajectory):
+        """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
+        import numpy as np
+
+        from vibcli.symbolic.array_arithmetic import Arrays
+
+        scene, names = self.problem.scene, self.problem.spec.coordinates
+        nodes = {name + "'" * primes: scene.symbol(name, primes) for name in names for primes in range(3)
+                 if name + "'" * primes not in known}
+        values = evaluate(list(nodes.values()), Arrays, known)
+        shape = np.shape(known[scene.time.name])
+        return {**known, **{name: np.broadcast_to(value, shape) for name, value in zip(nodes, values, strict=True)}}
+
 
 class FullResponse(StatesInTime):
     """The motion of the full equations, integrated."""
@@ -104,8 +116,7 @@ class FullResponse(StatesInTime):
     def lasting(self):
         from vibcli.analyses.transient.duration import duration
 
-        if self.problem.numeric.has_free_symbols:
-            require_values(self.problem.scene.parameters, "this")
+        self.problem.numeric.floats  # noqa: B018 - refused where parameters have none
         try:
             return duration(self.problem.modal.modes, self.problem.modal.damped, 0.0, [])
         except PhysicsError:
@@ -168,17 +179,10 @@ class FullResponse(StatesInTime):
         return searched_period(self.signal(tree), first)
 
     def states(self, known, trajectory):
-        """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
-        from vibcli.symbolic.array_arithmetic import Arrays
-
-        scene = self.problem.scene
         if trajectory.system.switches:
             raise PhysicsError("reactions are not found along a motion in which a force bends or jumps",
                                "ask for forces of springs and dampers, as in s.force + d.force")
-        names = [(name, primes) for name in self.problem.spec.coordinates if name not in trajectory.names
-                 for primes in range(3)]
-        values = evaluate([scene.symbol(name, primes) for name, primes in names], Arrays, known)
-        return {**known, **{name + "'" * primes: value for (name, primes), value in zip(names, values, strict=True)}}
+        return super().states(known, trajectory)
 
     def places(self, times, trajectory):
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""

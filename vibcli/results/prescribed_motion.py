@@ -3,7 +3,6 @@
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import StatesInTime
 from vibcli.results.full_signals import PrescribedSignal
-from vibcli.symbolic.evaluation import evaluate
 
 
 class PrescribedResponse(StatesInTime):
@@ -66,19 +65,6 @@ class PrescribedResponse(StatesInTime):
             here = self._followed(here, float(times[k]))
             values[:, k] = [here[name] for name in loops.names]
         return {**found, **dict(zip(loops.names, values, strict=True))}
-
-    def states(self, known, trajectory):
-        """{name: array} of the time and of all coordinates with their rates."""
-        import numpy as np
-
-        from vibcli.symbolic.array_arithmetic import Arrays
-
-        scene = self.problem.scene
-        times = known[scene.time.name]
-        names = [(name, primes) for name in self.problem.spec.coordinates for primes in range(3)]
-        values = evaluate([scene.symbol(name, primes) for name, primes in names], Arrays, known)
-        return {**known, **{name + "'" * primes: np.broadcast_to(value, np.shape(times))
-                            for (name, primes), value in zip(names, values, strict=True)}}
 
     def signal_of(self, node, forces, shared=None):
         return PrescribedSignal(self, node, forces, shared)

@@ -47,8 +47,7 @@ class Problem:
     def without(self, damper):
         """The problem with one damper taken out."""
         dampers = {name: record for name, record in self.spec.get("dampers").items() if name != damper}
-        spec = self.spec.with_sections(dampers=dampers)
-        return self.with_spec(spec)
+        return self.with_spec(self.spec.with_sections(dampers=dampers))
 
     def with_spec(self, spec):
         """The scene of another Spec, with the same values and the same count of work."""
@@ -162,4 +161,3 @@ class Problem:
         if (signal, driver) not in self._curves:
             self._curves[signal, driver] = FrequencyResponse(self, signal, driver)
         return self._curves[signal, driver]
-

@@ -14,9 +14,9 @@ class SharedFriction:
     @classmethod
     def of(cls, scene, tree, names, symbol):
         """That of a tree with the forces `names`; None where none of them is one of dry friction."""
-        from vibcli.mechanics.equilibrium.redundant_friction import signs_of_speeds
+        from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
 
-        owners = {law.owner for law in scene.laws if law.damper and signs_of_speeds(scene, law.force(scene))}
+        owners = {law.owner for law in scene.laws if law.damper and signs_of_speeds(scene, [law.force(scene)])}
         changes = {name.removesuffix(".force"): scene.table.variable(f"change of {name}") for name in sorted(names)
                    if name.removesuffix(".force") in owners}
         if not changes:

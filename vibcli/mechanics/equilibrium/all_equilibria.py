@@ -1,6 +1,7 @@
 """All equilibria of a scene within bounds: a scan of one coordinate, many starts for several; each checked by its
 residual and met once, images of it a turn apart included."""
 
+import math
 from contextlib import suppress
 from typing import NamedTuple
 
@@ -14,12 +15,13 @@ from vibcli.mechanics.equilibrium.distinct_roots import Found
 from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
 from vibcli.mechanics.equilibrium.families import Family
 from vibcli.mechanics.equilibrium.indices import compared
-from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle
-from vibcli.mechanics.equilibrium.search_box import bounds, given_bounds
+from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle, typical_length
 from vibcli.mechanics.nonsmooth import KINKED
+from vibcli.symbolic.evaluation import Floats, evaluate
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
 SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
+REACH = 2.0                        # of the size of the figure: what is searched of a length
 
 
 class Item(NamedTuple):
@@ -65,7 +67,7 @@ def find_equilibria(configuration):
     if not names:
         return Equilibria([Item(rest, [{name: 1.0} for name in loose]) for rest in rests], {}, True, True, forces)
     if linear:
-        limits = {name: given_bounds(configuration.numeric).get(name, (-np.inf, np.inf)) for name in names}
+        limits = {name: _given_bounds(configuration.numeric).get(name, (-np.inf, np.inf)) for name in names}
         found = Found(forces, _box(forces, limits))
     else:
         limits, found = _prepared(configuration.numeric, forces, rests)
@@ -94,10 +96,47 @@ def _reached(configuration):
 def _prepared(numeric, forces, rests):
     """(bounds, an empty Found within them), the scales and periods of the forces being learnt."""
     forces.learn_periods()
-    limits = bounds(numeric, forces, [rest.values for rest in rests])
+    limits = _bounds(numeric, forces, [rest.values for rest in rests])
     low, high = _box(forces, limits)
     forces.learn_sizes(low + (high - low) * fractions for fractions in multistart.spread(len(low), SAMPLES))
     return limits, Found(forces, (low, high))
+
+
+def _bounds(numeric, forces, rests):
+    """{coordinate: (least, greatest)} of the file, else a turn of angles and twice the figure; `rests`: positions of
+    equilibrium that are known, which are kept within."""
+    given, found = _given_bounds(numeric), {}
+    for name, angle, periodic in zip(forces.names, forces.angle, forces.periodic, strict=True):
+        drawn = numeric.drawn_floats[name]
+        if name in given:
+            low, high = given[name]
+            centre = 0.5 * (low + high)
+            found[name] = (centre - math.pi, centre + math.pi) if periodic and high - low > math.tau else (low, high)
+        elif angle:
+            centre = 0.0 if abs(drawn) <= math.pi else drawn
+            found[name] = (centre - math.pi, centre + math.pi)
+        else:
+            reach = REACH * max(typical_length(numeric), *(abs(rest[name] - drawn) for rest in rests), 0.0)
+            if not reach:
+                far = numeric.spec.example("2 m")
+                raise PhysicsError(f"nothing in this scene says how far '{name}' is to be searched for equilibria",
+                                   f"give bounds, as in find: {{equilibria: all, within: {{{name}: [-{far}, {far}]}}}}",
+                                   numeric.spec.coordinates[name].where)
+            found[name] = (drawn - reach, drawn + reach)
+    return found
+
+
+def _given_bounds(numeric):
+    """{coordinate: (least, greatest)} of the file."""
+    asked, found = numeric.spec.get("find"), {}
+    for name, pair in (asked.within if asked else {}).items():
+        nodes = [numeric.scene.lower(expression) for expression in pair]
+        low, high = evaluate(nodes, Floats, numeric.floats)
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            raise PhysicsError(f"the bounds of '{name}' are {low:.6g} and {high:.6g}, expected the smaller one first",
+                               "write [least, most]", pair[0].where)
+        found[name] = (low, high)
+    return found
 
 
 def _box(forces, limits):

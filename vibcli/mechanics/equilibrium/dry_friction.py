@@ -57,8 +57,7 @@ def sticking(system):
         slopes = gradient(node)
         held = {sigma: textbook(substitute([slopes[sigma]], rest)[0]) for sigma in bounds if sigma in slopes}
         held = {sigma: a for sigma, a in held.items() if not a.is_zero}
-        unknown = scene.time.mask | _mask(bounds)
-        if any(a.mask & unknown for a in held.values()):
+        if any(a.mask & unknown.mask for a in held.values() for unknown in (scene.time, *bounds)):
             return None
         parts.append((textbook(scene.table.sum(*((term, ONE) for term in row))), held))
     if not any(held for _, held in parts):
@@ -67,20 +66,18 @@ def sticking(system):
                          for name, (b, held) in zip(scene.coordinates, parts, strict=True)), bounds)
 
 
-def _mask(symbols):
-    mask = 0
-    for symbol in symbols:
-        mask |= symbol.mask
-    return mask
+def signs_of_speeds(scene, nodes):
+    """The signs in some nodes that a velocity changes, in order."""
+    return [part for part in reachable(nodes) if part.name == "sign" and any(part.mask & v.mask for v in scene.v)]
 
 
 def _senses(scene, equations):
     """({sign of a velocity that vanishes at rest: σ}, {σ: σ₀})."""
-    speeds, limits = _mask(scene.v), scene.law_switches()[1]
+    limits = scene.law_switches()[1]
     rest = dict.fromkeys(scene.v, scene.table.zero)
     symbols, bounds = {}, {}
-    for part in reachable(equations):
-        if part.name == "sign" and part.mask & speeds and is_zero(substitute([part.args[0]], rest)[0]):
+    for part in signs_of_speeds(scene, equations):
+        if is_zero(substitute([part.args[0]], rest)[0]):
             sigma = scene.table.variable(f"sigma_{len(symbols) + 1}")
             symbols[part], bounds[sigma] = sigma, limits.get(part.args[0], scene.table.one)
     return symbols, bounds

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
-from vibcli.mechanics.equilibrium.rounding import may_vanish
+from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -143,7 +143,7 @@ class EnergyDescent:
 
     def balanced(self, numbers):
         """Is nothing left of the forces but what rounding leaves?"""
-        return self.relative(numbers) <= 1e-9 or may_vanish(self.numeric, self.here)
+        return self.relative(numbers) <= 1e-9 or _may_vanish(self.numeric, self.here)
 
     def faded(self, numbers):
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
@@ -242,6 +242,21 @@ class EnergyDescent:
                 break
             q, numbers = trial, after
         return q, numbers
+
+
+def _may_vanish(numeric, position):
+    """May every force be zero in a position ({coordinate: float}), within the rounding of what it is computed from, by
+    interval arithmetic? The force of a stiff spring, k (ℓ − ℓ₀), is not known to the last digit of a small load."""
+    from vibcli.symbolic.interval_arithmetic import Intervals, exact
+
+    values = {name: exact(x) for name, x in (*numeric.floats.items(), *position.items())}
+    rows = residual_terms(numeric.system.linearisation)
+    try:
+        found = iter(evaluate([term for row in rows for term in row], Intervals, values))
+    except KeyError:            # of a function without bounds
+        return False
+    forces = [sum((next(found) for _ in row), exact(0.0)) for row in rows]
+    return all(force.holds_zero() and math.isfinite(force.size) for force in forces)
 
 
 def _tiny(values):

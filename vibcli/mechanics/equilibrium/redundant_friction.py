@@ -7,10 +7,10 @@ G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in pa
 from typing import NamedTuple
 
 from vibcli.base.errors import NotFixed
+from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
 from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
-from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero
 
 STEP = 0.1
@@ -79,7 +79,7 @@ def shared(owner):
 def require_fixed_at_rest(configuration, owner):
     """PhysicsError where the force of an element with dry friction is not fixed in equilibrium."""
     scene = configuration.scene
-    if not any(signs_of_speeds(scene, law.force(scene)) for law in scene.terms_of(owner, "laws")):
+    if not any(signs_of_speeds(scene, [law.force(scene)]) for law in scene.terms_of(owner, "laws")):
         return
     import numpy as np
 
@@ -92,19 +92,11 @@ def require_fixed_at_rest(configuration, owner):
         raise shared(owner)
 
 
-def signs_of_speeds(scene, node):
-    """The signs in a node that a velocity changes, in order."""
-    speeds = 0
-    for v in scene.v:
-        speeds |= v.mask
-    return [part for part in reachable([node]) if part.name == "sign" and part.mask & speeds]
-
-
 def _of_laws(scene):
     found = []
     for law in scene.laws:
         force, speed = law.force(scene), scene.rate(law.s)
-        for sign in signs_of_speeds(scene, force) if law.damper else ():
+        for sign in signs_of_speeds(scene, [force]) if law.damper else ():
             size = _slope(scene, force, sign)
             found.append(_held(scene, law.owner, sign, size, tuple(size * slope for slope in _slopes(scene, speed))))
     return found
@@ -113,7 +105,7 @@ def _of_laws(scene):
 def _of_others(scene, equations, laws):
     """What else holds with a sign of the equations, loads and energies: the column that no law accounts for."""
     found, table = [], scene.table
-    for sign in dict.fromkeys(sign for node in equations for sign in signs_of_speeds(scene, node)):
+    for sign in dict.fromkeys(sign for node in equations for sign in signs_of_speeds(scene, [node])):
         argument = sign.args[0]
         own = [part.column for part in laws if part.argument is argument]
         column = tuple(_slope(scene, node, sign) - table.sum(*((part[i], 1) for part in own))

@@ -53,7 +53,8 @@ class Forces:
         self.numeric, self.names, self.work = numeric, list(names), numeric.work
         self.rows = [numeric.scene.coordinates.index(name) for name in self.names]
         self.angle = np.array([not numeric.system.dimension(name) for name in self.names], bool)
-        self.open = np.array([_is_open(numeric.spec.dimensions.of(name)) for name in self.names], bool)
+        self.open = np.array([any(base.startswith("?") for base in numeric.spec.dimensions.of(name))
+                              for name in self.names], bool)
         self.D = np.where(self.angle | self.open, 1.0, typical_length(numeric) or 1.0)
         self.E, self.typical = 1.0, np.zeros(len(self.names))
         self.periodic = np.zeros(len(self.names), bool)
@@ -176,11 +177,6 @@ def _is_felt(system, row):
     terms = residual_terms(system.linearisation)
     return any(not term.is_zero for term in terms[row]) or any(
         term.mask & system.scene.q[row].mask for row_terms in terms for term in row_terms)
-
-
-def _is_open(dimension):
-    """Does nothing in the scene settle a dimension?"""
-    return any(base.startswith("?") for base in dimension)
 
 
 def typical_length(numeric):

@@ -14,16 +14,12 @@ FREE, HELD, FALLING = "free", "held", "falling"
 
 def zero_modes(configuration, rigid):
     """{index of a mode without frequency: FREE, HELD or FALLING}."""
-    if not configuration.system.is_linear and _all_free(configuration, len(rigid)):
-        return dict.fromkeys((mode.index for mode in rigid), FREE)
+    if not configuration.system.is_linear:
+        from vibcli.mechanics.equilibrium.families import freedom, learnt
+
+        if freedom(configuration.equilibrium, learnt(configuration.numeric)) == len(rigid):    # on curved lines too
+            return dict.fromkeys((mode.index for mode in rigid), FREE)
     return {mode.index: _along(configuration, mode.shape) for mode in rigid}
-
-
-def _all_free(configuration, count):
-    """Do so many directions lead to other equilibria, on curved lines too?"""
-    from vibcli.mechanics.equilibrium.families import freedom, learnt
-
-    return freedom(configuration.equilibrium, learnt(configuration.numeric)) == count
 
 
 def _along(configuration, shape):

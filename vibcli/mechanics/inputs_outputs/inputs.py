@@ -83,9 +83,13 @@ def _loads(configuration, text, found):
         return Input({list(terms)["xy".index(axis)]: 1.0}) if len(terms) == 2 else None
     if "unbalance" in record:
         return Input(dict(zip(terms, (1.0, -1j), strict=False)), turns=1)
-    if len(terms) == 2 and "carrier" in record and not _fixed_line(configuration, terms.values()):
-        return _carried(configuration, record, name, terms)
-    return Input(dict(zip(terms, _line(configuration, name, terms.values()), strict=True)))
+    scene, sample = configuration.with_inputs.scene, configuration.with_inputs.sample
+    nodes = [scene.forces[k].weight for k in terms.values()]
+    if not _keeps_line(nodes, scene, sample):
+        if "carrier" in record:
+            return _carried(configuration, record, name, terms)
+        raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
+    return Input(dict(zip(terms, _unit(_amplitudes(scene, nodes, sample), name), strict=True)))
 
 
 def _carried(configuration, record, name, terms):
@@ -98,21 +102,12 @@ def _carried(configuration, record, name, terms):
     return Input(dict(zip(nodes, start, strict=True)), carried=nodes)
 
 
-def _fixed_line(configuration, loads):
-    """Does a load of two components keep its line?"""
-    opened = configuration.with_inputs
-    nodes = [opened.scene.forces[k].weight for k in loads]
-    moving = [evaluate(nodes, Floats, {**opened.sample, opened.scene.time.name: t}) for t in INSTANTS]
+def _keeps_line(nodes, scene, sample):
+    """Does what has these components, one or two, keep its line in time?"""
+    if len(nodes) == 1:
+        return True
+    moving = [evaluate(nodes, Floats, {**sample, scene.time.name: t}) for t in INSTANTS]
     return not any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving)
-
-
-def _line(configuration, name, loads):
-    """The direction of a load as it is written, its function of the time being positive."""
-    opened = configuration.with_inputs
-    nodes = [opened.scene.forces[k].weight for k in loads]
-    if len(nodes) == 2 and not _fixed_line(configuration, loads):
-        raise PhysicsError(f"'{name}' changes its direction: it has no line", f"name {name}.x or {name}.y")
-    return _unit(_amplitudes(opened.scene, nodes, opened.sample), name)
 
 
 def _amplitudes(scene, nodes, sample):
@@ -145,8 +140,7 @@ def _driven(configuration, text, found):
         return Input({parts[0]: 1.0})
     nodes = [moved[i].node for i in parts]
     values = configuration.with_inputs.sample
-    moving = [evaluate(nodes, Floats, {**values, scene.time.name: t}) for t in INSTANTS]
-    if exact or any(abs(x * v - y * u) > SAME * (abs(x * v) + abs(y * u)) for x, y in moving for u, v in moving):
+    if exact or not _keeps_line(nodes, scene, values):
         raise PhysicsError(f"'{text}' is driven in several ways", f"name {text}.x or {text}.y of a point")
     return Input(dict(zip(parts, _unit(_amplitudes(scene, nodes, values), text), strict=True)))
 

@@ -28,7 +28,6 @@ def estimates(problem, _):
         if len(found.alone) > 1 else None)
 
 
-
 def _estimates(problem):
     try:
         found = problem.modal.result("estimates")

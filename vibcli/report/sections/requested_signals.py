@@ -2,11 +2,11 @@
 
 from typing import NamedTuple
 
-from vibcli.base import units
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
 from vibcli.quantities.dimensions import checker
 from vibcli.quantities.signal_dimensions import input_dimension, inputs, output_dimension
 from vibcli.reader.sections.find import FREQUENCY_RESPONSE, RESPONSE
+from vibcli.report.sections.parameters import unit
 from vibcli.symbolic.syntax import NameRef
 
 
@@ -25,7 +25,7 @@ class RequestedSignal(NamedTuple):
 
     @property
     def unit(self):
-        return "rad" if self.dimension == {} else units.text(self.dimension)
+        return unit(self.dimension)
 
 
 def symbol(text):
@@ -94,13 +94,8 @@ def curves_asked(problem, wanted):
     """[(signal, input, unit of the response)] of the frequency responses that are asked for."""
     driver = _input_asked(problem, wanted.driver)
     for text in names_asked(problem, FREQUENCY_RESPONSE, wanted.signals):
-        yield text, driver, _ratio(*(_unit(problem, find(problem.spec, name)) for find, name in (
-            (output_dimension, text), (input_dimension, driver))))
-
-
-def _unit(problem, dimension):
-    found = problem.spec.dimensions.resolve(dimension)
-    return "rad" if found == {} else units.text(found)
+        dimensions = output_dimension(problem.spec, text), input_dimension(problem.spec, driver)
+        yield text, driver, _ratio(*map(unit, map(problem.spec.dimensions.resolve, dimensions)))
 
 
 def _ratio(above, below):

@@ -37,9 +37,7 @@ def sampled(problem, wanted):
     times = np.linspace(0.0, problem.response.known, wanted.points)
     found = []
     for one in signals_asked(problem, wanted.signals):
-        parts = {}
-        for part in wanted.parts:
-            parts[part] = getattr(one.signal, part).values(times)
+        parts = {part: getattr(one.signal, part).values(times) for part in wanted.parts}
         found.append(SampledSignal(one.text, one.unit, times, one.signal.values(times), parts,
                             _bounds(problem, one.signal, times)))
     return found
