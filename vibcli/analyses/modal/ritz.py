@@ -60,6 +60,7 @@ def ritz(modal, asked):
     if asked is None:
         raise PhysicsError("no shapes are assumed for the Ritz estimates",
                            "ask with find: [{ritz: {shapes: [{" + modal.scene.coordinates[0] + ": 1}]}}]")
+    natural = modal.sharp_modes         # refused where there are none, or too many coordinates
     with mpmath.workdps(WORKING):
         elements = modal.configuration.precise_system(WORKING)
         M, _, _, K = (matrix_of(entries, elements.n) for entries in elements.matrices())
@@ -68,7 +69,7 @@ def ritz(modal, asked):
         basis = _orthonormal(shapes, M, [_place(shape, asked) for shape in asked["shapes"]])
         squares, mixed = mpmath.eigsy(mpmath.matrix([[_form(K, a, b) for b in basis] for a in basis]))
         modes = []
-        for i, (square, exact) in enumerate(zip(squares, modal.sharp_modes, strict=False)):
+        for i, (square, exact) in enumerate(zip(squares, natural, strict=False)):
             shape = _combined(basis, mixed[:, i])
             if abs(square) <= NOTHING * _form(K, shape, shape, abs):
                 square = mpmath.mpf(0)

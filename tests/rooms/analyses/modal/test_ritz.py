@@ -152,6 +152,14 @@ def test_where_the_minimax_principle_does_not_hold_they_are_refused():
         estimates(follower, [[1.0] * len(follower.scene.q)])
 
 
+def test_of_many_coordinates_they_are_refused_before_anything_is_computed():
+    names = [f"x{i}" for i in range(1, 301)]
+    text = "\n".join(["bodies:", *(f"  b{q}: {{mass: 1, slide: {q}}}" for q in names), "springs:",
+                      *(f"  s{q}: {{k: 1, between: [ground, b{q}]}}" for q in names)])
+    with pytest.raises(PhysicsError, match="up to 80 coordinates"):
+        asking(text, [{"x1": 1}]).modal.result("ritz")
+
+
 def test_unstable_and_rigid_modes_are_told_apart(tmp_path, capsys):
     path = tmp_path / "scene.yaml"
     text = ("coordinates: [x, y]\nmatrices: {{M: [[1, 0], [0, 1]], K: [[{}, 0], [0, 2]]}}\n"
