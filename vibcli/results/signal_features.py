@@ -123,11 +123,3 @@ def _lasting(signal):
     if not waves:
         raise PhysicsError("this signal comes to rest: it has no period to take a mean over", "ask for final(x)")
     return sum(part.amplitude for part in parts if not (part.omega or part.rate)), waves
-
-
-def envelope(signal, times):
-    """A e^{rate t} of a free vibration."""
-    import numpy as np
-
-    part = from_the_start(signal)
-    return part.amplitude * np.exp(part.rate * np.asarray(times))

@@ -228,17 +228,22 @@ class Envelope(Signal):
     def __init__(self, signal):
         self.signal = signal
 
-    def values(self, times, order=0):
-        from vibcli.results.signal_features import envelope
+    @cached_property
+    def part(self):
+        """The vibration, free from t = 0 on."""
+        from vibcli.results.signal_features import from_the_start
 
-        return envelope(self.signal, times)
+        return from_the_start(self.signal)
+
+    def values(self, times, order=0):
+        import numpy as np
+
+        return self.part.amplitude * np.exp(self.part.rate * np.asarray(times))
 
     def along(self, end):
         from vibcli.analyses.transient.composition import Decay
-        from vibcli.results.signal_features import from_the_start
 
-        part = from_the_start(self.signal)
-        return Decay(part.amplitude, part.rate)
+        return Decay(self.part.amplitude, self.part.rate)
 
     def extreme(self, start, end, sense):
         """(instant, value) of the largest (sense 1) or smallest (−1) value: at an end."""
@@ -254,9 +259,6 @@ class Envelope(Signal):
         return []
 
     def final(self):
-        from vibcli.results.signal_features import from_the_start
-
-        part = from_the_start(self.signal)
-        if part.rate > 0:
+        if self.part.rate > 0:
             raise PhysicsError("the motion grows without end: it comes to no rest", "ask for a value at a time")
-        return 0.0 if part.rate else part.amplitude
+        return 0.0 if self.part.rate else self.part.amplitude

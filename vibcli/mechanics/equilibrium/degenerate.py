@@ -59,14 +59,10 @@ def sharpened(numeric, found):
         position, degenerate = _to_more_digits(numeric, found)
         found = found._replace(degenerate=degenerate and not settled)
         if position is not None and max(abs((search.vector(position) - vector) / search.scale)) <= NEAR:
-            found = found._replace(
-                values={name: _but_for_nothing(numeric, name, value) for name, value in position.items()})
+            found = found._replace(values={
+                name: float(value) if abs(value) > NOTHING * numeric.size_along(name) else 0.0
+                for name, value in position.items()})
     return found
-
-
-def _but_for_nothing(numeric, name, value):
-    """A coordinate as a float, 0 where it is nothing beside the figure."""
-    return float(value) if abs(value) > NOTHING * numeric.size_along(name) else 0.0
 
 
 def _to_more_digits(numeric, found):

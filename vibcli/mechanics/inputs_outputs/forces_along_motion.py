@@ -27,11 +27,7 @@ class ForcesAlong:
     """The forces of a system at states {name: array} of all its coordinates, their rates and the time."""
 
     def __init__(self, numeric):
-        self.numeric = numeric
-
-    @cached_property
-    def released(self):
-        return Released(self.numeric)
+        self.numeric, self.released = numeric, Released(numeric)
 
     @cached_property
     def nodes(self):
@@ -53,7 +49,8 @@ class ForcesAlong:
         E, G = flat[:size], flat[size:].reshape(ties, size, count)
         found = {name: np.empty(count) for name in names}
         for k in range(count):
-            known, state = self._at(E[:, k], G[:, :, k], n), _at_one(states, k)
+            known = self._at(E[:, k], G[:, :, k], n)
+            state = {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}
             for name in names:
                 found[name][k] = self._value(known, name, state)
         return found
@@ -84,8 +81,3 @@ class ForcesAlong:
         held = dict.fromkeys(scene.q[n:], scene.table.zero)
         normal = evaluate(substitute(normal_of(scene, name), held), Arrays, state)
         return in_contact(part, normal, [self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy"])
-
-
-def _at_one(states, k):
-    """{name: number} of the instant k."""
-    return {name: value[k] if getattr(value, "ndim", 0) else value for name, value in states.items()}

@@ -36,7 +36,7 @@ class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
     def __init__(self, numeric):
-        self.numeric, self.scene = numeric, numeric.scene.with_released_supports()
+        self.scene = numeric.scene.with_released_supports()
         if self.scene.static_preloads and not numeric.has_free_symbols:
             tensions = {node: numeric.system.preloads[record.name] for node, record in self.scene.static_preloads}
             values = evaluate(list(tensions.values()), Floats, numeric.floats)

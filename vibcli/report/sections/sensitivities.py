@@ -11,6 +11,7 @@ def sensitivities(problem, _):
     require_numbers(problem, "sensitivities")
     found = problem.modal.result("sensitivities")
     heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes if mode.omega]
+    damped = {one.mode.index: one for one in found.damped or ()}
     tables = [
         *grid("Sensitivity of the natural frequencies: (p/ω)·∂ω/∂p", [
             (head, {maths(Name(name)): logarithmic(found.values[name], rates[mode.index], float(mode.omega))
@@ -19,8 +20,8 @@ def sensitivities(problem, _):
             (head, {_with_unit(problem, name): rates[mode.index] for name, rates in found.omega.items()})
             for head, mode in heads], _rate),
         *grid("Sensitivity of the damping ratios: ∂ζ/∂p [per unit of p]", [
-            (f"mode {one.mode.index}", {_with_unit(problem, name): rate for name, rate in one.zeta.items()})
-            for one in _one_of_each(found.damped) if one.zeta is not None], _rate)]
+            (f"mode {index}", {_with_unit(problem, name): rate for name, rate in one.zeta.items()})
+            for index, one in damped.items() if one.zeta is not None], _rate)]
     remarks = [paragraph(remark) for remark in _remarks(found)]
     if not tables:
         tables = section("Sensitivities", *remarks)
@@ -32,11 +33,6 @@ def sensitivities(problem, _):
 def logarithmic(value, rate, omega):
     """(p/ω) ∂ω/∂p; None where there is no derivative."""
     return None if rate is None else value * rate / omega
-
-
-def _one_of_each(damped):
-    """The damped sensitivities, one of each mode."""
-    return {one.mode.index: one for one in damped or ()}.values()
 
 
 def _with_unit(problem, name):

@@ -22,8 +22,10 @@ def response_in_letters(problem, names):
         raise NotInLetters("motions of the full equations are found in numbers",
                            "give the parameters values with --set")
     driven, names = bool(problem.scene.timed and problem.symbolic.excitation), list(names)
-    steady = _steady(problem, names) if driven else {}
-    yield from _equilibrium(problem)
+    steady = {name: problem.symbolic_steady_state(name) for name in names} if driven else {}
+    values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
+    if values:
+        yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
     for number, (name, found) in enumerate(steady.items(), 1):
         yield from _steady_section(problem, name, found, str(number) * (len(steady) > 1))
     if len(problem.scene.q) == 1:
@@ -34,16 +36,6 @@ def response_in_letters(problem, names):
         yield from _from_the_start(problem, steady)
     elif not driven:
         raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")
-
-
-def _steady(problem, names):
-    return {name: problem.symbolic_steady_state(name) for name in names}
-
-
-def _equilibrium(problem):
-    values = {name: node for name, node in problem.symbolic.equilibrium_position.items() if not node.is_zero}
-    if values:
-        yield from section("Equilibrium, from which motions are counted", paragraph(*equilibrium_parts(values)))
 
 
 def letter(problem, name):
@@ -117,7 +109,8 @@ def _about_steady(problem, table, start, steady, massless):
         return start, (), None
     formula, (x, v) = steady.formula, start
     X, theta = (table.parameter(letter(problem, name)) for name in ("X", "theta"))
-    argument, Omega, still = copied([steady.argument, formula.Omega, _at_start(problem, steady)], table)
+    at_start, = substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})
+    argument, Omega, still = copied([steady.argument, formula.Omega, at_start], table)
     lag = table.zero if formula.undamped else theta
     at = still - lag
     sine, cosine = table.call("sin", at), table.call("cos", at)
@@ -130,10 +123,6 @@ def _about_steady(problem, table, start, steady, massless):
     A, B = (table.parameter(letter(problem, name)) for name in "AB")
     lines = [line(A, " = ", start[0]), line(B, " = ", start[1])]
     return (A, B), prefix, equations(lines[:1] if massless else lines)
-
-
-def _at_start(problem, steady):
-    return substitute([steady.argument], {problem.scene.time: problem.scene.table.zero})[0]
 
 
 def _known_regime(problem, m, c, k):
