@@ -66,8 +66,7 @@ def _gather(bucket, entries):
 
 
 def _summed(scene, bucket):
-    found = {key: without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
-             for key, nodes in bucket.items()}
+    found = {key: without_time(scene, scene.table.total(nodes)) for key, nodes in bucket.items()}
     return {key: node for key, node in found.items() if not node.is_zero}
 
 

@@ -18,7 +18,6 @@ from vibcli.mechanics.symbolic_linear import place_in_letters
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 from vibcli.symbolic.transfer_between_tables import copied
 
@@ -50,8 +49,8 @@ def _bends(opened, forces, j):
             for slope in (gradient(term)[u] for term in terms if u in gradient(term)):
                 for symbol, second in gradient(slope).items():
                     if symbol in moving:
-                        found.setdefault((i, symbol, rate), []).append((second, ONE))
-    return {key: scene.table.sum(*terms) for key, terms in found.items()}
+                        found.setdefault((i, symbol, rate), []).append(second)
+    return {key: scene.table.total(terms) for key, terms in found.items()}
 
 
 def _forces(opened):

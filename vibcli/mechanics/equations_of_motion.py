@@ -12,7 +12,6 @@ from vibcli.mechanics.lagrange import gyroscopic
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 SIMPLIFIED = 4          # coordinates up to which a shorter form of each entry is looked for
 
@@ -53,7 +52,7 @@ def dynamics(scene, redundant=()):
 def drift(scene, rate):
     """d(rate)/dt without accelerations: Σ (∂rate/∂q) q̇ + ∂rate/∂t."""
     slopes = gradient(rate)
-    return scene.table.sum(*((slopes[x] * scene.speeds[x], ONE) for x in (*scene.q, scene.time) if x in slopes))
+    return scene.table.total(slopes[x] * scene.speeds[x] for x in (*scene.q, scene.time) if x in slopes)
 
 
 def _from_terms(scene):
@@ -74,8 +73,8 @@ def _from_terms(scene):
         forces[i] += [gradient(V).get(q, zero), gradient(Phi).get(v, zero), gyroscopic(scene, i)]
         forces[i] += [-(term.weight * gradient(term.s)[q]) for term in scene.forces if q in gradient(term.s)]
     table = scene.table
-    return ({pair: table.sum(*((node, ONE) for node in nodes)) for pair, nodes in entries.items()},
-            [table.sum(*((node, ONE) for node in nodes)) for nodes in forces])
+    return ({pair: table.total(nodes) for pair, nodes in entries.items()},
+            [table.total(nodes) for nodes in forces])
 
 
 def _written_out(scene, entries, forces):

@@ -11,7 +11,7 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
-from vibcli.symbolic.rationals import HALF, ONE
+from vibcli.symbolic.rationals import HALF
 
 LETTERS = 16        # most coordinates for which equations are written in letters
 
@@ -70,8 +70,8 @@ def _with_multipliers(scene, full):
     names = {symbol: constraint.name for symbol, constraint in zip(symbols, scene.constraints, strict=True)}
     slopes, found = [gradient(node) for node in nodes], []
     for left, q in zip(full, scene.q, strict=True):
-        ties = [(textbook(slope[q]) * symbol, ONE) for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
-        found.append(scene.table.sum((left, ONE), *ties))
+        ties = [textbook(slope[q]) * symbol for symbol, slope in zip(symbols, slopes, strict=True) if q in slope]
+        found.append(scene.table.total([left, *ties]))
     return found, names, conditions
 
 
@@ -125,5 +125,5 @@ def _left_side(scene, matrices, i):
     terms = []
     for kinds, symbols in (("M", scene.a), ("CG", scene.v), ("K", scene.q)):
         for j, symbol in enumerate(symbols):
-            terms += [(matrices[kind][i, j] * symbol, ONE) for kind in kinds if (i, j) in matrices[kind]]
-    return scene.table.sum(*terms)
+            terms += [matrices[kind][i, j] * symbol for kind in kinds if (i, j) in matrices[kind]]
+    return scene.table.total(terms)

@@ -38,8 +38,7 @@ def linearise(scene, still=False):
     slips, turning = {}, {}
     for term in scene.loads_at_still():
         _loaded(scene, found, number, term, slips, turning, still)
-    found.K.append({pair: -without_time(scene, scene.table.sum(*((node, ONE) for node in nodes)))
-                    for pair, nodes in turning.items()})
+    found.K.append({pair: -without_time(scene, scene.table.total(nodes)) for pair, nodes in turning.items()})
     _split(found, slips, found.drag)
     slips = {}
     if scene.timed:
@@ -90,7 +89,7 @@ def _driven(scene, found, number, term, kind, slips):
 
 def _split(found, slips, skew_parts):
     """Adds the symmetric part of {(i, j): [terms]} to C, the skew part to `skew_parts`."""
-    total = {pair: found.table.sum(*((node, ONE) for node in terms)) for pair, terms in slips.items()}
+    total = {pair: found.table.total(terms) for pair, terms in slips.items()}
     zero = found.table.zero
     for i, j in {tuple(sorted(pair)) for pair in total}:
         one, two = total.get((i, j), zero), total.get((j, i), zero)
@@ -146,7 +145,7 @@ def _outright(scene, parts, key, rows):
     pairs = [(i, j) for i in range(len(rows)) for j in range(len(rows))]
     if key == "K":
         K.append({(i, j): rows[i][j] for i, j in pairs if not rows[i][j].is_zero})
-        residual.append({i: scene.table.sum(*((q * k, ONE) for q, k in zip(scene.q, row, strict=False)))
+        residual.append({i: scene.table.total(q * k for q, k in zip(scene.q, row, strict=False))
                          for i, row in enumerate(rows)})
         return
     for matrix, sign in [(M if key == "M" else C, 1)] + [(G, -1)] * (key == "C"):

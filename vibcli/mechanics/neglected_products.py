@@ -14,7 +14,6 @@ from vibcli.mechanics.linearise import load_at_rest
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 
 NOTHING = 1e-9      # of what the load does to the equations
@@ -36,12 +35,12 @@ def left_out(symbolic):
                     pair = number[q], number[other]
                     parts.setdefault(pair, []).append([part * second for part in load])
                     sizes.setdefault(pair, []).extend((sum(load[1:], load[0]), row) for row in slopes.values())
-    found = {i: [(node, ONE) for node in products] for i, products in _driven(symbolic).items()}
+    found = _driven(symbolic)
     for (i, j), terms in parts.items():
         node = _at(scene, place, terms)
         if not node.is_zero and not _rounding(symbolic, node, sizes[i, j], place, j):
-            found.setdefault(i, []).append((node * symbolic.scene.q[j], ONE))
-    return {i: scene.table.sum(*terms) for i, terms in sorted(found.items())}
+            found.setdefault(i, []).append(node * symbolic.scene.q[j])
+    return {i: scene.table.total(terms) for i, terms in sorted(found.items())}
 
 
 def _driven(symbolic):
@@ -54,7 +53,7 @@ def _driven(symbolic):
 
 def _at(scene, place, terms):
     """−Σ F(t) ∂²s at a position; where the time cancels, as in a load that turns with what it acts on, K has it."""
-    waving, constant = (scene.table.sum(*((node, ONE) for node in nodes)) for nodes in zip(*terms, strict=True))
+    waving, constant = (scene.table.total(nodes) for nodes in zip(*terms, strict=True))
     waving, constant = substitute([with_time(scene, waving), constant], place)
     return textbook(-waving - constant)
 

@@ -13,7 +13,6 @@ from vibcli.mechanics.equations_of_motion import drift, dynamics
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.numeric_code import Compiled
-from vibcli.symbolic.rationals import ONE
 
 DIRECT = 3
 PROJECTIONS = 4
@@ -200,6 +199,6 @@ def _solved(table, parts, n):
             h[i] = h[i] - factor * h[k]
     found = [None] * n
     for i in reversed(range(n)):
-        rest = table.sum((h[i], ONE), *((M[i, j] * found[j], ONE) for j in range(i + 1, n)))
+        rest = table.total([h[i], *(M[i, j] * found[j] for j in range(i + 1, n))])
         found[i] = -(rest / M[i, i])
     return found

@@ -13,7 +13,6 @@ from typing import NamedTuple
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 
 class Powers(NamedTuple):
@@ -40,7 +39,7 @@ def powers(scene, ties=()):
     zero, loads = table.zero, _forces(scene, scene.forces)
     drags = _forces(scene, [*scene.dampers, *(law for law in scene.laws if law.damper)])
     timed = gradient(V).get(scene.time, zero) - gradient(T).get(scene.time, zero)
-    return Powers(T + V, T, _summed(table, (term.power(scene) for term in scene.forces)),
+    return Powers(T + V, T, table.total(term.power(scene) for term in scene.forces),
                   _slopes(scene, dissipation(scene)) + _prescribed(scene, drags),
                   timed - _prescribed(scene, loads) + _prescribed(scene, drags), _carried(scene),
                   [gradient(node).get(scene.time, zero) for node in ties])
@@ -53,7 +52,7 @@ def _forces(scene, terms):
 
 def _prescribed(scene, forces):
     """Σ F ∂s/∂t."""
-    return _summed(scene.table, (F * gradient(s)[scene.time] for F, s in forces if scene.time in gradient(s)))
+    return scene.table.total(F * gradient(s)[scene.time] for F, s in forces if scene.time in gradient(s))
 
 
 def _carried(scene):
@@ -65,8 +64,4 @@ def _carried(scene):
 
 def _slopes(scene, node):
     """Σ q̇ ∂/∂q̇ of an expression."""
-    return _summed(scene.table, (gradient(node)[v] * v for v in scene.v if v in gradient(node)))
-
-
-def _summed(table, nodes):
-    return table.sum(*((node, ONE) for node in nodes))
+    return scene.table.total(gradient(node)[v] * v for v in scene.v if v in gradient(node))

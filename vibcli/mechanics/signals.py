@@ -6,7 +6,6 @@ from vibcli.mechanics.energies import dissipation, kinetic, potential, potential
 from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_rest
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
-from vibcli.symbolic.rationals import ONE
 
 
 def moving(system, text, primes=0):
@@ -48,8 +47,8 @@ def _along(scene, name, part):
         nodes = [term.energy(scene) for term in scene.terms_of(name)]
     elif part == "power":
         nodes = [term.power(scene) for term in scene.terms_of(name)]
-    nodes = [(node, ONE) for node in nodes if node is not None]
-    return scene.table.sum(*nodes) if nodes else None
+    nodes = [node for node in nodes if node is not None]
+    return scene.table.total(nodes) if nodes else None
 
 
 def force(configuration, text):

@@ -11,7 +11,6 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 LOOSE = 1e-9
 
@@ -23,7 +22,7 @@ def settle_static_preloads(scene):
     vibrating = scene.vibrating
     form = at_position(steady(vibrating, linearise(vibrating)), vibrating.drawn_position)
     columns = [_column(form, unknown) for unknown in unknowns]
-    sums = [scene.table.sum(*((term, ONE) for term in terms)) for terms in residual_terms(form)]
+    sums = [scene.table.total(terms) for terms in residual_terms(form)]
     rest = substitute(sums, dict.fromkeys(unknowns, scene.table.zero))
     numbers = _floats(scene, [[column[i] for column in columns] + [rest[i]] for i in range(form.n)])
     rows, picked = pivots([row[:-1] for row in numbers])

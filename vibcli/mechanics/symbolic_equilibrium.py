@@ -19,7 +19,6 @@ from vibcli.symbolic.equations.one_unknown import solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
@@ -62,8 +61,7 @@ def symbolic_equilibrium(symbolic):
     if start is not None and all(map(_at_start, tried.first(ENOUGH))):
         return SymbolicEquilibrium({q: start[q] for q in scene.q}, {}, tried.first(ENOUGH), named=True)
     found = SymbolicEquilibrium({q: scene.drawn[q] for q in scene.q if _stays(reached, q.name)}, {}, reached)
-    conditions = [scene.table.sum(*((term, ONE) for term in terms))
-                  for terms in residual_terms(symbolic.system.linearisation)]
+    conditions = [scene.table.total(terms) for terms in residual_terms(symbolic.system.linearisation)]
     while len(found.values) < len(scene.q):
         open_ones = [q for q in scene.q if q not in found.values]
         step = _step([textbook(node) for node in found.at(conditions)], open_ones, tried)

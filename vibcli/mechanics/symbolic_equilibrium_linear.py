@@ -10,14 +10,13 @@ from vibcli.mechanics.static_preload import solve_linear
 from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE
 
 SAMPLES = range(20, 28)     # attempts to draw a scene with other sample values
 
 
 def vanishes(scene, terms):
     """Is the sum of these expressions zero: by expansion, or at several unrelated sets of values?"""
-    total = scene.table.sum(*((term, ONE) for term in terms))
+    total = scene.table.total(terms)
     if is_zero(total):
         return True
     for attempt in range(3):
@@ -44,7 +43,7 @@ def equilibrium_in_letters(symbolic):
     n, zero = len(scene.q), scene.table.zero
     residual = symbolic.system.drawn_residual if start is None else residual_terms(
         at_position(symbolic.system.linearisation, {**scene.drawn_position, **start}))
-    load = [textbook(scene.table.sum(*((term, ONE) for term in terms))) for terms in residual]
+    load = [textbook(scene.table.total(terms)) for terms in residual]
     held = [i for i in range(n) if any((i, j) in K for j in range(n))]
     for i in range(n):
         if i not in held and not load[i].is_zero:

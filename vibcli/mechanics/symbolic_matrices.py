@@ -1,7 +1,6 @@
 """M, C, G and K of small oscillations as expressions."""
 
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 
 def matrices_in_letters(form):
@@ -27,5 +26,5 @@ def _assembled(table, terms, parts):
 
 
 def _simplified(found, table):
-    entries = {pair: textbook(table.sum(*((node, ONE) for node in nodes))) for pair, nodes in found.items()}
+    entries = {pair: textbook(table.total(nodes)) for pair, nodes in found.items()}
     return {pair: node for pair, node in entries.items() if not node.is_zero}

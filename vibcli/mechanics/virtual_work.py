@@ -7,18 +7,13 @@ from vibcli.mechanics.autonomous import steady
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.linearise import linearise
 from vibcli.symbolic.normal_form import textbook
-from vibcli.symbolic.rationals import ONE
 
 
 def generalised_forces(scene):
     """[Q_q] of all coordinates of a scene, simplified."""
-    return [textbook(_total(scene, terms)) for terms in residual_terms(steady(scene, linearise(scene)))]
+    return [textbook(-scene.table.total(terms)) for terms in residual_terms(steady(scene, linearise(scene)))]
 
 
 def generalised_force_at_rest(system, i):
     """Q of the independent coordinate i, what constraints tie to it included."""
-    return _total(system.scene, residual_terms(system.linearisation)[i])
-
-
-def _total(scene, terms):
-    return scene.table.sum(*((term, -ONE) for term in terms))
+    return -system.scene.table.total(residual_terms(system.linearisation)[i])

@@ -126,6 +126,10 @@ class Table:
             mask |= node.mask
         return self._make("sum", tuple(args), exact(constant), mask)
 
+    def total(self, nodes):
+        """Σ nodeᵢ."""
+        return self.sum(*((node, 1) for node in nodes))
+
     def product(self, *factors):
         """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
         coefficient, collected = ONE, {}

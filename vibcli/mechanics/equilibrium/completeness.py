@@ -18,7 +18,6 @@ from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.interval_arithmetic import Intervals, exact, inverse, outward
-from vibcli.symbolic.rationals import ONE
 
 BOXES = {1: 50_000, 2: 50_000, 3: 20_000}            # by coordinates
 TOGETHER, LEFT, NARROW = 2048, 200, 1e-9            # NARROW: in radians, or sizes of the figure
@@ -91,7 +90,7 @@ class ForceBounds:
         scene, form = numeric.scene, numeric.system.linearisation
         q = [scene.q[row] for row in forces.rows]
         terms = residual_terms(form)
-        F = [scene.table.sum(*((term, ONE) for term in terms[row])) for row in forces.rows]
+        F = [scene.table.total(terms[row]) for row in forces.rows]
         slopes = [gradient(node) for node in F]
         self.nodes = F + [slope.get(symbol, scene.table.zero) for slope in slopes for symbol in q]
         self.of_coordinates, self.symbols = q, [symbol.name for symbol in q]

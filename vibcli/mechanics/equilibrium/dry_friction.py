@@ -12,7 +12,6 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE
 
 STEPS, ROUNDS, REACH = 400, 60, 4.0     # REACH: sizes of the figure, radians
 SWEEPS, BALANCED = 500, 1e-12           # of the descent; of the forces
@@ -59,7 +58,7 @@ def sticking(system):
         held = {sigma: a for sigma, a in held.items() if not a.is_zero}
         if any(a.mask & unknown.mask for a in held.values() for unknown in (scene.time, *bounds)):
             return None
-        parts.append((textbook(scene.table.sum(*((term, ONE) for term in row))), held))
+        parts.append((textbook(scene.table.total(row)), held))
     if not any(held for _, held in parts):
         return None
     return Sticking(tuple(_row(scene, name, b, held, parts, bounds)

@@ -18,7 +18,6 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
-from vibcli.symbolic.rationals import ONE
 
 OPEN = 1e-9
 LENGTHENING = ("rope", "link", "gear", "belt", "equation")
@@ -59,7 +58,7 @@ def reactions(configuration):
     scene, n = released.scene.resting, len(released.real)
     values = _at_rest(configuration, released)
     terms = residual_terms(linearise(scene, still=True))
-    nodes = [scene.table.sum(*((term, ONE) for term in row)) for row in terms]
+    nodes = [scene.table.total(row) for row in terms]
     sizes = evaluate([term for row in terms for term in row], Floats, values)
     flat = evaluate([*nodes, *constraint_slopes(scene)], Floats, values)
     E = np.array(flat[:len(nodes)])
@@ -118,10 +117,10 @@ def along_the_motion(numeric):
     symbols = [table.variable("lambda_" + constraint.name.replace(".", "_")) for constraint in scene.constraints]
     found, equations = {}, {}
     for i, symbol in enumerate(scene.q):
-        ties = [(_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier, ONE)
+        ties = [_steady_slope(released, gradient(constraint.node)[symbol]) * multiplier
                 for constraint, multiplier in zip(scene.constraints, symbols, strict=True)
                 if symbol in gradient(constraint.node)]
-        node = table.sum((equation_of(scene, i), ONE), *ties)
+        node = table.total([equation_of(scene, i), *ties])
         equations[symbol] = textbook(substitute([node], still)[0])
     free = [table.zero, *(equations[q] for q in released.real)]      # what a free coordinate does costs no reaction
     for symbol in released.held:
