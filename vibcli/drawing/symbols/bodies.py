@@ -85,9 +85,11 @@ def _floor(name, look, sketch, room):
     left, bottom, right, top = plane.bounds([p for part in look.outlines for p in part.points])
     if abs(e[1]) > 0.95:
         return _guides(name, (left, bottom, right, top), sketch) if look.kind == "block" else []
-    e = e if e[0] > 0 else plane.times(e, -1)
+    e, level = e if e[0] > 0 else plane.times(e, -1), abs(e[0]) == 1
+    if level and look.kind == "platform" and abs(look.angle) > 3:     # what is on it is below
+        e, bottom, room = plane.times(e, -1), top, room[::-1]
     down = plane.times(plane.left(e), -1)
-    if e == (1, 0):
+    if level:
         under = ((left + right) / 2, bottom)
         half, wheels = (right - left) / 2, 2 * support.ROLLER
         spots = [plane.plus(under, e, side * (half - 6)) for side in (-1, 1)] if half > 8 else [under]
