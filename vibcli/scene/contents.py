@@ -7,7 +7,7 @@ TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constra
 
 class Constraint(NamedTuple):
     """One condition node = 0 of the constraint `name` (a part of it: `name.x`); `form` is one of
-    equation, join, link, point, gear, belt, rope, release."""
+    equation, join, link, point, gear, belt, rope, contact, release."""
 
     name: str
     node: object
@@ -27,6 +27,13 @@ class Constraint(NamedTuple):
     def whole(self):
         """The name of the constraint that this is a part of."""
         return self.name.partition(".")[0]
+
+    @property
+    def signal(self):
+        """What its force is called: hoist.force, knee.force.x of a join, hoist.force.1 of a rope in several pieces; of
+        a contact its name."""
+        name, dot, part = self.name.partition(".")
+        return self.name if self.form == "contact" else f"{name}.force{dot}{part}"
 
 
 class Contents(NamedTuple):
