@@ -64,7 +64,7 @@ class Body(NamedTuple):
 
     pieces: (mass, centre, J_C) of the welded parts where T is the sum of theirs, else None. rims: the centres as drawn
     of its round shapes, and rolling_radius their radius, None of none or several. normal: the unit vector from the
-    surface that it rolls or slides on to the body.
+    surface that it rolls or slides on to the body; reach: from the first of two contacts to the centre, along it.
     """
 
     name: str
@@ -78,6 +78,7 @@ class Body(NamedTuple):
     frame: object = None
     lumped: tuple = None
     normal: tuple = None
+    reach: object = None
 
     @property
     def moves(self):
@@ -104,8 +105,8 @@ class Body(NamedTuple):
 
 def touched(record):
     """References to the surfaces that a body of this record rolls or slides on."""
-    motions = [record[key] for key in ("roll", "slide") if key in record]
-    return [motion["surface"] for motion in motions if "surface" in motion]
+    motion = next((record[key] for key in ("roll", "slide") if key in record), {})
+    return [motion["surface"]] if "surface" in motion else list(motion.get("between", ()))
 
 
 def build(record, scene):
@@ -121,6 +122,8 @@ def build(record, scene):
             body = body._replace(frame=scene.still(body.centre))
         else:
             body = scene.supported(load(motion).build(record[motion], body, scene))
+            if "between" in record.get("roll", ()) and not scene.diagnostics:
+                load("roll").tie(record["roll"], body, scene)
         _add_energies(body, motion, scene)
     except ZeroDivisionError:
         scene.report(record.where, f"the geometry of '{record.name}' divides by zero as drawn",

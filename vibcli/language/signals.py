@@ -6,6 +6,7 @@ from vibcli.language.reader import Record
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
         "normal": "N", "friction": "N"}
+CONTACT = ("normal", "friction")
 GROUND = {"force": "N", "force.x": "N", "force.y": "N", "moment": "N*m"}
 ENERGIES = {"T": "J", "V": "J", "Phi": "W"}      # of the whole scene, where no parameter has the name
 DRIVES = {"slide": {"drive": "N"}, "pin": {"drive": "N*m"}, "turn": {"drive": "N*m"}, "travel": {"drive": "N"},
@@ -34,7 +35,8 @@ ABOUT = (
                 "`pin: Omega*t`; of `move` B.drive.x, .y, .moment, of a point that `moves` P.drive.x, .y. Times the "
                 "prescribed velocity it is the power of the drive"),
     ("B.normal, B.friction", "contact force on a rolling or sliding body: along the normal from the surface to the "
-                             "body, and along the tangent, which is the normal turned clockwise"),
+                             "body, and along the tangent, which is the normal turned clockwise; of what rolls "
+                             "between two surfaces B.normal.deck, B.friction.deck at each"),
 )
 
 
@@ -55,7 +57,7 @@ def _parts(spec, name):
     """{part: unit} of the signals of what has a name."""
     for section, parts in (("bodies", BODY), ("points", POINT)):
         if name in (spec.get(section) or {}):
-            return parts | drives(spec, spec.get(section)[name])
+            return _signals_of(spec, spec.get(section)[name], parts)
     if name == "ground":
         return GROUND
     record = spec.connection(name)
@@ -65,12 +67,21 @@ def _parts(spec, name):
     return {part: "N" for kind, parts in FORCES.items() if kind in record for part in parts}
 
 
+def _signals_of(spec, record, parts):
+    """{part: unit} of a body or point: `parts`, the forces of its drives, those of each of several contacts."""
+    contacts = record["roll"].get("between", ()) if "roll" in record else ()
+    if contacts:
+        parts = {part: unit for part, unit in parts.items() if part not in CONTACT}
+        parts |= {f"{part}.{surface.text}": "N" for surface in contacts for part in CONTACT}
+    return parts | drives(spec, record)
+
+
 def is_reaction(spec, text):
     """Is this the force of a constraint, a support, a contact or a drive?"""
     name, _, part = text.partition(".")
     if name in (spec.get("constraints") or {}):
         return part.partition(".")[0] == "force"
-    return part.partition(".")[0] in ("reaction", "drive", "normal", "friction") and (
+    return part.partition(".")[0] in ("reaction", "drive", *CONTACT) and (
         name in (spec.get("bodies") or {}) or name in (spec.get("points") or {}))
 
 
@@ -81,7 +92,9 @@ def drives(spec, record):
         return {}
     value = record[key]
     if key == "roll":
-        key = next(kind for kind in ("travel", "swing", "turn") if kind in value)
+        key = next((kind for kind in ("travel", "swing", "turn") if kind in value), None)
+        if key is None:
+            return {}
         value = value[key]
     value = value["by"] if isinstance(value, Record) and "by" in value else value
     parts = DRIVES[key]

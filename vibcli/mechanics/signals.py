@@ -120,6 +120,9 @@ def _pinned_at(system, point):
 def normal_of(scene, name):
     """The normal of the surface on which a body rolls or slides."""
     normal = scene.bodies[name].normal
+    if normal is None and scene.bodies[name].touched:
+        raise PhysicsError(f"what each of its two surfaces exerts on '{name}' is not told apart",
+                           "give it a coordinate, as in `roll: {between: …, turn: phi}`, or ask for its reaction")
     if normal is None:
         raise PhysicsError(f"'{name}' rolls or slides on no surface", "ask for its reaction, as in rod.reaction.x")
     return normal

@@ -61,7 +61,7 @@ def _tangent(surface, place, sketch):
 
 
 def _rolling(roll, name, sketch):
-    surface, found = sketch.scene.surfaces[roll["surface"].text], []
+    surface, found = sketch.scene.surfaces[sketch.scene.bodies[name].touched[0]], []
     if "travel" in roll:
         found.append(BodyMotion(name, roll["travel"], _tangent(surface, sketch.rim(name).drawn, sketch)))
     if "turn" in roll:

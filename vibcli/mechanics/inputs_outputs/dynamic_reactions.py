@@ -11,10 +11,11 @@ with δp = P δq + P_u δu. What q does follows from its own equations, so any l
 from functools import cached_property
 
 from vibcli.base.errors import PhysicsError
+from vibcli.language.signals import CONTACT
 from vibcli.mechanics.autonomous import excitation
 from vibcli.mechanics.inputs_outputs.base_excitation import SystemWithInputs
 from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product
-from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, signal_of, solved
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, constraint_slopes, solved
 from vibcli.mechanics.linearise import row_of, slopes_of
 from vibcli.mechanics.signals import normal_of, reaction_of, require_fixed
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -52,7 +53,7 @@ class MovingReactions:
         for k, constraint in enumerate(scene.constraints):
             sign, row = 1.0 if constraint.form in LENGTHENING else -1.0, multipliers[k]
             open_one = np.abs(loose[:, k]).max(initial=0.0) > OPEN
-            found[signal_of(constraint)] = None if open_one else combined([(sign, row)])
+            found[constraint.signal] = None if open_one else combined([(sign, row)])
         for i in held:
             ties = [(float(G[k, i]), row) for k, row in enumerate(multipliers) if G[k, i]]
             open_one = np.abs(loose @ G[:, i]).max(initial=0.0) > OPEN
@@ -97,13 +98,18 @@ class MovingReactions:
     def row(self, text):
         """The LinearFunction of a reaction, a force in a constraint, or a force of contact."""
         name, _, part = text.partition(".")
-        if part in ("normal", "friction"):
-            return self._contact(name, part)
+        kind = part.partition(".")[0]
+        if kind in CONTACT and text not in self.rows:
+            return self._contact(name, kind)
         text = reaction_of(self.configuration.system, text, self.rows)
         return require_fixed(text, self.rows[text])
 
     def _contact(self, name, part):
-        nx, ny = self.opened.rows(list(normal_of(self.opened.scene, name)))
+        normal, reach = normal_of(self.opened.scene, name), self.opened.scene.bodies[name].reach
+        if part == "friction" and reach is not None and f"{name}.drive" not in self.rows:
+            arm = self.opened.rows([reach])[0].constant      # what two surfaces press does not turn it
+            return combined([(1.0 / arm, self.row(f"{name}.reaction.moment"))])
+        nx, ny = self.opened.rows(list(normal))
         x, y = (self.row(f"{name}.reaction.{axis}") for axis in "xy")
         parts = [(1.0, x, nx), (1.0, y, ny)] if part == "normal" else [(1.0, x, ny), (-1.0, y, nx)]
         return combined((sign, product(one, two)) for sign, one, two in parts)
@@ -116,6 +122,7 @@ def _left_inverse(G):
     if not len(G):
         return np.zeros((0, G.shape[1]))
     scale = np.abs(G).max(axis=1)
+    scale[scale == 0.0] = 1.0       # of what ties supports alone
     return np.linalg.pinv((G / scale[:, None]).T, rcond=OPEN) / scale[:, None]
 
 

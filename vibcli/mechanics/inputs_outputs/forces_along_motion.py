@@ -7,15 +7,9 @@ As in equilibrium (mechanics/reactions.py) the scene is released, with the inert
 
 from functools import cached_property
 
+from vibcli.language.signals import CONTACT
 from vibcli.mechanics.energies import dissipation, kinetic, potential
-from vibcli.mechanics.inputs_outputs.reactions import (
-    LENGTHENING,
-    OPEN,
-    Released,
-    constraint_slopes,
-    signal_of,
-    solved,
-)
+from vibcli.mechanics.inputs_outputs.reactions import LENGTHENING, OPEN, Released, constraint_slopes, solved
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.signals import in_contact, normal_of, reaction_of, require_fixed
 from vibcli.symbolic.array_arithmetic import Arrays
@@ -64,20 +58,23 @@ class ForcesAlong:
         held, left_open = E[n:] + multipliers @ G[:, n:], np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
         for k, tie in enumerate(scene.constraints):
             sign = 1.0 if tie.form in LENGTHENING else -1.0
-            found[signal_of(tie)] = None if np.abs(loose[:, k]).max(initial=0.0) > OPEN else sign * multipliers[k]
+            found[tie.signal] = None if np.abs(loose[:, k]).max(initial=0.0) > OPEN else sign * multipliers[k]
         found.update({q.name: None if unknown else value
                       for q, value, unknown in zip(self.released.held, held, left_open, strict=True)})
         return found
 
     def _value(self, known, text, state):
         name, _, part = text.partition(".")
-        if part in ("normal", "friction"):
-            return self._contact(known, name, part, state)
+        kind = part.partition(".")[0]
+        if kind in CONTACT and text not in known:
+            return self._contact(known, name, kind, state)
         text = reaction_of(self.numeric.system, text, known)
         return require_fixed(text, known[text])
 
     def _contact(self, known, name, part, state):
         scene, n = self.released.scene, len(self.released.real)
-        held = dict.fromkeys(scene.q[n:], scene.table.zero)
+        held, reach = dict.fromkeys(scene.q[n:], scene.table.zero), scene.bodies[name].reach
         normal = evaluate(substitute(normal_of(scene, name), held), Arrays, state)
+        if part == "friction" and reach is not None and f"{name}.drive" not in known:
+            return self._value(known, f"{name}.reaction.moment", state) / evaluate([reach], Arrays, state)[0]
         return in_contact(part, normal, [self._value(known, f"{name}.reaction.{axis}", state) for axis in "xy"])

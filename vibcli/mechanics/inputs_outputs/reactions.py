@@ -67,22 +67,16 @@ def reactions(configuration):
     held = E[n:] + multipliers @ G[:, n:]
     left_open = np.abs(loose @ G[:, n:]).max(axis=0, initial=0.0) > OPEN
     found = []
+    size = float(max(np.abs(held).max(initial=0.0), np.abs(sizes).max(initial=0.0)))
     for k, constraint in enumerate(scene.constraints):
         sign = 1.0 if constraint.form in LENGTHENING else -1.0
         unknown = np.abs(loose[:, k]).max(initial=0.0) > OPEN
-        found.append(Reaction(signal_of(constraint), None if unknown else sign * float(multipliers[k]) + 0.0,
-                              constraint.form))
-    size = float(max(np.abs(held).max(initial=0.0), np.abs(sizes).max(initial=0.0)))
+        value = 0.0 if constraint.form == "contact" and abs(multipliers[k]) <= 1e-13 * size else float(multipliers[k])
+        found.append(Reaction(constraint.signal, None if unknown else sign * value + 0.0, constraint.form))
     for symbol, force, unknown in zip(released.held, held, left_open, strict=True):
         value = 0.0 if abs(force) <= 1e-13 * size else float(force)
         found.append(Reaction(symbol.name, None if unknown else value, "support"))
     return found
-
-
-def signal_of(constraint):
-    """hoist.force, or knee.force.x of a join, or hoist.force.1 of a rope in several pieces."""
-    name, dot, part = constraint.name.partition(".")
-    return f"{name}.force{dot}{part}"
 
 
 def _at_rest(configuration, released):
@@ -101,6 +95,7 @@ def solved(G, E):
     if not len(G):
         return np.zeros(0), np.zeros((0, 0))
     scale = np.abs(G).max(axis=1)
+    scale[scale == 0.0] = 1.0       # of what ties supports alone
     u, s, vt = np.linalg.svd((G / scale[:, None]).T, full_matrices=True)
     rank = int(np.sum(s > OPEN * s[0]))
     multipliers = vt[:rank].T @ ((u[:, :rank].T @ -E) / s[:rank])
