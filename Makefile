@@ -1,5 +1,5 @@
 # make solve: install into .venv and solve a problem.  make quick: tests without sweeps over many scenes, in two minutes.
-# make test: everything that must hold, as CI runs it.  make lint: style.  make bench: speed and error.
+# make test: everything that must hold, as CI runs it.  make lint: style and types.  make bench: speed and error.
 PYTHON ?= python3
 BIN := .venv/bin
 PROBLEM ?= problems/6_two_degrees/cart_with_pendulum.yaml
@@ -21,6 +21,7 @@ solve: $(BIN)/vibcli
 
 lint: $(BIN)/pytest
 	$(BIN)/ruff check vibcli tests
+	$(BIN)/mypy
 
 quick: lint
 	$(BIN)/pytest -q -n 2 -m "not sweep"

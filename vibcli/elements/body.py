@@ -5,7 +5,7 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.elements import ELEMENTS, body_checks
 from vibcli.elements.shapes import LAWS, NEEDS
@@ -68,14 +68,14 @@ class Body(NamedTuple):
     """
 
     name: str
-    record: object
-    mass: object = None
-    inertia: object = None
+    record: Any
+    mass: Any = None
+    inertia: Any = None
     centre: tuple = None
     pieces: list = None
     rims: tuple = ()
-    rolling_radius: object = None
-    frame: object = None
+    rolling_radius: Any = None
+    frame: Any = None
     lumped: tuple = None
     normal: tuple = None
     reach: object = None

@@ -13,7 +13,7 @@ all sides as an eyelet does.
 
 from itertools import pairwise
 from math import atan2, hypot, pi, sqrt, tau
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import PLACE, Many, NameOf, OneOf, Quantity, vector
@@ -41,9 +41,9 @@ class Stop(NamedTuple):
     how far its rim turns, its sense σ."""
 
     centre: tuple
-    radius: object
+    radius: Any
     side: tuple
-    turn: object
+    turn: Any
     sense: int = 0
 
     @property

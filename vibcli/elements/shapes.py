@@ -9,7 +9,7 @@ With R the radius, α the half angle, O the centre of a sector's or arch's circl
     rod        J_C = m l²/12                    particle J_C = 0
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
          "rectangle": ("width", "height"), "ellipse": ("a", "b"), "sector": ("radius", "half_angle"),
@@ -20,10 +20,10 @@ class Uniform(NamedTuple):
     """What a shape gives: the square of its radius of gyration about C, the offset OC along its axis, its measure
     (area or length; None for a particle), and the radius it rolls on (None where it is not round)."""
 
-    gyration2: object
-    measure: object
-    radius: object = None
-    offset: object = None
+    gyration2: Any
+    measure: Any
+    radius: Any = None
+    offset: Any = None
 
 
 def _sector(table, radius, half):

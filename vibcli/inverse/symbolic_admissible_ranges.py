@@ -7,7 +7,7 @@ all of them is not told.
 
 from fractions import Fraction
 from math import isfinite, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import ends, known, natural_scale, turns
@@ -23,10 +23,10 @@ class Bound(NamedTuple):
     """A radicand `node`, or the parameter `name`, stands in a relation to a bound; a name alone has to be real, and
     words alone have to be true."""
 
-    node: object = None
+    node: Any = None
     name: str = None
     relation: str = ""
-    bound: object = None
+    bound: Any = None
     words: str = None
 
 

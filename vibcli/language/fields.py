@@ -1,7 +1,7 @@
 """Fields of elements: what may stand where. One declaration gives the reading, the messages, manual and schema."""
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import near, nearest
@@ -12,7 +12,7 @@ from vibcli.language.reader import Record, article
 class Field(NamedTuple):
     """A key of an element: its kind and what it means, in a few words."""
 
-    kind: object
+    kind: Any
     about: str
     required: bool = False
 

@@ -4,7 +4,7 @@ A kind reads a document node into a value, or reports what was expected and foun
 as trees; what their names mean and whether their dimensions fit is settled by the reader, once all names are known.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base import units
 from vibcli.base.spelling import near
@@ -157,7 +157,7 @@ class Flag(Choice):
 class Many(NamedTuple):
     """A list of one kind; `least` and `most` bound its length; `named`: what it is, in words."""
 
-    kind: object
+    kind: Any
     least: int = 0
     most: int = 10000
     named: str | None = None
@@ -188,9 +188,9 @@ class OneOf(NamedTuple):
     """Alternatives told apart by the node's form."""
 
     wants: str
-    scalar: object = None
-    sequence: object = None
-    mapping: object = None
+    scalar: Any = None
+    sequence: Any = None
+    mapping: Any = None
 
     @property
     def kinds(self):

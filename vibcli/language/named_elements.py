@@ -1,7 +1,7 @@
 """Elements by name: those that have a file of their own, and mappings from names that the writer chooses."""
 
 from importlib import import_module
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element
@@ -33,7 +33,7 @@ class Lazy(NamedTuple):
 class Named(NamedTuple):
     """A mapping from names, chosen by the writer, to elements of one kind."""
 
-    kind: object
+    kind: Any
     wants: str
     forbidden: tuple[str, ...] = ()
 

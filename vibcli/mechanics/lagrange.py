@@ -5,7 +5,7 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 """
 
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
@@ -27,7 +27,7 @@ class EquationsOfMotion(NamedTuple):
     full: list
     multipliers: dict
     conditions: list
-    refusal: object = None
+    refusal: Any = None
     drive: dict = MappingProxyType({})
     left_out: dict = MappingProxyType({})
     in_letters: bool = False

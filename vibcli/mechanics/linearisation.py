@@ -1,6 +1,6 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.derivatives import substitute
 
@@ -13,7 +13,7 @@ class Linearisation(NamedTuple):
     """
 
     n: int
-    table: object
+    table: Any
     inertias: list
     springs: list
     dampers: list

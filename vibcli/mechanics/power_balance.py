@@ -8,7 +8,7 @@ What drives a scene has the power of the forces along the prescribed motions. Wi
 the last two sums because loads and dampers count with the whole of ṡ, that which is prescribed included.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
@@ -19,12 +19,12 @@ class Powers(NamedTuple):
     """Expressions: T + V, T, the power of the loads, what is dissipated, the power of the drive but for ḃ and
     Σ λ ∂G/∂t, b, and ∂G/∂t of each constraint."""
 
-    energy: object
-    kinetic: object
-    loads: object
-    lost: object
-    drive: object
-    carried: object
+    energy: Any
+    kinetic: Any
+    loads: Any
+    lost: Any
+    drive: Any
+    carried: Any
     ties: list
 
     @property

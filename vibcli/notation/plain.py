@@ -1,6 +1,7 @@
 """Expressions as text, m·L²·φ̈/3, in the notation of the field: dots for time derivatives, roots as √(…)."""
 
 import re
+from collections.abc import Callable
 from fractions import Fraction
 
 from vibcli.notation.ordering import factor_rank, is_rooted, positive_first, term_rank
@@ -39,6 +40,13 @@ class Notation:
     """Writes nodes; the subclasses say how symbols, products, powers and brackets look."""
 
     minus = "−"
+    number: Callable[..., str]
+    symbol: Callable[..., str]
+    call: Callable[..., str]
+    product: Callable[..., str]
+    function: Callable[..., str]
+    power: Callable[..., str]
+    brackets: Callable[..., str]
 
     def __call__(self, node):
         return self.write(node, 0)

@@ -5,6 +5,8 @@
     operator(symbol)   gap(columns)   words(text)   beside(*texts)
 """
 
+from collections.abc import Callable
+
 from vibcli.notation.notation_text import read
 from vibcli.notation.plain import Notation, decimal, shown_as_decimal, split_name
 from vibcli.notation.radicals import place
@@ -15,6 +17,15 @@ KNOWN = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "log": "ln"}
 
 class Stacked(Notation):
     """Nodes with fractions and roots; texts in notation are read into the same pieces."""
+
+    numeral: Callable[[str], str]
+    lettered: Callable[[str, str, int], str]
+    functional: Callable[[str], str]
+    applied: Callable[..., str]
+    times: Callable[..., str]
+    fraction: Callable[[str, str], str]
+    sqrt: Callable[[str], str]
+    magnitude: Callable[[str], str]
 
     def notation(self, text):
         return read(text, self)

@@ -1,7 +1,7 @@
 """From a panel to its paper: strokes of finite points, logarithms taken where the axis is log, and the ranges shown."""
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.plots.words import printable
@@ -36,7 +36,7 @@ class Sheet(NamedTuple):
     """A panel with its axes; `strokes`: for each curve its unbroken runs of points (x, y); `last`: of those that share
     their x it carries the numbers; `legend`: it tells the names of its curves, which none above it does."""
 
-    panel: object
+    panel: Any
     x: Axis
     y: Axis
     strokes: tuple

@@ -18,7 +18,7 @@ plain text, the columns by which the lines after the first are indented (None: t
 those of the first.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Name(NamedTuple):
@@ -42,15 +42,15 @@ class SumOfTerms(NamedTuple):
 class Factor(NamedTuple):
     """A node within a product: a sum has brackets."""
 
-    node: object
+    node: Any
 
 
 class Either(NamedTuple):
     """A node of which + `mark` is a term: it is read as ∓ `root`."""
 
-    node: object
-    mark: object
-    root: object
+    node: Any
+    mark: Any
+    root: Any
 
 
 class Maths(NamedTuple):
@@ -117,8 +117,8 @@ class Picture(NamedTuple):
 
     name: str
     caption: str
-    draw: object
-    animated: object = None
+    draw: Any
+    animated: Any = None
 
 
 class Refusal(NamedTuple):

@@ -5,7 +5,7 @@
     Key("modes", "a list …", each=(Key(…), …))           a list of objects with these keys; `of`: one such object
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Key(NamedTuple):
@@ -13,7 +13,7 @@ class Key(NamedTuple):
 
     name: str
     about: str
-    value: object = None
+    value: Any = None
     each: tuple = ()
     of: tuple = ()
 

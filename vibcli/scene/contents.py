@@ -1,6 +1,6 @@
 """What the elements of a scene contribute: bodies, points and the terms of the energies."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
 
@@ -10,8 +10,8 @@ class Constraint(NamedTuple):
     equation, join, link, point, gear, belt, rope, contact, release."""
 
     name: str
-    node: object
-    where: object
+    node: Any
+    where: Any
     form: str
 
     @property

@@ -1,6 +1,6 @@
 """The coordinates of a scene: symbols, rates, values as drawn; what depends on others, is driven or released."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.rationals import ONE
@@ -14,8 +14,8 @@ class SceneCoordinates(NamedTuple):
     While a scene is built they become more.
     """
 
-    table: object
-    time: object
+    table: Any
+    time: Any
     names: list
     q: list
     v: list

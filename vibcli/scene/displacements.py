@@ -1,6 +1,6 @@
 """Displacements of bodies and points from where they are drawn: by coordinates, in time, by supports that give way."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
@@ -17,7 +17,7 @@ class Opening(NamedTuple):
     stands beside (None of a displacement, or along a coordinate)."""
 
     name: str
-    node: object = None
+    node: Any = None
     load: int = None
 
 

@@ -5,7 +5,7 @@
 The force of what joins two ends is positive in lengthening.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.rationals import HALF
 
@@ -14,9 +14,9 @@ class Term(NamedTuple):
     """One function s with its weight; `offset` is the tension N at s = 0 of a spring, of a load in time its steady
     part; `owner` is the name of the element that it came from."""
 
-    weight: object
-    s: object
-    offset: object = None
+    weight: Any
+    s: Any
+    offset: Any = None
     owner: str = None
 
     @property
@@ -26,7 +26,7 @@ class Term(NamedTuple):
 
     def over(self, new):
         """Itself with its expressions replaced, {node: node}."""
-        return self._make((*(node if node is None else new[node] for node in self[:3]), self.owner))
+        return self._make([*(node if node is None else new[node] for node in self[:3]), self.owner])
 
     def energy(self, _scene):
         """None: it stores nothing."""

@@ -1,6 +1,6 @@
 """Nonlinear springs and dampers: V_e(s) and Φ_e(ṡ) from their laws, F = dV/ds and F = dΦ/dṡ."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.derivatives import substitute
 
@@ -10,12 +10,12 @@ class Law(NamedTuple):
     which is s of a spring and ṡ of a damper; `bound`: the largest force of dry friction at rest over that in motion."""
 
     owner: str
-    s: object
-    x: object
-    integral: object
-    derivative: object
+    s: Any
+    x: Any
+    integral: Any
+    derivative: Any
     damper: bool = False
-    bound: object = None
+    bound: Any = None
 
     @property
     def nodes(self):

@@ -1,6 +1,6 @@
 """Where the bodies and points of a scene are, as drawn and now."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -11,7 +11,7 @@ class Frame(NamedTuple):
 
     drawn: tuple
     place: tuple
-    angle: object
+    angle: Any
 
     @property
     def nodes(self):

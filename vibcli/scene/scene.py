@@ -5,7 +5,7 @@
 
 from collections.abc import Callable
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.scene.displacements import stays_bounded
 from vibcli.scene.expressions import Expressions
@@ -33,12 +33,12 @@ class Setting(NamedTuple):
     """What is the same for a scene and those that are derived from it; `draw(attempt, variant)`: another Scene of the
     same file and values."""
 
-    spec: object
+    spec: Any
     attempt: int
     variant: Variant
-    parameters: object
+    parameters: Any
     sample: dict
-    reports: object
+    reports: Any
     draw: Callable
 
 
@@ -61,7 +61,7 @@ class Freedom(NamedTuple):
 class Closure(NamedTuple):
     """What constraints make of a scene: its Loops, if any, the `dependent` coordinates {name: node}, its Freedom."""
 
-    loops: object
+    loops: Any
     dependent: dict
     freedom: Freedom
 

@@ -7,13 +7,28 @@ A node is one of
     call     a function of nodes                   pi
 """
 
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
 
 
 class Node:
-    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on."""
+    """One immutable expression, owned by its Table. `mask` has a bit for each variable that it depends on;
+    `args`: (node, rational) pairs of a sum or product, nodes of a call."""
 
     __slots__ = ("args", "coefficient", "gradient", "index", "mask", "name", "op", "table")
+    table: "Table"
+    op: str
+    args: tuple
+    coefficient: Fraction | int
+    mask: int
+    name: str
+    index: int
+    gradient: "dict[Node, Node] | None"
 
     def keep_gradient(self, gradient):
         """Keep {variable: derivative}, which is worked out once."""

@@ -1,6 +1,6 @@
 """What closed forms are: frequencies, shapes and damping as expressions."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.nested_form import letters
 
@@ -15,18 +15,18 @@ class ClosedMode(NamedTuple):
     surds.Pair that it shares with the other root of its quadratic equation, or None; solves: the solutions.Turning of
     a gyroscopic mode whose ω is itself a root."""
 
-    square: object
-    omega: object
+    square: Any
+    omega: Any
     shape: list = None
     unstable: bool = False
-    pair: object = None
+    pair: Any = None
     index: int = 1
     pattern: list = None
     turns: bool = False
-    solves: object = None
-    zeta: object = None
-    omega_d: object = None
-    zeta_pattern: object = None
+    solves: Any = None
+    zeta: Any = None
+    omega_d: Any = None
+    zeta_pattern: Any = None
 
     @property
     def readable(self):

@@ -7,7 +7,7 @@
     m = 0          q₀ e^{−(k/c) t}
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters
 from vibcli.symbolic.common_denominator import shorter
@@ -23,10 +23,10 @@ class FreeMotion(NamedTuple):
     what that is."""
 
     regime: str
-    decay: object
-    wave: object
-    rate: object
-    value: object
+    decay: Any
+    wave: Any
+    rate: Any
+    value: Any
 
 
 def free_motions(m, c, k, start, rates, t, samples):

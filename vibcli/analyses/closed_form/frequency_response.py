@@ -5,7 +5,7 @@ Products of entries are not multiplied out, and sums have the sign that they hav
 textbook prints them. |H| = s √((N_r² + Ω²N_i²)/(D_r² + Ω²D_i²)), tan θ = Ω (N_r D_i − N_i D_r)/(N_r D_r + Ω²N_i D_i).
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.symbolic_linear import coefficients
@@ -25,9 +25,9 @@ SLOW = 1e-4                     # Ω where signs are looked at, relative to its 
 class Peak(NamedTuple):
     """Ω of a maximum, which there is where `less` < `more`."""
 
-    Omega: object
-    less: object
-    more: object
+    Omega: Any
+    less: Any
+    more: Any
 
 
 class Formula:

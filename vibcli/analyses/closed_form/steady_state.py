@@ -5,7 +5,7 @@ A load A sin(Ωt + φ) + B cos(Ωt + φ) is the imaginary part of (A + iΩ·B/Ω
 scene it is the real part of (B − iΩ·A/Ω) e^{i(Ωt + φ)}, and y = X cos(Ωt + φ − θ).
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.analyses.closed_form.frequency_response import from_parts, require_few
 from vibcli.base.errors import NotInLetters
@@ -23,10 +23,10 @@ class Steady(NamedTuple):
     """formula: the Formula of X and θ; wave: sin or cos; argument: Ωt + φ as a node of the scene; mean: what constants
     of the drive shift y by, None where there are none."""
 
-    formula: object
+    formula: Any
     wave: str
-    argument: object
-    mean: object = None
+    argument: Any
+    mean: Any = None
 
 
 def steady_state(symbolic, signal):

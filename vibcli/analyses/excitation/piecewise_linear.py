@@ -7,15 +7,15 @@ piece that holds the middle of an Instant; `impulses(low, high)` as (instant, si
 from bisect import bisect_right
 from fractions import Fraction
 from math import ceil, floor
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Instant(NamedTuple):
     """A segment: its start, and an instant within it, as numbers of the arithmetic and exactly."""
 
-    start: object
+    start: Any
     exact_start: Fraction
-    middle: object
+    middle: Any
     exact_middle: Fraction
 
 

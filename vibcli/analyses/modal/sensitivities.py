@@ -7,7 +7,7 @@ eigenvector, u itself where there is no G (R. L. Fox & M. P. Kapoor, AIAA Journa
 coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′ − ω²M′)φ/2ω over all shapes φ of them.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import mpmath
 
@@ -40,7 +40,7 @@ class Sensitivities(NamedTuple):
 class DampedSensitivity(NamedTuple):
     """∂λ/∂p, ∂ζ/∂p of one damped mode, {parameter: number}; None of an eigenvalue that is not simple."""
 
-    mode: object
+    mode: Any
     eigenvalue: dict
     zeta: dict
 

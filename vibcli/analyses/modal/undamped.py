@@ -5,7 +5,7 @@ The eigenvalues are enclosed rigorously in fixed-point arithmetic (undamped_cert
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,11 +33,11 @@ class Mode(NamedTuple):
     """
 
     index: int
-    omega: object
-    growth_rate: object
-    shape: object
-    direction: object
-    error: object
+    omega: Any
+    growth_rate: Any
+    shape: Any
+    direction: Any
+    error: Any
 
     @property
     def rigid(self):

@@ -1,7 +1,7 @@
 """Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
 
 from math import sin
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import captions, lettering, plane
@@ -25,7 +25,7 @@ class LumpedPlace(NamedTuple):
 class Layout(NamedTuple):
     """A row on paper: `places` by body, the walls (None where there is none), the height of the highest lane."""
 
-    row: object
+    row: Any
     places: dict
     left: float | None
     right: float | None

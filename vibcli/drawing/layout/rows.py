@@ -1,7 +1,7 @@
 """Bodies without a place, laid out in rows along their axis: who stands where, and which element runs in which lane."""
 
 from itertools import permutations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.drawing.layout.captions import raw
 
@@ -11,7 +11,7 @@ BRUTE = 6       # bodies of a row up to which every order is tried
 class Edge(NamedTuple):
     """What joins two lumped bodies; None is the ground."""
 
-    record: object
+    record: Any
     one: str | None
     two: str | None
 

@@ -1,7 +1,7 @@
 """Arrows of the coordinates at what they move, and of what is driven as a function of time."""
 
 from math import hypot, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.layout.sketch import Attachment
@@ -17,7 +17,7 @@ class BodyMotion(NamedTuple):
     """One degree of freedom of a body: along a direction, or about a centre (an Attachment)."""
 
     body: str
-    field: object
+    field: Any
     direction: tuple | None = None
     about: Attachment | None = None
 

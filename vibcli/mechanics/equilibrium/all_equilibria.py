@@ -3,7 +3,7 @@ residual and met once, images of it a turn apart included."""
 
 import math
 from contextlib import suppress
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -45,7 +45,7 @@ class Equilibria(NamedTuple):
     linear: bool
     forces: Forces
     cut: bool = False
-    indices: object = None
+    indices: Any = None
 
     @property
     def missed(self):

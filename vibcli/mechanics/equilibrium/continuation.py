@@ -7,7 +7,7 @@ with its null vector, r = 0, K v = 0, l·v = 1, which is regular where the fold 
 
 from fractions import Fraction
 from math import isfinite
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.numeric_linearisation import in_numbers
@@ -23,9 +23,9 @@ class BranchPoint(NamedTuple):
     """An equilibrium of the branch: p, scaled coordinates, {coordinate: float}, and K in scaled coordinates."""
 
     value: float
-    q: object
+    q: Any
     position: dict
-    K: object
+    K: Any
 
 
 class Followed(NamedTuple):

@@ -4,7 +4,7 @@ These are the equations of motion at rest, the sign σₖ of each velocity that 
 """
 
 from math import inf, isfinite
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
@@ -31,9 +31,9 @@ class HeldCondition(NamedTuple):
     condition, else None."""
 
     name: str
-    b: object
+    b: Any
     held: dict
-    within: object
+    within: Any
 
 
 class Sticking(NamedTuple):

@@ -4,7 +4,7 @@ Friction at zero speed enters the equations as Σ σₖ aₖ, the signs σₖ of
 G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in parallel have aₑ = c a_d, and share a load anyhow.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import NotFixed
 from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
@@ -23,10 +23,10 @@ class Held(NamedTuple):
     the element, and its column a."""
 
     owner: str
-    argument: object
+    argument: Any
     slopes: tuple
-    drift: object
-    size: object
+    drift: Any
+    size: Any
     column: tuple
 
 

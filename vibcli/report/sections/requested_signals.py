@@ -1,6 +1,6 @@
 """Motions in time as data: what is asked, sampled series with their units, extremes, steady amplitudes."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import NotFixed, PhysicsError, SpecError
 from vibcli.quantities.dimensions import checker
@@ -16,7 +16,7 @@ class RequestedSignal(NamedTuple):
     text: str
     tree: tuple
     dimension: dict
-    signal: object
+    signal: Any
 
     @property
     def label(self):

@@ -1,6 +1,6 @@
 """Responses sampled for pictures and files."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.report.sections.requested_signals import curves_asked, signals_asked, symbol
@@ -12,8 +12,8 @@ class SampledSignal(NamedTuple):
 
     name: str
     unit: str
-    times: object
-    values: object
+    times: Any
+    values: Any
     parts: dict
     bounds: tuple | None = None
 
@@ -24,8 +24,8 @@ class SampledCurve(NamedTuple):
     name: str
     driver: str
     unit: str
-    Omega: object
-    values: object
+    Omega: Any
+    values: Any
     peaks: list
     antiresonances: list
 

@@ -5,7 +5,7 @@ Solutions are candidates: a root is squared away, and branches are all offered, 
 """
 
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
@@ -23,9 +23,9 @@ CALLS = 8_000_000
 class SymbolicSolution(NamedTuple):
     """value: the unknown; sine, cosine: of it where it is an angle, else None."""
 
-    value: object
-    sine: object = None
-    cosine: object = None
+    value: Any
+    sine: Any = None
+    cosine: Any = None
 
 
 def solutions(node, unknown, samples):
