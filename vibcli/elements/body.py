@@ -78,7 +78,7 @@ class Body(NamedTuple):
     frame: Any = None
     lumped: tuple = None
     normal: tuple = None
-    reach: object = None
+    reach: Any = None
 
     @property
     def moves(self):

@@ -7,15 +7,15 @@ the tangent t, which is n turned clockwise. The slip of the body's point of cont
     on a line   (c − c₀)·e + s r θ          on a circle   ρ ψ − σ r θ, ψ being the turn of the line of centres
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class LineContact(NamedTuple):
     """With a line of unit vector e: the body, its centre drawn at `drawn`, on the side s = ±1 of its left normal."""
 
-    carrier: object
+    carrier: Any
     drawn: tuple
-    radius: object
+    radius: Any
     e: tuple
     side: int
 
@@ -52,14 +52,14 @@ class CircleContact(NamedTuple):
     """With a circle about `centre`: ρ and σ as in elements/roll.py, `outward` = 1 where n points away from the centre,
     else −1; `distance` of the centres as drawn."""
 
-    carrier: object
+    carrier: Any
     drawn: tuple
-    radius: object
+    radius: Any
     centre: tuple
-    arm: object
+    arm: Any
     sense: int
     outward: int
-    distance: object
+    distance: Any
 
     @property
     def reach(self):

@@ -4,6 +4,7 @@ The small oscillations are those about the equilibrium, M q̈ + (C + G) q̇ + K 
 in letters where the equilibrium is the drawn position or plays no part, else with numbers for its place.
 """
 
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -28,13 +29,13 @@ class EquationsOfMotion(NamedTuple):
     multipliers: dict
     conditions: list
     refusal: Any = None
-    drive: dict = MappingProxyType({})
-    left_out: dict = MappingProxyType({})
+    drive: Mapping = MappingProxyType({})
+    left_out: Mapping = MappingProxyType({})
     in_letters: bool = False
-    M: dict = MappingProxyType({})
-    C: dict = MappingProxyType({})
-    G: dict = MappingProxyType({})
-    K: dict = MappingProxyType({})
+    M: Mapping = MappingProxyType({})
+    C: Mapping = MappingProxyType({})
+    G: Mapping = MappingProxyType({})
+    K: Mapping = MappingProxyType({})
     linear: tuple = ()
 
 

@@ -4,6 +4,7 @@ A signal is an expression of coordinates, places, forces (vibcli/language/signal
 constant factors is exact at any time; products and powers are evaluated instant by instant, their extremes refined.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from math import tau
@@ -26,6 +27,9 @@ FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a c
 class Response:
     """What all kinds of motion share: until when they are looked at, and what drives them. KIND: small, full or
     prescribed."""
+
+    lasting: Callable[[], float]
+    known: float
 
     def __init__(self, problem):
         self.problem = problem
