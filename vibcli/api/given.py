@@ -1,6 +1,6 @@
 """What is given beside the scene, as text: values, cases, signals, sizes. ValueError: what is wrong with it."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Where
 from vibcli.base.spelling import nearest
@@ -53,7 +53,7 @@ def expression(text: str, option: str) -> Expression:
     return Expression(scalar, tree)
 
 
-def size(text: str, unit: str, wants: str, exact: bool = False) -> object:
+def size(text: str, unit: str, wants: str, exact: bool = False) -> Any:
     """A positive quantity in SI units; a bare number is one of `unit`, cycles are 2π. `exact`: as a Fraction, where it
     may be zero."""
     from math import tau

@@ -1,9 +1,12 @@
 """The valid word that is most like one that is not: hints of messages."""
 
+from collections.abc import Collection, Mapping
+from typing import Any
+
 MOST_COMPARED = 500    # words: comparing takes some microseconds each
 
 
-def near(word, words):
+def near(word: str, words: Collection[str] | Mapping[str, Any]) -> str | None:
     """The one of `words` that is most like `word`, None where none is."""
     from difflib import get_close_matches
 
@@ -12,7 +15,7 @@ def near(word, words):
     return found[0] if found else None
 
 
-def nearest(word, words):
+def nearest(word: str, words: Collection[str] | Mapping[str, Any]) -> str | None:
     """A hint naming the nearest valid word, or all of them where none is near."""
     found = near(word, words)
     if found:

@@ -1,7 +1,9 @@
 """A stage of a lazy pipeline: computed once, on first touch, and its cost kept."""
 
+from collections.abc import Callable
 from functools import cached_property
 from time import perf_counter
+from typing import Any
 
 
 class Costs(dict):
@@ -9,7 +11,7 @@ class Costs(dict):
 
     inner = 0.0         # seconds of the stages within the one under way
 
-    def measured(self, stage, compute):
+    def measured(self, stage: str, compute: Callable):
         """The result of a stage; its cost is kept."""
         before, outer = perf_counter(), self.inner
         self.inner = 0.0
@@ -23,7 +25,7 @@ class Costs(dict):
 class Stage(cached_property):
     """A cached property that records in the `costs` of its object what it cost."""
 
-    def __get__(self, part, owner=None):
+    def __get__(self, part: Any, owner: type[Any] | None = None):
         if part is None:
             return self
         if self.attrname in part.__dict__:

@@ -3,7 +3,7 @@
 from vibcli.base.units import UNITS
 
 
-def unit_meant(word):
+def unit_meant(word: str) -> str:
     """The unit, or product of units, that a word most likely stands for; None where it is like none."""
     from difflib import get_close_matches
 

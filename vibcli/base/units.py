@@ -4,13 +4,15 @@ A dimension is a dict of exponents of kg, m, s and of the still unknown dimensio
 unit is a word of the language: `2 mm/s*t` keeps its time and `800 N/m*d` its deflection, so a tonne is not `t`.
 """
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache
+from typing import Any
 
 NONE, LENGTH, MASS, TIME = {}, {"m": 1}, {"kg": 1}, {"s": 1}
 
 
-def si(kg=0, m=0, s=0):
+def si(kg: int = 0, m: int = 0, s: int = 0) -> dict[str, int]:
     """The dimension kg^kg·m^m·s^s."""
     return {base: e for base, e in (("kg", kg), ("m", m), ("s", s)) if e}
 
@@ -21,11 +23,12 @@ class Unit:
 
     __slots__ = ("cycles", "dimension", "pi", "radians", "roots", "value")
 
-    def __init__(self, value, dimension, pi=0, cycles=0, radians=0, roots=()):
+    def __init__(self, value: Any, dimension: Mapping[str, Fraction | int], pi: Fraction | int = 0, cycles: int = 0,
+                 radians: int = 0, roots: Any = ()):
         self.value, self.dimension, self.pi = Fraction(value), dimension, pi
         self.cycles, self.radians, self.roots = cycles, radians, roots
 
-    def in_si(self, number):
+    def in_si(self, number: Fraction | int) -> float:
         """So many of this unit in SI, as a float."""
         found = float(number * self.value) * 3.141592653589793**self.pi
         for base, exponent in self.roots:
@@ -76,7 +79,7 @@ UNITS = {
 }
 
 
-def times(a, b, power=1):
+def times(a: Mapping[str, Fraction | int], b: Any, power: Fraction | int = 1) -> dict[str, Fraction | int]:
     """The dimension a·b^power."""
     found = dict(a)
     for base, exponent in b.items():
@@ -88,12 +91,12 @@ def times(a, b, power=1):
     return found
 
 
-def raised(a, power):
+def raised(a: Any, power: Any) -> dict[str, Fraction]:
     return {base: exponent * power for base, exponent in a.items()} if power else NONE
 
 
 @lru_cache(maxsize=256)
-def combine(chain):
+def combine(chain: Sequence[tuple[str, Fraction | int]]) -> Unit:
     """The unit of ((name, power), …), e.g. (("N", 1), ("m", -1))."""
     value, dimension, pi, cycles, radians, roots = Fraction(1), {}, 0, 0, 0, ()
     for name, power in chain:
@@ -116,7 +119,7 @@ _NAMED = (("N/m", si(1, 0, -2)), ("N·s/m", si(1, 0, -1)), ("N", FORCE), ("N·m"
 _SUPERSCRIPT = str.maketrans("0123456789-/", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻ᐟ")
 
 
-def text(dimension):
+def text(dimension: Any) -> str:
     """The SI unit of a dimension as it is printed: 'N/m', 'kg·m²', '' for a pure number."""
     for name, named in _NAMED:
         if dimension == named:
@@ -139,7 +142,7 @@ def _powered(base, exponent):
     return base if exponent == 1 else base + str(exponent).translate(_SUPERSCRIPT)
 
 
-def wanted(unit, dimension):
+def wanted(unit: str | None, dimension: Mapping[str, int]) -> str:
     """The words for what a field of this unit expects; `unit` None or unknown: by the dimension alone."""
     return _WANTED.get(unit) or name(dimension)
 
@@ -148,7 +151,7 @@ _WANTED = {"rad": "an angle (rad)", "J": "an energy (J)", "N*m": "a moment or to
            "Hz": "a frequency (Hz)", "1/s": "a rate (1/s)", "W": "a power (W)"}
 
 
-def name(dimension):
+def name(dimension: Mapping[str, Fraction | int]) -> str:
     """A dimension in words for messages: 'a stiffness (N/m)' reads better than its exponents."""
     if not dimension:
         return "a pure number"
@@ -172,10 +175,10 @@ class Dimensions:
     def __init__(self):
         self._solved = {}
 
-    def unknown(self, name):
+    def unknown(self, name: str) -> dict[str, int]:
         return {"?" + name: 1}
 
-    def resolve(self, dimension):
+    def resolve(self, dimension: Mapping[str, Fraction | int]):
         """`dimension` with every unknown that has been solved replaced."""
         while any(base in self._solved for base in dimension):
             found = {}
@@ -184,10 +187,10 @@ class Dimensions:
             dimension = found
         return dimension
 
-    def of(self, name):
+    def of(self, name: str) -> dict[str, Fraction | int]:
         return self.resolve(self.unknown(name))
 
-    def equate(self, a, b):
+    def equate(self, a: Mapping[str, Fraction | int], b: Mapping[str, Fraction | int]) -> bool:
         """Make a and b the same dimension by solving for an unknown; False if they cannot be."""
         ratio = self.resolve(times(a, b, -1))
         if not ratio:
@@ -203,7 +206,7 @@ class Dimensions:
 
 
 @lru_cache(maxsize=256)
-def parse_unit(text):
+def parse_unit(text: str) -> Unit:
     """The unit of a text such as 'kg*m^2' (for the declarations of fields); raises ValueError."""
     import re
 

@@ -7,6 +7,7 @@ The pendulum of n links has ω² = g/L times the roots of the Laguerre polynomia
 import json
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
@@ -18,7 +19,7 @@ DIGITS = 60
 CHAIN_GATE, PENDULUM_GATE = 1e-14, 1e-13
 
 
-def rows(runs):
+def rows(runs: Any):
     """Errors as rows: ours, with that of the best of the assembled methods as the baseline."""
     found = json.loads(answer("from vibcli.bench.accuracy import main; main()", runs))
     result = []

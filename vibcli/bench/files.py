@@ -4,16 +4,20 @@ import json
 import os
 import shutil
 from glob import glob
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer, costs, vibcli
 from vibcli.bench.rows import Timing
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
 PROBLEMS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "problems")
 FILES = 200
 
 
-def rows(runs, folder):
+def rows(runs: Any, folder: "Path | str"):
     """Milliseconds a file, start-up shared out among them."""
     place = os.path.join(folder, "many")
     os.mkdir(place)

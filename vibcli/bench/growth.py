@@ -8,6 +8,7 @@ import json
 from math import log
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer
@@ -19,7 +20,7 @@ CUBIC = 3.0     # of dense linear algebra
 LONGEST = 6.0   # seconds of runs for one size
 
 
-def rows(runs):
+def rows(runs: Any):
     """The rows of all families."""
     found = []
     for family, (words, budgets) in FAMILIES.items():
@@ -46,7 +47,7 @@ def main():
     print(json.dumps(times))
 
 
-def solve(text):
+def solve(text: str):
     """The solved Problem of a scene's text, and the seconds to its element data and to its modes."""
     from vibcli.api.source import problem_of, text_source
 

@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from statistics import median
+from typing import Any
 
 VIBCLI = os.path.join(os.path.dirname(sys.executable), "vibcli")
 # As installed, with bytecode, and one BLAS thread: threads that wait for a busy core spoil either side by turns.
@@ -15,12 +16,12 @@ ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYT
     "OPENBLAS_NUM_THREADS": "1"}
 
 
-def vibcli(*args):
+def vibcli(*args: Any):
     """The argument list of a vibcli command."""
     return [VIBCLI, *args] if os.path.exists(VIBCLI) else [sys.executable, "-m", "vibcli", *args]
 
 
-def python(code, *args):
+def python(code: Any, *args: Any):
     return [sys.executable, "-c", code, *args]
 
 
@@ -29,12 +30,12 @@ class Cost:
 
     __slots__ = ("memory", "time")
 
-    def __init__(self, runs):
+    def __init__(self, runs: Any):
         self.time = median(seconds for seconds, _ in runs) * 1e3
         self.memory = median(kib for _, kib in runs) / 1024
 
 
-def run(command, expected=(0,)):
+def run(command: Any, expected: Any = (0,)):
     """(processor seconds, peak KiB) of one run; RuntimeError where its exit code is none of those expected.
 
     The peak counts that of the process which starts it, so this one must stay small.
@@ -47,7 +48,7 @@ def run(command, expected=(0,)):
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss
 
 
-def costs(commands, runs):
+def costs(commands: Any, runs: Any):
     """{name: Cost} of {name: (command, expected exit codes)}, all run once a round; the first round does not count."""
     measured = {name: [] for name in commands}
     for round_ in range(runs + 1):
@@ -58,7 +59,7 @@ def costs(commands, runs):
     return {name: Cost(found) for name, found in measured.items()}
 
 
-def answer(code, *args):
+def answer(code: Any, *args: Any):
     """What a fresh process prints."""
     return subprocess.run(python(code, *map(str, args)), check=True, stdout=subprocess.PIPE, text=True,
                           env=ENVIRONMENT).stdout

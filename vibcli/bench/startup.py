@@ -2,16 +2,20 @@
 
 import os
 from statistics import median
+from typing import TYPE_CHECKING, Any
 
 from vibcli.bench import scenes
 from vibcli.bench.processes import answer, costs, python, vibcli
 from vibcli.bench.rows import Timing
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
 READ, NUMBERS, LETTERS = "import click, yaml", "import click, yaml, numpy", "import sympy"
 IMPORT = "from time import process_time\nstart = process_time()\nimport vibcli\nprint(process_time() - start)"
 
 
-def rows(runs, folder):
+def rows(runs: Any, folder: "Path | str"):
     """The rows of the start-up budgets."""
     broken, numeric, letters = (_written(folder, name, text) for name, text in (
         ("broken.yaml", scenes.BROKEN), ("numeric.yaml", scenes.TWO_DEGREES), ("letters.yaml", scenes.TWO_SYMBOLIC)))

@@ -8,6 +8,7 @@ import json
 from math import cos, sin
 from statistics import median
 from time import process_time
+from typing import Any
 
 from vibcli.bench.processes import answer
 from vibcli.bench.rows import Timing
@@ -30,7 +31,7 @@ ACCURACIES, TOLERANCES = (1e-11, 1e-12), (1e-12, 1e-13)
 ERROR_GATE, PHASE_GATE, DRIFT_GATE = 1e-9, 1e-8, 1e-12
 
 
-def rows(runs):
+def rows(runs: Any):
     """Errors and times as rows; LSODA at a similar time as the baseline."""
     found = json.loads(answer("from vibcli.bench.trajectories import main; main()", runs))
     result = []

@@ -1,7 +1,13 @@
 """Instances of a scene with values for its free symbols and for what it chooses: the same at every run."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.results.random_states import random_instances
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 ENOUGH = 3
 FAILURES = 8        # instances without a solution after which the search for what is chosen is given up
@@ -12,13 +18,13 @@ class Instances:
     with values for what it chooses. Made when they are asked for and kept; `wanted` is how many of them a comparison
     takes."""
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem"):
         symbolic = bool(problem.symbolic.letters)
         self.wanted = ENOUGH if symbolic else 1
         self._known = [] if symbolic else [_with_choices(problem)]
         self._candidates = _candidates(problem) if symbolic else iter(())
 
-    def __iter__(self):
+    def __iter__(self) -> "Iterator[Problem]":
         yield from self._known
         for problem in self._candidates:
             self._known.append(problem)

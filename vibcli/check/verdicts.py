@@ -18,6 +18,7 @@ from vibcli.results.random_states import at_states, states
 
 if TYPE_CHECKING:
     from vibcli.reader.sections.answer import Answer
+    from vibcli.results.problem import Problem
 
 EXACT, WIDEST, SMALL, ROUNDING, EPSILON = 1e-9, 0.005, 1e-12, 1e-13, 2.0**-52
 
@@ -35,7 +36,7 @@ class Verdict(NamedTuple):
     refusal: PhysicsError | None = None
 
 
-def check(problem):
+def check(problem: "Problem") -> list[Verdict]:
     """The Verdicts of a problem and of its cases; SpecError where the geometry of one contradicts itself."""
     problem.draw()
     verdicts = []
@@ -219,7 +220,7 @@ MISTAKES = (
 )
 
 
-def likely_mistake(head, expected, found):
+def likely_mistake(head: str, expected: float, found: float) -> str | None:
     """A known mistake that explains the ratio, else the ratio."""
     if not found or not expected:
         return None

@@ -1,5 +1,8 @@
 """`vibcli animate FILE`: a mode, or the motion in time, moving."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import load
@@ -14,7 +17,8 @@ SUFFIXES = (".gif", ".html")
               help="Which mode, by ascending frequency (1 unless given).")
 @click.option("--response", is_flag=True, help="The motion in time instead of a mode.")
 @click.option("--until", metavar="TIME", help="With --response: its end, as 2 (seconds) or '500 ms'.")
-def command(file, settings, case, output, force, patience, index, response, until):
+def command(file: str, settings: Sequence[Any], case: Any, output: str | None, force: bool, patience: int,
+            index: int | None, response: bool, until: str | None) -> None:
     """A mode shape or the motion in time, moving: a gif, or an html page with play, pause and a slider."""
     if response and index is not None:
         raise click.UsageError("--response and --mode exclude each other")

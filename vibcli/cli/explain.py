@@ -1,5 +1,7 @@
 """`vibcli explain [WORD]`: the manual of the scene language."""
 
+from collections.abc import Sequence
+
 import click
 
 
@@ -11,7 +13,7 @@ def _complete(context, parameter, incomplete):
 
 @click.command("explain")
 @click.argument("word", nargs=-1, shell_complete=_complete)
-def command(word):
+def command(word: Sequence[str]) -> None:
     """The manual of the scene language: a section, an element, a key, a quantity, a unit or a topic.
 
     Without a WORD an overview of all there is; `spring.preload` is a key of one element.

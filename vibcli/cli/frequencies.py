@@ -1,5 +1,8 @@
 """`vibcli frequencies FILE`: equilibrium, frequencies, damping, modes."""
 
+from collections.abc import Sequence
+from typing import Any
+
 import click
 
 from vibcli.cli.common import chosen, load, number_options, scene_options
@@ -18,7 +21,8 @@ PICTURES = (".png", ".svg", ".pdf")
 @click.option("--plot", is_flag=True, help="Plot the eigenvalues in the complex plane, in the terminal.")
 @click.option("--save", "saves", multiple=True, metavar="FILE", type=FILE,
               help="Write that picture (.png, .svg, .pdf).")
-def command(file, settings, case, as_json, patience, timings, digits, normalise, plot, saves, **report):
+def command(file: str, settings: Sequence[str], case: Any, as_json: bool, patience: int, timings: bool,
+            digits: int | None, normalise: str, plot: bool, saves: Sequence[str], **report: Any) -> int:
     """Equilibrium, natural frequencies, damping and mode shapes."""
     refuse_targets(saves, report["force"], PICTURES)
     if plot and as_json:

@@ -1,5 +1,8 @@
 """Printing the results of one file: as a report in some format, or as one JSON document."""
 
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
 import click
 
 from vibcli.api import reports
@@ -11,11 +14,16 @@ from vibcli.report.blocks import Document, Refusal
 from vibcli.report.document import title_of
 from vibcli.report.formats.text import render
 
+if TYPE_CHECKING:
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
+
 FLOAT_DIGITS = 12
 
 
-def print_scenes(problems, sections, output, timings, digits=None, normalise="first", data=(), question=False,
-                 wanted=None, curves=None):
+def print_scenes(problems: "Sequence[tuple[str | None, Problem]]", sections: Callable, output: Any, timings: bool,
+                 digits: int | None = None, normalise: str = "first", data: Sequence[str] = (), question: Any = False,
+                 wanted: "Wanted | None" = None, curves: Callable | None = None) -> int:
     """Print the scene and its cases, or write them; `sections(problem)` names the sections of the report, `data` the
     parts of the JSON; `curves(problem)` plots and saves what belongs to each.
 
@@ -23,7 +31,8 @@ def print_scenes(problems, sections, output, timings, digits=None, normalise="fi
     """
     for _, problem in problems:
         require_quick(problem, digits)
-    found, solved, refused = {}, [], False
+    found: dict = {}
+    solved, refused = [], False
     for case, problem in problems:
         try:
             if problem.spec.choices:

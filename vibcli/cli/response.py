@@ -1,11 +1,17 @@
 """`vibcli response FILE`: the motion in time."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import click
 
 from vibcli.cli.common import chosen, load, scene_options
 from vibcli.cli.output import print_scenes
 from vibcli.cli.reports import output_of, report_options
 from vibcli.cli.sampled import asked, cases_to_show, curve_options, refuse_targets, require_curves, show_curves, size
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 INSTANT = "a time, as in 2.5 or '40 ms'"
 
@@ -28,8 +34,9 @@ INSTANT = "a time, as in 2.5 or '40 ms'"
 @click.option("--steady", is_flag=True, help="Plot or save the steady part as well.")
 @click.option("--transient", is_flag=True, help="Plot or save the transient part as well.")
 @curve_options
-def command(file, settings, case, as_json, patience, timings, signals, until, instants, digits, points, phase, steady,
-            transient, plot, saves, **report):
+def command(file: str, settings: Sequence[Any], case: Any, as_json: bool, patience: int, timings: bool,
+            signals: Sequence[str], until: str | None, instants: Sequence[str], digits: int | None, points: int,
+            phase: str, steady: bool, transient: bool, plot: bool, saves: Sequence[str], **report: bool | None) -> int:
     """The motion in time, free or forced: its formula, steady state and extremes; plotted, or saved as numbers.
 
     It starts as `initial` in the file says, else at rest: vibcli explain response.
@@ -53,7 +60,7 @@ def command(file, settings, case, as_json, patience, timings, signals, until, in
                         wanted=wanted, curves=lambda problem: _shown(problem, wanted, plot, saves, report["force"]))
 
 
-def refuse_parts(problem, parts):
+def refuse_parts(problem: "Problem", parts: Sequence[str]) -> None:
     """PhysicsError, before anything is integrated, where a motion has no such parts."""
     from vibcli.base.errors import PhysicsError
 
@@ -62,7 +69,7 @@ def refuse_parts(problem, parts):
                            f"leave --{parts[0]} out")
 
 
-def ending(problems, text):
+def ending(problems: "Sequence[tuple[Any, Problem]]", text: str) -> "list[tuple[Any, Problem]]":
     """The same with motions that end as given; a usage error where that is no time."""
     end = size(text, "--until", "s", "a time, as in 2 or '500 ms'")
     return [(case, problem.until(end)) for case, problem in problems]

@@ -1,6 +1,8 @@
 """The frames of a mode, or of any motion given in time, as a GIF or a page."""
 
+from collections.abc import Sequence
 from math import ceil, tau
+from typing import Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.layout import compose
@@ -11,7 +13,7 @@ FRAMES, PACE = 36, 45               # of one period; milliseconds
 PERIODS, SEEN, MOST = 8, 12, 240    # of the slowest mode; frames in a period of the fastest; frames
 
 
-def of_mode(problem, index, normalise="first"):
+def of_mode(problem: Any, index: int, normalise: str = "first") -> tuple[list[list[Any]], str, list[str]]:
     """(frames, caption, names of the frames) of one period of a mode."""
     found = mode(problem, index)
     stage = compose.Scenery(problem.scene)
@@ -21,7 +23,7 @@ def of_mode(problem, index, normalise="first"):
     return frames, caption(found), [f"{i / FRAMES:.2f} T" for i in range(FRAMES)]
 
 
-def of_response(problem):
+def of_response(problem: Any) -> tuple[list[list[Any]], str, list[str]]:
     """The same of the motion that the scene asks for: a few of the slowest periods unless it is said until when."""
     import numpy as np
 
@@ -34,7 +36,8 @@ def of_response(problem):
                          times.tolist())
 
 
-def of_positions(problem, positions, times):
+def of_positions(problem: Any, positions: Sequence[dict[str, float]],
+                 times: Sequence[float]) -> tuple[list[list[Any]], str, list[str]]:
     """The same of a motion given as {coordinate: value} at each of the times in seconds.
 
     What could not be seen, and is not driven, is magnified about its mean.
@@ -70,7 +73,8 @@ def _modes(problem):
         return ()
 
 
-def data(frames, words, names, title, kind, milliseconds=PACE):
+def data(frames: Sequence[list[Any]], words: str, names: Sequence[str], title: str, kind: str,
+         milliseconds: int = PACE) -> bytes:
     """The bytes of an animation as gif or html."""
     if kind == "gif":
         from vibcli.drawing.canvas.pillow_canvas import gif

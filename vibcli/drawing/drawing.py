@@ -1,5 +1,8 @@
 """A problem as a drawing in the style of a textbook figure."""
 
+from collections.abc import Mapping
+from typing import Any
+
 from vibcli.drawing.canvas.primitives import extent
 from vibcli.drawing.layout import captions, compose, lettering, letters, lumped, notes, plane
 from vibcli.drawing.layout.space import Space
@@ -10,7 +13,7 @@ GRAVITY = 30.0
 SLENDER = ("rod", "arm", "bob", "bar", "ring", "hoop", "rim", "arch")
 
 
-def draw(problem):
+def draw(problem: Any) -> list[Any]:
     """The primitives of a scene as drawn, with its names."""
     stage = letters.pleasing(problem, compose.Scenery)
     if not stage.scene.bodies:
@@ -21,7 +24,8 @@ def draw(problem):
     return found + annotations(stage, found, where)
 
 
-def annotations(stage, found, where):
+def annotations(stage: Any, found: Any,
+                where: Mapping[str, tuple[tuple[float, float], tuple[float, float]]]) -> list[Any]:
     """Arrows of coordinates, motions and loads, the names of everything, gravity and notes."""
     sketch, space, made = stage.sketch, Space(found), []
 

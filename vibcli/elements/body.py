@@ -5,7 +5,8 @@ A placed body contributes ½ m (ẋ_C² + ẏ_C²) + ½ J_C θ̇² and its weigh
 parallel axis theorem; a part with `cut: true` counts negative.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.elements import ELEMENTS, body_checks
 from vibcli.elements.shapes import LAWS, NEEDS
@@ -13,6 +14,10 @@ from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Flag, Many, Quantity
 from vibcli.language.named_elements import Lazy, load
 from vibcli.language.named_place import DRAWN
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 _LENGTH, _ANGLE = Quantity("m"), Quantity("rad")
 _SHAPE = {
@@ -81,7 +86,7 @@ class Body(NamedTuple):
     reach: Any = None
 
     @property
-    def moves(self):
+    def moves(self) -> bool:
         """Has it a motion of its own?"""
         return any(key in self.record for key in MOTIONS)
 
@@ -91,25 +96,25 @@ class Body(NamedTuple):
         return [reference.text for reference in touched(self.record)]
 
     @property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """The expressions of the coordinates that it is made of."""
         frame = self.frame.nodes if self.frame is not None else []
         return [*frame, *(self.lumped or ())[1:], *(self.normal or ())]
 
-    def over(self, new):
+    def over(self, new: "Mapping[Node, Node]") -> "Body":
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(frame=self.frame and self.frame.over(new),
                              lumped=self.lumped and (self.lumped[0], new[self.lumped[1]]),
                              normal=self.normal and tuple(new[node] for node in self.normal))
 
 
-def touched(record):
+def touched(record: "Record"):
     """References to the surfaces that a body of this record rolls or slides on."""
     motion = next((record[key] for key in ("roll", "slide") if key in record), {})
     return [motion["surface"]] if "surface" in motion else list(motion.get("between", ()))
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> Body:
     """The body of a record, its frame included; its energies are added to the scene."""
     body = Body(record.name, record)
     placed = any(key in record for key in ("at", "from", "parts"))

@@ -1,7 +1,7 @@
 """Which keys of a body go together: sizes with their shape, a motion with a place, an inertia with what turns."""
 
 from vibcli.elements.shapes import NEEDS
-from vibcli.language.reader import article
+from vibcli.language.reader import Reader, Record, article
 
 SIZES = ("radius", "half_angle", "width", "height", "a", "b", "from", "to", "angle")
 SLENDER = ("rod", "ring", "arch")
@@ -9,7 +9,7 @@ TURNED = ("rectangle", "ellipse", "sector", "arch")
 NO_PLACE = "say where it is drawn with `at: [x, y]`, or lump it: `slide: x` or `turn: phi`"
 
 
-def part(record, reader):
+def part(record: Record, reader: Reader) -> None:
     """A part of a body: its density is per length of a rod, ring or arch, per area of the rest."""
     shape = record.get("shape", "particle")
     if "density" in record:
@@ -26,7 +26,7 @@ def part(record, reader):
                           "leave it out, or name another `shape`")
 
 
-def body(record, reader):
+def body(record: Record, reader: Reader) -> None:
     """A body: as its shape, and with a motion that fits whether it has a place."""
     if "parts" not in record:
         part(record, reader)

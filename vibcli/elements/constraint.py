@@ -5,12 +5,17 @@
     belt   r₁(φ₁ − φ_c) = ± r₂(φ₂ − φ_c)            rope   its length is constant (elements/rope.py)
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.elements import rope
 from vibcli.elements.ends import angle_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, PLACE, EquationField, Flag, Many, NameOf, Quantity
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 _TWO_BODIES = Many(BODY, 2, 2, "two bodies [one, two]")
 _TWO_PLACES = Many(PLACE, 2, 2, "two points [A, B]")
@@ -60,7 +65,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the conditions of a constraint to the scene."""
     kind = next(kind for kind in KINDS if kind in record)
     {"equation": _equation, "rope": rope.build, "gear": _gear, "belt": _gear, "join": _join, "link": _link,

@@ -7,7 +7,10 @@ the tangent t, which is n turned clockwise. The slip of the body's point of cont
     on a line   (c − c₀)·e + s r θ          on a circle   ρ ψ − σ r θ, ψ being the turn of the line of centres
 """
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
 
 
 class LineContact(NamedTuple):
@@ -24,24 +27,24 @@ class LineContact(NamedTuple):
         """From the place of contact to the centre of the body, along n."""
         return self.radius
 
-    def rolled(self, turn):
+    def rolled(self, turn: "Expression"):
         """The travel of the centre, from the rotation in the fixed frame."""
         return -(turn - self.carrier.angle) * self.side * self.radius
 
-    def turn(self, travel):
+    def turn(self, travel: Any):
         """The rotation in the fixed frame."""
         return self.carrier.angle - travel * self.side / self.radius
 
-    def frame(self, travel, turn):
+    def frame(self, travel: Any, turn: "Expression"):
         """That of the body."""
         place = self.carrier.point(*(x + travel * e for x, e in zip(self.drawn, self.e, strict=True)))
         return self.carrier._replace(drawn=self.drawn, place=place, angle=turn)
 
-    def normal(self, _):
+    def normal(self, _: Any):
         """n, the travel given."""
         return self.carrier.turned(-self.side * self.e[1], self.side * self.e[0])
 
-    def parted(self, frame, _):
+    def parted(self, frame: Any, _: Any):
         """(gap, slip) of a body with this frame."""
         (x0, y0), (ex, ey), (x, y) = self.drawn, self.e, self.carrier.seen(*frame.place)
         slip = (x - x0) * ex + (y - y0) * ey + self.side * self.radius * (frame.angle - self.carrier.angle)
@@ -71,11 +74,11 @@ class CircleContact(NamedTuple):
         """Where the centre of the circle is now."""
         return self.carrier.point(*self.centre)
 
-    def rolled(self, turn):
+    def rolled(self, turn: "Expression"):
         """The swing of the line of centres, from the rotation in the fixed frame."""
         return (turn - self.carrier.angle) * self.radius * self.sense / self.arm
 
-    def turn(self, swing):
+    def turn(self, swing: Any):
         """The rotation in the fixed frame."""
         return self.carrier.angle + swing * self.arm * self.sense / self.radius
 
@@ -87,15 +90,15 @@ class CircleContact(NamedTuple):
         """The direction from the centre to the body as drawn."""
         return tuple((x - c) / self.distance for x, c in zip(self.drawn, self.centre, strict=True))
 
-    def frame(self, swing, turn):
+    def frame(self, swing: Any, turn: "Expression"):
         """That of the body."""
         return self.carrier._replace(drawn=self.drawn, place=self._line(swing).point(*self.drawn), angle=turn)
 
-    def normal(self, swing):
+    def normal(self, swing: Any):
         """n, the swing given."""
         return self._line(swing).turned(*(self.outward * d for d in self._away()))
 
-    def parted(self, frame, swing):
+    def parted(self, frame: Any, swing: Any):
         """(gap, slip) of a body with this frame whose centre moves about that of the circle by `swing`; None of one
         that may leave its circle, where both are right to first order in themselves, and so wherever they are zero."""
         if swing is not None:

@@ -1,10 +1,15 @@
 """Dampers between two ends: Φ = ½ c ḋ², the integral of a law, or R |ḋ| of dry friction, d being their distance."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Quantity
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 
 def _settle(record, reader):
@@ -39,7 +44,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the dissipation function of a damper to the scene."""
     torsion = record.get("torsion")
     given = record.get("c", torsion)

@@ -1,9 +1,14 @@
 """What springs and dampers join: places, bodies and the ground, and how far their ends are apart."""
 
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+
 TURNING = "torsion acts between two bodies, or a body and `ground`"
 
 
-def stretch(record, scene, torsion):
+def stretch(record: "Record", scene: Any, torsion: Any):
     """The stretch of a spring or damper since the drawn position; None where it was reported as wrong."""
     if "stretch" in record:
         return moving(record, scene, scene.lower(record["stretch"]))
@@ -18,7 +23,7 @@ def stretch(record, scene, torsion):
     return None if found is None else moving(record, scene, found - scene.at_drawn(found)[0])
 
 
-def length(record, scene, dx, dy):
+def length(record: "Record", scene: Any, dx: Any, dy: Any):
     """The distance of two ends; None where they coincide as drawn, which is reported."""
     found = scene.distance(dx, dy)
     if scene.number(found) > 0:
@@ -28,7 +33,7 @@ def length(record, scene, dx, dy):
     return None
 
 
-def moving(record, scene, found):
+def moving(record: "Record", scene: Any, found: Any):
     """The stretch; None where it never changes, which is reported."""
     if found is not None and not found.mask:
         hint = "check its ends, or take it out"
@@ -39,7 +44,7 @@ def moving(record, scene, found):
     return found
 
 
-def span(record, scene):
+def span(record: "Record", scene: Any):
     """(dx, dy) from the first end to the second; (None, None) where an end has no place."""
     places = [_place_of(end, record, scene) for end in record["between"]]
     if None in places:
@@ -99,7 +104,7 @@ def _angle(end, scene):
     return angle_of(end, scene, "write `k` or `c` instead of `torsion`")
 
 
-def angle_of(end, scene, hint="give it a `turn`, or a place and a `pin`"):
+def angle_of(end: Any, scene: Any, hint: Any = "give it a `turn`, or a place and a `pin`"):
     """The rotation of a body; None where it has none, which is reported."""
     body = scene.bodies[end.text]
     if body.frame is not None:

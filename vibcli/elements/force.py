@@ -4,9 +4,14 @@ A force with a `carrier` keeps its direction in that body (a follower force). An
 acts as the pure force m₀ e Ω² (cos Ωt, sin Ωt).
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.elements.ends import angle_of
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Load, NameOf, OneOf, Quantity, vector
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 _AT = OneOf("the name of a point or body (name a place under `points`)",
             scalar=NameOf("the name of a point or body", "points", "bodies"))
@@ -49,7 +54,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the virtual work of a load to the scene."""
     if "value" in record:
         scene.add_force(*scene.load(record["value"]), scene.symbol(record["coordinate"].text))

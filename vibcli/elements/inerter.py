@@ -1,9 +1,14 @@
 """Inerters between two ends (Smith 2002): T = ½ b ṡ², s being the stretch; the force is b s̈."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.elements import ends
 from vibcli.elements.torsion import settle_torsion
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import ENDS, Quantity
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 
 def _settle(record, reader):
@@ -32,7 +37,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the kinetic energy of an inerter to the scene."""
     torsion = "torsion" in record
     b = scene.positive(record["torsion" if torsion else "b"], f"the inertance of '{record.name}'")

@@ -1,7 +1,13 @@
 """Rotation about a pin, which may be carried by another body."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, PLACE, Flag, MotionField
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Record
 
 ELEMENT = Element(
     "pin",
@@ -18,7 +24,7 @@ ELEMENT = Element(
 )
 
 
-def build(pin, body, scene):
+def build(pin: "Record", body: "Body", scene: Any) -> "Body":
     """A pinned body with its frame: the pin moves with its carrier, the body turns about it by φ."""
     pivot, place, carrier = scene.pivot(pin, body)
     angle = scene.change(pin["by"])

@@ -1,8 +1,15 @@
 """Points: fixed in the plane, or carried by a body from the place where they are drawn."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, Many, MotionField
 from vibcli.language.named_place import DRAWN
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
     "point",
@@ -19,7 +26,7 @@ ELEMENT = Element(
 )
 
 
-def driven(point, drawn, scene):
+def driven(point: "Record", drawn: "Sequence[Node]", scene: Any) -> "tuple[Node, Node]":
     """Where a point is that is driven, `drawn` being its place as drawn."""
     if not any(scene.lower(part).mask for part in point["moves"]):
         scene.report(point.place("moves"), f"'{point.name}' never moves: its displacement is constant",

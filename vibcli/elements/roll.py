@@ -8,13 +8,18 @@ as drawn is at O + R n − R ψ t. Between two surfaces the body rolls on the fi
 The angles θ and ψ are relative to the surface's carrier; `turn` is θ in the fixed frame.
 """
 
-from vibcli.elements.body import touched
+from typing import TYPE_CHECKING, Any
+
+from vibcli.elements.body import Body, touched
 from vibcli.elements.contact import CircleContact, LineContact
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Many, MotionField, NameOf, Quantity
 from vibcli.language.named_place import DRAWN
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 FAR = ("travel", "turn", "swing")
 _SURFACE = NameOf("the name of a surface", "surfaces")
@@ -52,7 +57,7 @@ ELEMENT = Element(
 )
 
 
-def build(roll, body, scene):
+def build(roll: "Record", body: Body, scene: Any) -> Body:
     """A rolling body with its frame about the centre of the rolling circle, and the normal of the surface."""
     if "flat" in roll:
         surface = scene.surfaces[roll["surface"].text]
@@ -67,7 +72,7 @@ def build(roll, body, scene):
     return body._replace(normal=contacts[0].normal(rolled), reach=contacts[0].reach if "between" in roll else None)
 
 
-def tie(roll, body, scene):
+def tie(roll: "Record", body: Body, scene: Any):
     """Add the conditions of the second contact to the scene: no slip where the body has a coordinate of its own, and no
     gap where both could part."""
     contacts = _contacts(roll, body, scene)

@@ -13,11 +13,15 @@ all sides as an eyelet does.
 
 from itertools import pairwise
 from math import atan2, hypot, pi, sqrt, tau
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import PLACE, Many, NameOf, OneOf, Quantity, vector
 from vibcli.symbolic.normal_form import root_of_square, textbook
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 SIDES = {"over": (0, 1), "under": (0, -1), "left_of": (-1, 0), "right_of": (1, 0)}
 ABOUT = ("a rope of constant length: [A, {under: drum}, {over: top, radius: r}, B]. Its ends are points or bodies, or "
@@ -47,18 +51,18 @@ class Stop(NamedTuple):
     sense: int = 0
 
     @property
-    def contact(self):
+    def contact(self) -> "tuple[Node, Node]":
         """Where the rope about passes."""
         nx, ny = self.side or (0, 0)
         return self.centre[0] + self.radius * nx, self.centre[1] + self.radius * ny
 
     @property
-    def reach(self):
+    def reach(self) -> "Node":
         """σ r."""
         return self.radius * self.sense
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """One condition for each stretch of rope between bodies on which it does not slip."""
     stops = [_stop(item, scene) for item in record["rope"]]
     if None in stops:

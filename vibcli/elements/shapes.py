@@ -9,6 +9,7 @@ With R the radius, α the half angle, O the centre of a sector's or arch's circl
     rod        J_C = m l²/12                    particle J_C = 0
 """
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 NEEDS = {"particle": (), "disc": ("radius",), "ring": ("radius",), "rod": ("from", "to"),
@@ -36,7 +37,7 @@ def _arch(table, radius, half):
     return Uniform(radius * radius - offset * offset, 2 * half * radius, radius, offset)
 
 
-LAWS = {
+LAWS: dict[str, Callable] = {
     "particle": lambda table: Uniform(table.zero, None),
     "disc": lambda table, radius: Uniform(radius * radius / 2, table.pi * radius * radius, radius),
     "ring": lambda table, radius: Uniform(radius * radius, 2 * table.pi * radius, radius),

@@ -1,8 +1,15 @@
 """Translation along a direction or a smooth curve, the orientation kept in the carrier."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, MotionField, NameOf, vector
 from vibcli.symbolic.derivatives import gradient
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
     "slide",
@@ -24,7 +31,7 @@ ELEMENT = Element(
 )
 
 
-def build(slide, body, scene):
+def build(slide: "Record", body: "Body", scene: Any) -> "Body":
     """A sliding body with its frame: x = x₀ + u·e, turned and displaced with the carrier."""
     x0, y0 = body.centre
     if "surface" in slide:
@@ -73,5 +80,5 @@ def _upward_normal(y, u):
     return -slope / length, 1 / length
 
 
-def lump(slide, scene):
+def lump(slide: "Record", scene: Any) -> "tuple[str, Node]":
     return "slide", scene.along_axis(slide, "slide") + scene.change(slide["by"])

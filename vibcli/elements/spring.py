@@ -5,6 +5,8 @@ counts: N + k (d − d_drawn). Stretch, tension and preload are positive in leng
 beyond their gap g alone: through max(d − g, 0) where they pull, min(d + g, 0) where they push.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.elements import ends
 from vibcli.elements.torsion import Torsion, settle_torsion
 from vibcli.language.fields import Element, Field
@@ -12,13 +14,16 @@ from vibcli.language.kinds import ENDS, Choice, Kind, Quantity
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.rationals import HALF
 
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+
 
 class _Preload(Kind):
     """A force (of a torsion spring a moment), or the word static."""
 
     wants = "a force, or the word static"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if getattr(node, "text", None) == "static":
             return "static"
         return Quantity().read(node, reader)
@@ -64,7 +69,7 @@ ELEMENT = Element(
 )
 
 
-def build(record, scene):
+def build(record: "Record", scene: Any) -> None:
     """Add the potential energy of a spring to the scene."""
     torsion = "torsion" in record
     nonlinear = any(key in record for key in ("law", "acts", "gap"))

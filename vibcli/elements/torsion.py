@@ -1,27 +1,30 @@
 """Whether a spring or damper acts between rotations, and what that makes of its other keys."""
 
+from collections.abc import Sequence
+from typing import Any
+
 from vibcli.language.kinds import Kind, Quantity
-from vibcli.language.reader import Expression
+from vibcli.language.reader import Expression, Reader, Record
 
 
 class Torsion(Kind):
     """A torsional coefficient, or the word true where something else says how large the moment is."""
 
-    def __init__(self, unit):
+    def __init__(self, unit: str):
         self.kind = Quantity(unit)
 
     @property
     def wants(self):
         return self.kind.wants + ", or the word true"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         return True if getattr(node, "text", None) == "true" else self.kind.read(node, reader)
 
     def schema(self):
         return {"anyOf": [{"const": True}, {"enum": ["true"]}, {"type": ["string", "number"]}]}
 
 
-def settle_torsion(record, reader, forces, local, rate):
+def settle_torsion(record: Record, reader: Reader, forces: Sequence[str], local: str, rate: bool) -> None:
     """The dimensions of what is a force, or of torsion a moment; `forces`: such keys, the law included, in which
     `local` is the deflection, or its rate."""
     torsion = "torsion" in record

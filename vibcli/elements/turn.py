@@ -1,7 +1,12 @@
 """Rotation of a body that has no place: one axis, one angle."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import BODY, MotionField
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 ELEMENT = Element(
     "turn",
@@ -15,5 +20,5 @@ ELEMENT = Element(
 )
 
 
-def lump(turn, scene):
+def lump(turn: Any, scene: Any) -> "tuple[str, Node]":
     return "turn", scene.along_axis(turn, "turn") + scene.change(turn["by"])

@@ -8,6 +8,7 @@ substituted into a scene built anew; solutions of scenes with letters at several
 """
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError
@@ -18,10 +19,13 @@ from vibcli.inverse.solution import Chosen, choosing, defined, in_numbers, stabl
 from vibcli.inverse.substitution import forms_of, held_by_balance, tried
 from vibcli.inverse.symbolic_conditions import balanced
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+
 MOST = 30_000       # places at which the scene is looked at, and steps of its motions there
 
 
-def settled(problem, thorough=False):
+def settled(problem: "Problem", thorough: bool = False) -> "Problem":
     """The problem with the first solution for its chosen parameters; itself where nothing is chosen. `thorough`: SymPy
     may look for closed forms that the project's own algebra does not find."""
     if not problem.spec.choices or problem.choice is not None:

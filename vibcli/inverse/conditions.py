@@ -6,8 +6,10 @@ along a coordinate; at the limit of stability those that restore and those that 
 the margin to flutter and divergence (margin.py).
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import isfinite
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse.admissible_ranges import admissible
@@ -18,13 +20,21 @@ from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.syntax import Number
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
+
 HOLDS = 1e-8
 
 
 class ConditionSystem:
     """Conditions on the parameters `names` of a problem in which nothing else is without value."""
 
-    def __init__(self, problem, limits=None):
+    refusal: Any
+    free: int
+
+    def __init__(self, problem: "Problem", limits: dict[Any, Any] | None = None):
         self.problem, self.names = problem, list(problem.spec.choices)
         self.conditions = [record["so"] for record in problem.spec.choices.values()]
         self.ranges = [admissible(problem, name) for name in self.names]
@@ -34,7 +44,7 @@ class ConditionSystem:
         self.rest, self.ends = {}, []                               # Configurations; where following them ends
         self.limits = {} if limits is None else limits              # {value: Limit} that was followed to (folds.py)
 
-    def measured(self, values):
+    def measured(self, values: Sequence[float | Fraction]) -> list[list[tuple[float, float]]]:
         """[[(L, R), …] of each condition] at numbers for the parameters, None where the scene has no such answer."""
         key = tuple(values)
         if key not in self._measured:
@@ -44,7 +54,7 @@ class ConditionSystem:
                 self.rest[key] = instance.configuration
         return self._measured[key]
 
-    def instance(self, values, shared=False):
+    def instance(self, values: Any, shared: "bool | SharedFriction | None" = False):
         given = {name: Fraction(value) for name, value in zip(self.names, values, strict=True)}
         found = self.problem.sharing(given) if shared else self.problem.with_values(given)
         limit = self.limit(values)
@@ -54,12 +64,12 @@ class ConditionSystem:
 
         return found.about(at_limit(found.configuration, limit.position, limit.felt))
 
-    def know(self, limits, ends):
+    def know(self, limits: Any, ends: Any):
         """Keep the Limits to which equilibria were followed, and the ends of those ways."""
         self.ends = ends
         self.limits.update({Fraction(limit.value): limit for limit in limits})
 
-    def limit(self, values):
+    def limit(self, values: Sequence[float | Fraction]):
         """The Limit that was followed to at these values; None elsewhere."""
         return self.limits.get(Fraction(values[0])) if len(values) == 1 else None
 
@@ -107,14 +117,14 @@ class ConditionSystem:
         size = _stiffness_size(instance.configuration.linear_system, mode.shape)
         return 0.5 * (size + value), 0.5 * (size - value)
 
-    def misfits(self, values):
+    def misfits(self, values: Sequence[float]) -> list[float]:
         """(L − R)/(|L| + |R|) of each condition, None where the scene has no such answer."""
         found = self.measured(values)
         if found is None:
             return None
         return [misfit(pair, scale) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs]
 
-    def settle_scales(self, places):
+    def settle_scales(self, places: Sequence[list[float]]) -> None:
         """Where one side is always zero, the misfit is relative to the usual size of the other."""
         found = [measured for measured in map(self.measured, places) if measured is not None]
         for i in range(len(self.conditions)):
@@ -123,7 +133,7 @@ class ConditionSystem:
                 sizes = sorted(abs(left) + abs(right) for left, right in pairs)
                 self.scales[i] = sizes[len(sizes) // 2]
 
-    def residual(self, values):
+    def residual(self, values: Sequence[Fraction]) -> float:
         """The largest misfit in a scene built anew with these values; PhysicsError where it has no such answer."""
         limit = self.limit(values)
         if limit is not None and self.conditions[0].word:
@@ -131,7 +141,7 @@ class ConditionSystem:
         found = [self._pairs(self.instance(values), condition) for condition in self.conditions]
         return max(abs(misfit(pair, scale)) for pairs, scale in zip(found, self.scales, strict=True) for pair in pairs)
 
-    def holds(self, values):
+    def holds(self, values: Sequence[Fraction]) -> tuple[bool, float]:
         """(whether all conditions hold, residual) by substitution; a limit of stability has to be passed."""
         try:
             residual = self.residual(values)
@@ -151,7 +161,7 @@ class ConditionSystem:
             signs.append(found is not None and misfit(found[i][0], 0.0))
         return signs[0] * signs[1] < 0
 
-    def admits(self, values):
+    def admits(self, values: Sequence[Fraction]) -> bool:
         return all(isfinite(x) and span.holds(x) for x, span in zip(values, self.ranges, strict=True))
 
 
@@ -174,13 +184,13 @@ def _roughly(instance):
     return instance.about(configuration.about(configuration.equilibrium, elements))
 
 
-def misfit(pair, scale):
+def misfit(pair: tuple[float, float], scale: float) -> float:
     left, right = pair
     size = abs(left) + abs(right) + scale
     return (left - right) / size if size else 0.0
 
 
-def balance(instance):
+def balance(instance: Any) -> list[tuple[float, float]]:
     """(forces along, forces against) each coordinate in the drawn position."""
     found = []
     place = {**instance.numeric.floats, instance.scene.time.name: 0.0, **instance.numeric.drawn_floats}
@@ -198,7 +208,7 @@ def _stiffness_size(elements, shape):
                        for pair, value in elements.K.items())
 
 
-def in_geometry(problem, names):
+def in_geometry(problem: "Problem", names: Sequence[str]) -> bool:
     """Does the place or motion of anything depend on these parameters?"""
     scene, parameters = problem.scene, problem.scene.parameters
     symbols = {parameters.nodes[name] for name in names}
@@ -210,5 +220,5 @@ def in_geometry(problem, names):
     return bool(symbols & set(reachable([*places, *scene.drawn.values(), *scene.dependent.values()])))
 
 
-def summed(table, terms):
+def summed(table: Any, terms: "Sequence[Node]"):
     return table.sum(*((term, ONE) for term in terms))

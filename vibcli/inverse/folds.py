@@ -1,11 +1,17 @@
 """Limits of stability that no change of sign between two values tells: the equilibrium is followed from one value to
 the next, to a limit point (fold) where it meets an unstable one and both vanish, to a branching, or to its end."""
 
+from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.mechanics.equilibrium.continuation import Branch
 from vibcli.numerics.root_finding import bracketed
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.inverse.conditions import ConditionSystem
 
 SAME = 1e-6
 FARTHER = 1.3       # growth over the second half of the steps of a way that vanish: what ends at a place grows by 1
@@ -31,7 +37,7 @@ class End(NamedTuple):
     runs: str
 
 
-def followed(system, places):
+def followed(system: "ConditionSystem", places: Sequence[list[float]]):
     """([Limit], [End]) of the stable equilibria of a ConditionSystem with one parameter,
     from each of the ascending places to its neighbours."""
     limits, ends = [], []
@@ -77,7 +83,7 @@ def _limit(branch, place, fold):
     return Limit(place.value, place.position, fold, abs(lowest(place.K)) / branch.size, felt)
 
 
-def lowest(K):
+def lowest(K: "np.ndarray"):
     import numpy as np
 
     return float(np.linalg.eigvals(K).real.min())

@@ -1,17 +1,27 @@
 """Why a parameter cannot be chosen, in words."""
 
+from collections.abc import Sequence
 from math import inf, isfinite, pi, tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.enumeration import listed
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.base.work import longer
-from vibcli.inverse.conditions import misfit
+from vibcli.inverse.conditions import ConditionSystem, misfit
 from vibcli.notation.numbers import figure
 from vibcli.notation.plain import plain
 
+if TYPE_CHECKING:
+    from fractions import Fraction
 
-def undetermined(problem, tried=None):
+    from vibcli.inverse.admissible_ranges import Range
+    from vibcli.numerics.root_finding import Scan
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+
+def undetermined(problem: "Problem", tried: Sequence[float] | None = None) -> PhysicsError:
     """The conditions hold whatever is chosen, as letters prove; or at all the values that were `tried` in a range."""
     names, where = listed(problem.spec.choices), _where(problem)
     if [record["so"].is_balance for record in problem.spec.choices.values()] == [True]:
@@ -30,7 +40,7 @@ def _where(problem):
     return next(iter(problem.spec.choices.values())).where
 
 
-def texts(problem):
+def texts(problem: "Problem") -> str:
     """The conditions in words."""
     return listed(list(dict.fromkeys(_in_words(record["so"]) for record in problem.spec.choices.values())))
 
@@ -41,7 +51,7 @@ def _in_words(condition):
     return "equilibrium as drawn" if condition.is_balance else "a limit of stability"
 
 
-def none_found(system, scan, proven=False):
+def none_found(system: ConditionSystem, scan: "Scan | None", proven: bool = False) -> PhysicsError:
     """No solution: what the quantity does at the values that were tried, or why it is never defined. `proven`: do
     letters tell that there is none? Else none was found where it was looked for."""
     where, condition = _where(system.problem), system.conditions[0]
@@ -71,7 +81,7 @@ class NotHeld(PhysicsError):
     """The conditions do not hold where the scene comes to rest with the values that they ask for."""
 
 
-def not_held(system):
+def not_held(system: ConditionSystem) -> NotHeld:
     """No solution is left once those in letters are tried in the scene."""
     if len(system.names) > 1:
         error = _of_several(system, False)
@@ -162,7 +172,7 @@ def _within(system, span):
     return f"in {left}{end(span.low)}, {end(span.high)}{right}"
 
 
-def not_admissible(problem, name, node, value, span):
+def not_admissible(problem: "Problem", name: str, node: "Node", value: "Fraction", span: "Range") -> PhysicsError:
     """The only solution lies outside the range of its parameter."""
     record = problem.spec.choices[name]
     unit = units.text(problem.spec.dimensions.of(name))
@@ -177,7 +187,7 @@ def not_admissible(problem, name, node, value, span):
                         "widen its range", record.where)
 
 
-def unbalanced(problem, instance, pairs):
+def unbalanced(problem: "Problem", instance: Any, pairs: Sequence[tuple[float, float]]) -> PhysicsError:
     """Conditions of equilibrium that are left over, at the values that the other conditions ask for."""
     names = [name for name, record in problem.spec.choices.items() if record["so"].is_balance]
     errors = [abs(misfit(pair, 0.0)) for pair in pairs]
@@ -197,13 +207,13 @@ def _valued(problem, name, value):
     return f"{name} = {figure(value)} {units.text(problem.spec.dimensions.of(name))}".rstrip()
 
 
-def no_closed_form(problem):
+def no_closed_form(problem: "Problem") -> PhysicsError:
     hint = "give the other parameters values in the file or with --set: then it is found in numbers"
     return PhysicsError(f"no closed form of {listed(problem.spec.choices)} was found",
                         f"{hint}; {longer(problem.work)}" if problem.work.cut else hint, _where(problem))
 
 
-def never_in_letters(problem):
+def never_in_letters(problem: "Problem"):
     return PhysicsError(f"no admissible value of {listed(problem.spec.choices)} was found that gives {texts(problem)}, "
                         "at any of the values of the letters that were tried",
                         "give the other parameters values with --set, to see what is possible", _where(problem))

@@ -3,6 +3,7 @@ be, else a search over the admissible range; each is tried by substitution."""
 
 from fractions import Fraction
 from math import asinh, atanh, exp, isfinite, log, sinh
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse import infeasible
@@ -13,11 +14,16 @@ from vibcli.inverse.solution import choosing, in_numbers
 from vibcli.inverse.symbolic_conditions import candidates, determined_alone, independent
 from vibcli.numerics.root_finding import holds_everywhere, longest_plateau, zeros
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
 SAME, ALIKE, NEARLY, SHORT, DECADES, SPARSE = 1e-6, 1e-11, 1.0 - 1e-15, 10, 3, 8
 PLACES = (1e-2, 0.13, 1.0, 7.0, 1e2)
 
 
-def solve(problem, thorough=False, limits=None):
+def solve(problem: "Problem", thorough: bool = False,
+          limits: dict[Any, Any] | None = None) -> "list[tuple[list[Fraction], tuple[Node | None, ...]]]":
     """[(values, closed forms, None where unknown)], ascending, of what a problem with numbers chooses; `limits` takes
     up the Limits that equilibria were followed to."""
     system = ConditionSystem(problem, limits)
@@ -100,7 +106,7 @@ def _looked_for(system, always):
         if plateau and (not found or any(plateau[0] <= x <= plateau[1] for x in found)):
             tried = [x for x, _ in scan.defined() if plateau[0] <= x <= plateau[1]]
             raise infeasible.undetermined(system.problem, tried)
-        places = [*_followed_to(system, scan), *([x] for x in found)]
+        places: list = [*_followed_to(system, scan), *([x] for x in found)]
     else:
         places = _newton(system)
     return [values for values in (_shortened(system, place) for place in places) if values is not None]

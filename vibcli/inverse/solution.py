@@ -1,18 +1,23 @@
 """What was chosen: the solutions, and the scene with the first of them."""
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import isclose
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.inverse.admissible_ranges import known
 from vibcli.language.document.document import Scalar
-from vibcli.language.reader import Expression
+from vibcli.language.reader import Expression, Record
 from vibcli.notation.scene_language import language
 from vibcli.symbolic.evaluation import Floats, evaluate, multiprecision
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.parser import LONGEST, parse
 from vibcli.symbolic.syntax import ExpressionError
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 DIGITS, READABLE = 60, 70
 TRACE = 1e-20       # of an imaginary part, by the rounding of a double root
@@ -36,12 +41,12 @@ class Chosen:
 
     __slots__ = ("conditions", "draws", "solutions")
 
-    def __init__(self, choices, solutions, draws=()):
+    def __init__(self, choices: Mapping[str, Record], solutions: Sequence[Solution], draws: "Sequence[Problem]" = ()):
         self.draws = draws
         self.conditions = {name: record["so"].text for name, record in choices.items()}
         self.solutions = solutions
 
-    def value(self, name, number):
+    def value(self, name: str, number: int) -> float:
         """The number of the solution with this number, from 1."""
         if not 1 <= number <= len(self.solutions):
             raise PhysicsError(f"there is no solution {number} for {name}: there "
@@ -55,7 +60,7 @@ class Chosen:
         return all(form is not None for form in self.solutions[0].forms.values())
 
 
-def defined(problem, forms, sample=None):
+def defined(problem: "Problem", forms: "Mapping[str, Node]", sample: Mapping[str, Fraction] | None = None) -> "Problem":
     """The problem with parameters defined by closed forms ({name: node}); None where one is too long to write.
     `sample`: values of the letters at which these count, where it is drawn."""
     spec, parameters = problem.spec, dict(problem.spec.parameters)
@@ -74,12 +79,12 @@ def defined(problem, forms, sample=None):
     return problem.with_spec(spec)
 
 
-def choosing(problem, choices):
+def choosing(problem: Any, choices: Any) -> "Problem":
     """The problem with these to choose instead, {name: record}."""
     return problem.with_spec(problem.spec._replace(choices=choices))
 
 
-def in_numbers(problem, nodes):
+def in_numbers(problem: "Problem", nodes: "Sequence[Node]"):
     """The values of closed forms to DIGITS digits, as Fractions; None where one is no finite number."""
     import mpmath
 
@@ -101,7 +106,7 @@ def _fraction(value):
     return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** exponent
 
 
-def stable_in_floats(problem, nodes, values):
+def stable_in_floats(problem: "Problem", nodes: "Sequence[Node]", values: Sequence[Fraction]) -> bool:
     """Do floats give these closed forms the same values but for rounding?"""
     try:
         found = evaluate(nodes, Floats, known(problem, Floats))

@@ -4,10 +4,12 @@ With C, or loads that follow velocities: −max Re λ. Without: of the μ = −�
 which is negative where two have met and left the real axis (flutter).
 """
 
+from typing import Any
+
 ZERO, FREE = 1e-9, 1e-13
 
 
-def margin(elements, free):
+def margin(elements: Any, free: int) -> tuple[float, float] | None:
     """(margin, its size), `free` roots that are always zero left out; None of a conservative system without gyroscopic
     terms."""
     damped = bool(elements.dampers) or any(elements.C.values()) or any(elements.drag.values())
@@ -26,7 +28,7 @@ def margin(elements, free):
     return min(real + apart, default=size), size
 
 
-def free_roots(elements):
+def free_roots(elements: Any) -> int:
     """The number of roots λ = 0 of motion that nothing holds: K v = 0, twice where (C + G) v = 0 too."""
     import numpy as np
 

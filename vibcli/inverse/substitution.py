@@ -1,5 +1,8 @@
 """Solutions tried by substitution: the closed forms of all that is chosen, and whether the conditions hold there."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.inverse import infeasible
 from vibcli.inverse.conditions import HOLDS, balance, misfit
 from vibcli.inverse.solution import Solution
@@ -7,14 +10,20 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.univariate import depends
 from vibcli.symbolic.normal_form import textbook
 
+if TYPE_CHECKING:
+    from fractions import Fraction
 
-def held_by_balance(problem, rest):
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
+
+def held_by_balance(problem: "Problem", rest: "Problem") -> "dict[str, Node]":
     """{name: definition} of the parameters that equilibrium determined, in the letters of `rest`."""
     return {name: rest.scene.parameters.definitions[name] for name in problem.spec.choices
             if name not in rest.spec.choices}
 
 
-def forms_of(problem, rest, nodes):
+def forms_of(problem: "Problem", rest: "Problem", nodes: "Sequence[Node | None]") -> "dict[str, Node | None]":
     """{name: closed form or None} of the parameters found and of those that they define."""
     symbols = rest.scene.parameters.nodes
     held = {symbols[name]: node for name, node in held_by_balance(problem, rest).items()}
@@ -27,7 +36,7 @@ def forms_of(problem, rest, nodes):
     return {name: known.get(name) for name in problem.spec.choices}
 
 
-def tried(problem, system, values, forms):
+def tried(problem: "Problem", system: Any, values: "Mapping[str, Fraction]", forms: Any) -> Solution:
     """The Solution of these values, tried by substitution; PhysicsError where they do not hold after all."""
     in_order = [values[name] for name in system.names]
     for name, value, span in zip(system.names, in_order, system.ranges, strict=True):

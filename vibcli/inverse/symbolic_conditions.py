@@ -4,6 +4,9 @@ A frequency of one mode is put into det(K − ω² M) = 0, a limit of stability 
 degree into C² = 4 ζ² K M. These also hold for another mode, or with another sign: candidates are tried afterwards.
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.inverse.conditions import summed
 from vibcli.inverse.symbolic_quantity_conditions import equal_heights, response_is, response_of, side
@@ -11,19 +14,25 @@ from vibcli.mechanics.static_preload import pivots, solve_linear
 from vibcli.quantities.modal import one_degree
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.equations.elimination import solve_equations
-from vibcli.symbolic.equations.univariate import depends, polynomial, solve_equation
+from vibcli.symbolic.equations.univariate import Candidates, depends, polynomial, solve_equation
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.quadratic_roots import determinant
 from vibcli.symbolic.rationals import ONE, ZERO
 from vibcli.symbolic.syntax import QuantityRef
 
+if TYPE_CHECKING:
+    from vibcli.reader.sections.choose import Condition
+    from vibcli.results.problem import Problem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
 LARGEST = 4
 SQUARES = {"omega": lambda x, pi: x * x, "frequency": lambda x, pi: 4 * pi * pi * x * x,
            "period": lambda x, pi: 4 * pi * pi / (x * x), "growth_rate": lambda x, pi: -(x * x)}
 
 
-def candidates(problem, thorough):
+def candidates(problem: "Problem", thorough: bool) -> Candidates | None:
     """The Candidates in letters for all chosen parameters of a problem; None where there are none."""
     scene = problem.scene
     unknowns = [scene.parameters.nodes[name] for name in problem.spec.choices]
@@ -38,7 +47,7 @@ def candidates(problem, thorough):
     return solve_equations(nodes, unknowns, scene, thorough) if len(nodes) >= len(unknowns) else None
 
 
-def independent(problem):
+def independent(problem: "Problem") -> bool:
     """Do letters prove that the conditions do not depend on what is chosen? Only of one degree of freedom: of several,
     what is a property of one mode may become that of another."""
     scene = problem.scene
@@ -53,7 +62,7 @@ def independent(problem):
     return not any(depends(node, unknowns) for node in substitute(nodes, meant))
 
 
-def determined_alone(problem):
+def determined_alone(problem: "Problem") -> tuple[str, Candidates, str]:
     """(chosen name, its Candidates, name of the entry) of a condition in letters that holds one unknown, to which all
     solutions are known; None of none."""
     scene = problem.scene
@@ -72,7 +81,7 @@ def determined_alone(problem):
     return None
 
 
-def definitions(scene, unknowns):
+def definitions(scene: "Scene", unknowns: "Sequence[Node]") -> "dict[Node, Node]":
     """{node: expression} of the parameters that are defined by the unknowns, these alone standing in it."""
     found = {}
     for name in scene.parameters.order:
@@ -84,7 +93,7 @@ def definitions(scene, unknowns):
     return found
 
 
-def balanced(problem):
+def balanced(problem: "Problem") -> "dict[str, Node] | None":
     """({name: expression} of the parameters chosen for equilibrium, in which its conditions are linear); None where
     they are not. PhysicsError where the conditions leave one of them open."""
     scene = problem.scene
@@ -164,7 +173,7 @@ def _limit(problem):
     return still * textbook(mixed * mixed - 4 * (a[0] * d[0] - b[0] * c[0]) * still)
 
 
-def require_no_modes(condition):
+def require_no_modes(condition: "Condition"):
     """Without the matrices in letters only what is read off the drawing is known."""
     if condition.word or any(tree.head not in ("J", "centre") for side in condition.sides
                              for tree in side.parts.quantities):

@@ -1,6 +1,8 @@
 """Quantities in letters, as sides of conditions: omega[1] of one degree, K[x, x], equilibrium[s.stretch], J[disc], and
 amplitudes of responses: amplitude(x), abs(frf[x, F](Ω)), transmissibility[x, base](Ω)."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import NotInLetters
 from vibcli.quantities.cycle_count import counts_cycles
 from vibcli.quantities.expression import lowered
@@ -10,8 +12,14 @@ from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import Call, NameRef, QuantityRef, parts_of
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
-def side(problem, expression):
+
+def side(problem: "Problem", expression: "Expression") -> "Node":
     """A side of a condition as an expression of the parameters."""
     scene = problem.scene
     found = {tree.text: quantity_in_letters(problem, tree) for tree in expression.parts.quantities}
@@ -19,7 +27,7 @@ def side(problem, expression):
                    else scene.parameters.nodes[name])
 
 
-def quantity_in_letters(problem, tree):
+def quantity_in_letters(problem: "Problem", tree: QuantityRef) -> "Node":
     """A quantity as an expression of the parameters; NotInLetters where it is found in numbers."""
     response = response_of(problem, tree)
     if response is not None:
@@ -31,7 +39,7 @@ def quantity_in_letters(problem, tree):
     return quantity.symbolic(problem, tree)
 
 
-def response_of(problem, tree):
+def response_of(problem: Any, tree: Any) -> "Formula | None":
     """The Formula of amplitude(x), abs(frf[…](…)) or transmissibility[…](…); None of another tree."""
     asked = tree.head if isinstance(tree, QuantityRef) else None
     if isinstance(tree, Call) and tree.name == "abs" and getattr(tree.args[0], "head", None) == "frf":
@@ -58,7 +66,7 @@ def _frequency(problem, tree):
     return node * 2 * scene.table.pi if counts_cycles(problem.spec, tree) else node
 
 
-def response_is(problem, response, value):
+def response_is(problem: "Problem", response: "Formula", value: "Node") -> "list[Node]":
     """[expression] that vanishes where |H| has a value: the parts of N where that is 0, else |N|² − value² |D|², in
     factors where there is no damping."""
     table = problem.scene.table
@@ -71,14 +79,14 @@ def response_is(problem, response, value):
     return [above - value * value * below]
 
 
-def size_of(problem, response):
+def size_of(problem: "Problem", response: "Formula"):
     """|H| as an expression."""
     table = problem.scene.table
     size, = copied([response.amplitude], table)
     return size if table.is_positive(size) else table.call("abs", size)
 
 
-def equal_heights(problem, one, other):
+def equal_heights(problem: "Problem", one: Any, other: Any) -> "Node | None":
     """An expression that vanishes where the fixed points 1 and 2 of the only damper are equally high; None of another
     condition.
 

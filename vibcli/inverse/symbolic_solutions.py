@@ -1,5 +1,8 @@
 """The solutions of a scene with letters: each candidate in closed form is tried at values for which it may count."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.inverse import infeasible
 from vibcli.inverse.admissible_ranges import admissible
@@ -9,10 +12,16 @@ from vibcli.inverse.substitution import forms_of, tried
 from vibcli.inverse.symbolic_admissible_ranges import Bound, Letters
 from vibcli.inverse.symbolic_conditions import candidates
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
 ENOUGH, SPURIOUS, TRIALS = 3, 4, 30
 
 
-def solved(problem, rest):
+def solved(problem: "Problem", rest: "Problem") -> "Problem":
     """The problem with letters with its first solution in closed form."""
     found = candidates(rest, True) if rest.spec.choices else None
     if rest.spec.choices and (found is None or not (found.tuples or found.always)):
@@ -45,13 +54,15 @@ def _never_admissible(problem, letters):
 class Trials:
     """Substitutions of solutions in letters into scenes with numbers: held[i] = [(number of the draw, Solution)]."""
 
-    def __init__(self, problem, rest, solutions):
+    refusal: Any
+
+    def __init__(self, problem: "Problem", rest: "Problem", solutions: "Sequence[dict[str, Node]]"):
         self.problem, self.rest, self.solutions = problem, rest, solutions
         self.held, self.failed = {}, dict.fromkeys(range(len(solutions)), 0)
         self.draws, self.refusal = [], None
 
     @property
-    def done(self):
+    def done(self) -> bool:
         """Are there enough trials of each solution that may be one?"""
         return len(self.draws) >= TRIALS or all(map(self._enough, self.failed))
 
@@ -59,7 +70,7 @@ class Trials:
         held = len(self.held.get(i, ()))
         return held >= ENOUGH or (not held and self.failed[i] >= SPURIOUS)
 
-    def at(self, given, counting):
+    def at(self, given: "Mapping[str, Fraction]", counting: Sequence[int]) -> None:
         """Try the solutions that count at a draw, unless each of them has been tried enough."""
         if all(map(self._enough, counting)):
             return
@@ -82,7 +93,7 @@ class Trials:
                 self.failed[i] += 1
                 self.refusal = self.refusal or (error if len(self.solutions) == 1 else None)
 
-    def ascending(self):
+    def ascending(self) -> list[int]:
         """The numbers of the solutions: by their values at the draw where most of them hold, then the others."""
         holding = {}
         for i, trials in self.held.items():
@@ -94,7 +105,7 @@ class Trials:
         first = [i for _, i in sorted(holding[most])]
         return first + [i for i in self.held if i not in first]
 
-    def draws_of(self, i):
+    def draws_of(self, i: int) -> "list[Problem]":
         """The draws at which a solution is the smallest one, those first where most others hold beside it."""
         found = []
         for number, solution in self.held[i]:

@@ -1,20 +1,28 @@
 """Does one expression fit where it stands: are its names known there, has it the dimension that is due?"""
 
 import re
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import units
 from vibcli.base.spelling import nearest
 from vibcli.language.record_calls import own
 from vibcli.symbolic.parser import FUNCTIONS, VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS, ANY, DimensionCheck, literal_unit
-from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Sum, parts_of
+from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, QuantityRef, Sum, parts_of
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression, Reader, Record
+    from vibcli.language.spec import Spec
 
 TIMED = ("impulse", "square", "sawtooth")
 UNIT_DUE = "write the unit:"
 NO_NUMBERS = ("nan", "inf", "infinity", "null", "none", "true", "false", "yes", "no", "on", "off")
 
 
-def check(spec, reader, expression, names, expected, local=None):
+def check(spec: "Spec", reader: "Reader", expression: "Expression",
+          names: "Mapping[str, Record | None] | Sequence[str]", expected: Any,
+          local: tuple[str, dict[str, int]] | None = None) -> bool:
     """Names and dimension of one expression; True where both fit. `local`: (name, dimension) of what has a name in it
     alone."""
     before = len(reader.diagnostics)
@@ -117,7 +125,7 @@ def _unit_hint(spec, expression):
     return f"give '{name}' its unit: {value.text} {unit}" if literal and not literal.units else None
 
 
-def unit_of_a_number(unit):
+def unit_of_a_number(unit: str) -> str:
     """A unit as it stands behind a number: 1/s is s^-1."""
     return unit.replace("1/", "", 1) + "^-1" if unit.startswith("1/") else unit
 
@@ -131,7 +139,7 @@ def _no_quantities(reader, expression):
                       "what is asked of a scene, such as omega[1], stands under answers")
 
 
-def applied(reader, expression, tree):
+def applied(reader: "Reader", expression: "Expression", tree: QuantityRef) -> None:
     """Something like x(2), where it can be neither a function nor a value in time."""
     inner, start = tree.args[0], tree.start
     if isinstance(inner, NameRef):
@@ -200,7 +208,7 @@ def _ambiguous(spec, reader, expression, local):
             _two_readings(reader, expression, literal, unit)
 
 
-def check_whole_literal(spec, reader, expression):
+def check_whole_literal(spec: "Spec", reader: "Reader", expression: "Expression") -> None:
     """A value `36 km/h` is a speed; of a scene with a time h, and wherever the name fits as well, it may mean two
     things, as `2 kg*g` does. (`800 N/m` of a scene with a mass m has one meaning.)"""
     literal = expression.parts.whole

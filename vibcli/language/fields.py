@@ -1,12 +1,15 @@
 """Fields of elements: what may stand where. One declaration gives the reading, the messages, manual and schema."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Mapping, Scalar
 from vibcli.language.reader import Record, article
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
 
 
 class Field(NamedTuple):
@@ -42,7 +45,7 @@ class Element(NamedTuple):
             return f"{self.fields[self.short].kind.wants}, or a mapping {{{keys}}}"
         return f"{article(self.name)} as a mapping {{{keys}}}"
 
-    def read(self, node, reader, name=None, where=None):
+    def read(self, node: Any, reader: Any, name: str | None = None, where: "Where | None" = None):
         where = where or node.where
         if not isinstance(node, Mapping):
             if self.short is None or (isinstance(node, Scalar) and not node.text.strip()):

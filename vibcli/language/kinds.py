@@ -25,7 +25,7 @@ class Kind:
 class Text(Kind):
     wants = "text"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar):
             return reader.expected(node, self.wants)
         return node.text
@@ -54,7 +54,7 @@ class Quantity(NamedTuple):
             return "an expression"
         return units.wanted(self.unit, self.dimension)
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants, f"write for example {self.sample}" if self.sample else None)
         try:
@@ -70,7 +70,7 @@ class Quantity(NamedTuple):
         return expression
 
     @property
-    def sample(self):
+    def sample(self) -> str:
         return f"3 {self.unit}" if self.unit and self.dimension else None
 
     def schema(self):
@@ -102,17 +102,17 @@ class NewName(Text):
 
     wants = "a name"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         return check_name(node, reader, ("t", "pi")) if isinstance(node, Scalar) else reader.expected(node, self.wants)
 
 
 class NameOf(Kind):
     """The name of something declared elsewhere in the file, in one of the namespaces of spec.py."""
 
-    def __init__(self, wants, *namespaces):
+    def __init__(self, wants: str, *namespaces: str):
         self.wants, self.namespaces = wants, namespaces
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         name = Reference(plain_name(node.text.strip()), node.where)
@@ -124,7 +124,7 @@ class NameOf(Kind):
 
 
 class Choice(Kind):
-    def __init__(self, *words):
+    def __init__(self, *words: str):
         self.words = words
 
     @property
@@ -132,7 +132,7 @@ class Choice(Kind):
         *words, last = self.words
         return ("one of " if len(words) > 1 else "") + (", ".join(words) + " or " if words else "the word ") + last
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar) or node.text not in self.words:
             meant = near(node.text, self.words) if isinstance(node, Scalar) else None
             return reader.expected(node, self.wants, meant and f"did you mean '{meant}'?")
@@ -146,7 +146,7 @@ class Flag(Choice):
     def __init__(self):
         super().__init__("true", "false")
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         word = super().read(node, reader)
         return None if word is None else word == "true"
 
@@ -166,7 +166,7 @@ class Many(NamedTuple):
     def wants(self):
         return self.named or (f"a list of {self.least}" if self.least == self.most else "a list")
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Sequence) or not self.least <= len(node.items) <= self.most:
             if isinstance(node, Sequence):
                 count = {0: "an empty list", 1: "one item"}.get(len(node.items), f"{len(node.items)} items")
@@ -180,7 +180,7 @@ class Many(NamedTuple):
         return {"type": "array", "items": self.kind.schema(), "minItems": self.least, "maxItems": self.most}
 
 
-def vector(unit, wants, kind=Quantity):
+def vector(unit: str | None, wants: str, kind: type[Any] = Quantity) -> Many:
     return Many(kind(unit), 2, 2, wants)
 
 
@@ -193,12 +193,12 @@ class OneOf(NamedTuple):
     mapping: Any = None
 
     @property
-    def kinds(self):
+    def kinds(self) -> dict[type[Any], Any]:
         """{form of a node: kind} of the forms that it may have."""
         pairs = ((Scalar, self.scalar), (Sequence, self.sequence), (Mapping, self.mapping))
         return {form: kind for form, kind in pairs if kind is not None}
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         kind = self.kinds.get(type(node))
         return reader.expected(node, self.wants) if kind is None else kind.read(node, reader)
 

@@ -1,14 +1,20 @@
 """Elements by name: those that have a file of their own, and mappings from names that the writer chooses."""
 
+from collections.abc import Callable
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.language.document.document import Mapping
 from vibcli.language.fields import Element
 from vibcli.language.reader import check_name
 
+if TYPE_CHECKING:
+    from types import ModuleType
 
-def load(name, room="elements"):
+    from vibcli.base.errors import Where
+
+
+def load(name: Any, room: str = "elements") -> "ModuleType":
     """The module of an element or a section, vibcli/ROOM/NAME.py."""
     return import_module(f"vibcli.{room}.{name}")
 
@@ -20,13 +26,13 @@ class Lazy(NamedTuple):
     room: str = "elements"
 
     @property
-    def module(self):
+    def module(self) -> "ModuleType":
         return load(self.name, self.room)
 
-    def __getattr__(self, attribute):
+    def __getattr__(self, attribute: str) -> Callable | str:
         return getattr(self.module.ELEMENT, attribute)
 
-    def read(self, node, reader, *named):
+    def read(self, node: Any, reader: Any, *named: "str | Where"):
         return self.module.ELEMENT.read(node, reader, *named)
 
 
@@ -37,7 +43,7 @@ class Named(NamedTuple):
     wants: str
     forbidden: tuple[str, ...] = ()
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         records = {}

@@ -1,8 +1,11 @@
 """Values of parameters: from the file, from outside, exact or in any arithmetic."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.language.document.document import Scalar
-from vibcli.language.reader import Expression
+from vibcli.language.reader import Expression, Reader, Record
 from vibcli.language.record_calls import with_record_calls
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
@@ -12,10 +15,18 @@ from vibcli.symbolic.rationals import bits
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import Call, ExpressionError, Number, Power, Product, Sum, whole_literal
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.language.spec import Spec
+    from vibcli.symbolic.expression import Table
+
 WIDEST = 4096       # bits
 
 
-def overridden(record, tree, scalar, reader):
+def overridden(record: Record, tree: Number | Product | Sum, scalar: Any, reader: Reader) -> Record:
     """The Record of a parameter with another value; a bare number takes the unit in which the file gives it."""
     number = whole_literal(tree)
     if number and not number.units and (unit := _unit_of(record)):
@@ -57,7 +68,7 @@ class Parameters:
     """The parameters of a scene as leaves of its table: `nodes` by name, `definitions` of those that have a value;
     `in_letters`: what those that are defined by letters stand for in the scene."""
 
-    def __init__(self, spec, table):
+    def __init__(self, spec: "Spec", table: "Table"):
         self.table = table
         self.records = spec.parameters
         self.order = definition_order(spec.parameters)
@@ -108,7 +119,8 @@ class Parameters:
             raise SpecError(wrong)
         return found
 
-    def values(self, arithmetic, given=None):
+    def values(self, arithmetic: Any,
+               given: "Mapping[str, float | mpmath.mpf] | None" = None) -> "dict[str, float | mpmath.mpf]":
         """{name: number} in an arithmetic; `given` supplies the parameters that have no value."""
         from vibcli.symbolic.evaluation import evaluate
 
@@ -129,7 +141,7 @@ class Parameters:
             raise SpecError(wrong)
         return found
 
-    def rational(self, given=None):
+    def rational(self, given: "Mapping[str, Fraction] | None" = None) -> "dict[str, Fraction]":
         """Exact values of the parameters that have one, without those that are irrational or have too many digits.
         (Products of products double their digits at each step.)"""
         from vibcli.symbolic.evaluation import evaluate_rational
@@ -143,7 +155,7 @@ class Parameters:
         return found
 
 
-def definition_order(records):
+def definition_order(records: Mapping[str, Record]) -> list[str]:
     """Names in an order in which each comes after those it is defined by (there are no circles)."""
     needs = {name: [n for n, *_ in record["value"].parts.names if n in records] if "value" in record else []
              for name, record in records.items()}
@@ -159,7 +171,7 @@ def definition_order(records):
     return list(done)
 
 
-def unusable(value, arithmetic):
+def unusable(value: "float | mpmath.mpf", arithmetic: Any):
     """(what is wrong, hint) of a value that is no finite number of usual size, else None."""
     if not arithmetic.isfinite(value):
         return "not a finite real number", "look for a division by zero, or a root or logarithm of a negative number"
@@ -168,7 +180,7 @@ def unusable(value, arithmetic):
     return None
 
 
-def require_values(parameters, what):
+def require_values(parameters: Parameters, what: str):
     """Refuse a numeric question about a scene that has symbols without value."""
     if parameters.free:
         names = ", ".join(parameters.free)

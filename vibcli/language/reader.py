@@ -1,16 +1,24 @@
 """The reading of a file: the diagnostics, expressions and names that it collects; records; the words of messages."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.diagnostics import quoted
-from vibcli.base.errors import Diagnostic
+from vibcli.base.errors import Diagnostic, Where
 from vibcli.base.units import parse_unit
 from vibcli.language.document.document import Mapping, Sequence
 from vibcli.symbolic.parser import plain_name
 from vibcli.symbolic.syntax import parts_of
 
+if TYPE_CHECKING:
+    from vibcli.language.data_columns import Columns
+    from vibcli.language.document.nodes import Scalar
+    from vibcli.language.fields import Element
+
 MOST_PROBLEMS = 100
 
 
-def article(noun):
+def article(noun: str) -> str:
     return ("an " if noun[0] in "aeiou" else "a ") + noun
 
 
@@ -26,24 +34,24 @@ class Reader:
     whether the scene was read whole, apart from what is asked of it; `files`: what was read beside it; `records`: the
     names of its records."""
 
-    def __init__(self, files=None, records=()):
+    def __init__(self, files: Any = None, records: Any = ()):
         self.files, self.records = {} if files is None else files, records
         self.diagnostics, self.references, self.named_places = [], [], []
         self.expressions, self.motions, self.loads, self.local_names, self.at_speed = {}, {}, {}, {}, set()
         self.along = {}
         self.sound = True
 
-    def report(self, where, message, hint=None):
+    def report(self, where: Where, message: str, hint: str | None = None):
         self.diagnostics.append(Diagnostic(where, message, hint))
         if len(self.diagnostics) == MOST_PROBLEMS:
             self.diagnostics.append(Diagnostic(where, "too many problems: reading stops here", "mend these first"))
             raise TooManyErrors
 
-    def not_whole(self):
+    def not_whole(self) -> None:
         """A part of the scene could not be read."""
         self.sound = False
 
-    def measured(self, record, key, unit, said=False):
+    def measured(self, record: "Record", key: str, unit: str, said: bool = False) -> None:
         """An expression of a record has the dimension of a unit, as its other keys determine; `said`: in which it is
         asked for."""
         old = record[key]
@@ -52,17 +60,18 @@ class Reader:
             if old.scalar in kept:
                 kept[old.scalar] = record[key]
 
-    def name_within(self, expression, name, unit):
+    def name_within(self, expression: "Expression", name: str, unit: str) -> None:
         """A name that is good in an expression alone, and the unit of what it stands for."""
         self.local_names[expression.scalar] = name, parse_unit(unit).dimension
 
-    def columns_of(self, scene, name, read):
+    def columns_of(self, scene: str, name: str,
+                   read: Callable) -> "tuple[Columns | None, tuple[str, str] | Diagnostic | None]":
         """The columns of a file, by `read(scene, name)` once however many cases use it."""
         if (scene, name) not in self.files:
             self.files[scene, name] = read(scene, name)
         return self.files[scene, name]
 
-    def expected(self, node, what, hint=None):
+    def expected(self, node: Any, what: str, hint: str | None = None):
         self.report(node.where, f"expected {what}, found {_found(node)}", hint)
 
 
@@ -80,7 +89,7 @@ class Expression:
 
     __slots__ = ("dimension", "parts", "scalar", "text", "tree", "unit", "where")
 
-    def __init__(self, scalar, tree, unit=None, dimension=None):
+    def __init__(self, scalar: "Scalar", tree: Any, unit: str | None = None, dimension: Any = None):
         self.scalar, self.text, self.where = scalar, scalar.text, scalar.where
         self.tree, self.parts, self.unit, self.dimension = tree, parts_of(tree), unit, dimension
 
@@ -90,7 +99,7 @@ class Reference:
 
     __slots__ = ("text", "where")
 
-    def __init__(self, text, where):
+    def __init__(self, text: str, where: Where):
         self.text, self.where = text, where
 
 
@@ -101,22 +110,22 @@ class Record(dict):
     __slots__ = ("element", "name", "places", "where")
     __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__
 
-    def __init__(self, element, name, where, values, places):
+    def __init__(self, element: "Element | None", name: str | None, where: Where, values: Any, places: Any):
         super().__init__(values)
         self.element, self.name, self.where, self.places = element, name, where, places
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return True
 
-    def place(self, key):
+    def place(self, key: str) -> Where:
         return self.places.get(key, self.where)
 
-    def with_values(self, values):
+    def with_values(self, values: Any) -> "Record":
         """The record with other values."""
         return Record(self.element, self.name, self.where, values, self.places)
 
 
-def check_name(node, reader, forbidden=()):
+def check_name(node: "Scalar", reader: Reader, forbidden: Any = ()) -> str:
     """A name chosen by the writer, Greek letters spelt out; None and a diagnostic where it is not one."""
     name = plain_name(node.text)
     if not name.isidentifier() or not name.isascii() or len(name) > 32:

@@ -1,17 +1,20 @@
 """Records in the expressions of a file: `ag(t)` is a call of the record ag, of an argument in seconds."""
 
+from collections.abc import Sequence
+from typing import Any
+
 from vibcli.symbolic.parser import FUNCTIONS, OF_SIGNALS, VALUE
 from vibcli.symbolic.syntax import Call, Equation, NameRef, Power, Product, QuantityRef, Sum
 
 RESERVED = ("pi", "t", "power", *FUNCTIONS, *OF_SIGNALS)      # names that mean something else before a bracket
 
 
-def own(name):
+def own(name: str) -> str:
     """The name by which the dimension of the values of a record is known, and that it is used."""
     return name + "()"
 
 
-def with_record_calls(tree, names):
+def with_record_calls(tree: Any, names: Sequence[str]):
     """The tree in which `ag(…)` is a call, where ag is the name of a record."""
     if isinstance(tree, QuantityRef):
         args = tuple(with_record_calls(arg, names) for arg in tree.args)

@@ -1,5 +1,7 @@
 """Kinds of what responses are asked with: signals, inputs and frequencies."""
 
+from typing import Any
+
 from vibcli.language.document.document import Scalar
 from vibcli.language.kinds import Kind, Many, Quantity
 from vibcli.language.reader import Expression
@@ -12,7 +14,7 @@ class SignalField(Kind):
 
     wants = "a signal such as x, x' or s.force"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Scalar) or not node.text.strip():
             return reader.expected(node, self.wants)
         try:

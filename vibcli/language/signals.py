@@ -1,7 +1,12 @@
 """Signals: what can be read off a scene beside its coordinates — places, turns, stretches, forces — and their units."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
 from vibcli.language.reader import Record
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 POINT = {"x": "m", "y": "m", "reaction.x": "N", "reaction.y": "N"}
 BODY = {"x": "m", "y": "m", "angle": "rad", "reaction.x": "N", "reaction.y": "N", "reaction.moment": "N*m",
@@ -40,7 +45,7 @@ ABOUT = (
 )
 
 
-def signal_dimension(spec, text):
+def signal_dimension(spec: "Spec", text: str):
     """The dimension of a signal; None where the scene has none of that name."""
     unit = _unit(spec, text)
     return None if unit is None else units.parse_unit(unit).dimension
@@ -76,7 +81,7 @@ def _signals_of(spec, record, parts):
     return parts | drives(spec, record)
 
 
-def is_reaction(spec, text):
+def is_reaction(spec: "Spec", text: str) -> bool:
     """Is this the force of a constraint, a support, a contact or a drive?"""
     name, _, part = text.partition(".")
     if name in (spec.get("constraints") or {}):
@@ -85,7 +90,7 @@ def is_reaction(spec, text):
         name in (spec.get("bodies") or {}) or name in (spec.get("points") or {}))
 
 
-def drives(spec, record):
+def drives(spec: "Spec", record: Record) -> dict[Any, Any]:
     """{part: unit} of the forces along what is prescribed in time of a body or point."""
     key = next((key for key in ("slide", "pin", "turn", "move", "roll", "moves") if key in record), None)
     if key is None:
@@ -109,13 +114,13 @@ def _in_time(spec, expression):
     return any(name == "t" for name, *_ in expression.parts.names)
 
 
-def near_signals(spec, text):
+def near_signals(spec: "Spec", text: str) -> list[str]:
     """The signals of what `text` names, or the coordinates."""
     name = text.partition(".")[0]
     return [f"{name}.{part}" for part in _parts(spec, name)] or list(spec.coordinates)
 
 
-def coordinate_name(spec, index):
+def coordinate_name(spec: "Spec", index: str) -> str:
     """A coordinate by its name or its number from 1; None where there is none."""
     names = list(spec.coordinates)
     if index.isdecimal() and index.isascii():

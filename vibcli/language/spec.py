@@ -1,7 +1,7 @@
 """A scene file as read: records by section, coordinates in order, dimensions of all names."""
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
 from vibcli.base.units import Dimensions
 from vibcli.language.reader import Record
@@ -30,37 +30,37 @@ class Spec(NamedTuple):
     asked_dimension: Callable | None = None
 
     @classmethod
-    def of(cls, file, sections, named):
+    def of(cls, file: Any, sections: Any, named: Any) -> "Spec":
         """A Spec whose names are not settled yet."""
         return cls(file, sections, sections.get, named, parameters=sections.get("parameters", {}), choices={},
                    answers=sections.get("answers", []), used=set(), counts={}, sample={}, cases={})
 
-    def with_sections(self, **changed):
+    def with_sections(self, **changed: Mapping[str, Record]) -> "Spec":
         """The Spec with other records in some sections."""
         sections = {**self.sections, **changed}
         return self._replace(sections=sections, get=sections.get)
 
     @property
-    def connections(self):
+    def connections(self) -> list[Record]:
         """The records of what joins two ends: springs, dampers and their like."""
         return [record for section in self.sections.values() if isinstance(section, dict) for record in section.values()
                 if isinstance(record, Record) and record.element is not None and record.element.signals]
 
-    def connection(self, name):
+    def connection(self, name: str) -> Record | None:
         """The one of that name; None where there is none."""
         return next((record for record in self.connections if record.name == name), None)
 
-    def with_parameters(self, parameters):
+    def with_parameters(self, parameters: Any) -> "Spec":
         """The Spec with other parameters."""
         return self.with_sections(parameters=parameters)._replace(parameters=parameters)
 
     @property
-    def independent_parameters(self):
+    def independent_parameters(self) -> list[str]:
         """Names of the parameters that are not defined by others."""
         records = self.parameters
         return [name for name, record in records.items() if "value" not in record
                 or not any(other in records for other, *_ in record["value"].parts.names)]
 
-    def example(self, literal):
+    def example(self, literal: str) -> str:
         """A number with its unit for a hint, as this scene writes numbers: without it where it uses none."""
         return literal.partition(" ")[0] if self.free_numbers else literal

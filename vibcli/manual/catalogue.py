@@ -1,9 +1,11 @@
 """What the declarations declare: every element with its keys, and where in a scene it stands."""
 
+from typing import Any
+
 from vibcli.language import sections
 from vibcli.language.document.document import Mapping, Scalar, Sequence
-from vibcli.language.fields import Element
-from vibcli.language.kinds import Many, OneOf
+from vibcli.language.fields import Element, Field
+from vibcli.language.kinds import Many, MotionField, NameOf, OneOf
 from vibcli.language.named_elements import Lazy, Named, load
 from vibcli.reader import sections as questions
 from vibcli.reader.read import SECTIONS
@@ -16,15 +18,15 @@ class Declared:
 
     __slots__ = ("about", "kind", "places", "section", "word")
 
-    def __init__(self, word, kind, about, section):
+    def __init__(self, word: str, kind: Element | MotionField | NameOf, about: str, section: str | None):
         self.word, self.kind, self.about, self.section, self.places = word, kind, about, section, []
 
     @property
-    def fields(self):
+    def fields(self) -> dict[str, Field]:
         return self.kind.fields if isinstance(self.kind, Element) else {}
 
     @property
-    def example(self):
+    def example(self) -> str:
         return getattr(self.kind, "example", None)
 
 
@@ -67,16 +69,16 @@ class Catalogue:
             declared.places.append(place)
         return declared
 
-    def about(self, section):
+    def about(self, section: str) -> str:
         """What a section is: the fullest text that its declarations have."""
         kind, about = SECTIONS[section]
         return getattr(self._of_kind.get(id(kind)), "ABOUT", None) or about
 
-    def pairs(self):
+    def pairs(self) -> list[tuple[str, str]]:
         """Every key of every element as (element word, key)."""
         return [(word, key) for word, declared in self.elements.items() for key in declared.fields]
 
-    def used(self, root):
+    def used(self, root: Any) -> list[str | tuple[str, str]]:
         """What a scene document uses: section names, and (element word, key), each as often as it occurs."""
         found = []
         for section, (_, node) in root.entries.items():
@@ -92,7 +94,7 @@ class Catalogue:
         return found
 
 
-def opened(kind):
+def opened(kind: Element | Lazy) -> tuple[str, Any, str]:
     """(word, kind, about) of an element, the file of a lazy one loaded."""
     if not isinstance(kind, Lazy):
         return kind.name, kind, kind.about

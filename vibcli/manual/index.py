@@ -41,7 +41,7 @@ class Index:
     def _add(self, word, kind, function, *arguments):
         self.entries.setdefault(word, []).append((kind, function, arguments))
 
-    def found(self, word):
+    def found(self, word: str) -> str:
         """The word of the manual that is meant: as written, in lower case, or by another name; None if none is."""
         text = " ".join(word.replace("_", " ").split())
         singular = {section: declared.word for section, declared in self.catalogue.sections.items()}
@@ -53,7 +53,7 @@ class Index:
                 return spelling
         return None
 
-    def page(self, word):
+    def page(self, word: str) -> str:
         """The pages of a word, one below the other; scenes only with the main one."""
         entries = self.entries[word]
         if len(entries) == 1:
@@ -66,7 +66,7 @@ class Index:
         return blocks(*([page] for page in pages))
 
 
-def page(word):
+def page(word: str) -> str:
     """The page of a word of the manual; KeyError where there is none."""
     index = Index()
     found = index.found(word)
@@ -75,12 +75,12 @@ def page(word):
     return index.page(found)
 
 
-def words():
+def words() -> list[str]:
     """Every word that has a page."""
     return sorted({*Index().entries, *ALIASES})
 
 
-def nearest_words(word):
+def nearest_words(word: str) -> list[str]:
     """Up to three words that have a page and look like this one."""
     from difflib import get_close_matches
 

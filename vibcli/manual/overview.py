@@ -21,7 +21,7 @@ answers:
   omega[1]: sqrt(k/m)"""
 
 
-def overview():
+def overview() -> str:
     """The page that `vibcli explain` prints without a word."""
     catalogue = Catalogue()
     sections = [(section, in_short(about)) for section, (_, about) in SECTIONS.items()]

@@ -1,5 +1,7 @@
 """Pages of the topics, quantities, shapes, functions, units and JSON keys."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
 from vibcli.elements.body import MOTIONS
 from vibcli.elements.shapes import LAWS, NEEDS
@@ -12,8 +14,11 @@ from vibcli.reader.read import INSTEAD
 from vibcli.reader.sections.find import FIND
 from vibcli.report import json_keys, keys
 
+if TYPE_CHECKING:
+    from vibcli.manual.catalogue import Catalogue
 
-def topic_page(catalogue, word):
+
+def topic_page(catalogue: "Catalogue", word: str) -> str:
     """A topic: its texts and tables, or what is generated for it."""
     about, parts = topics.TOPICS[word]
     head = [f"{word} — {about}"]
@@ -25,26 +30,26 @@ def topic_page(catalogue, word):
     return blocks(head, *texts, *own)
 
 
-def python_example(catalogue):
+def python_example(catalogue: "Catalogue") -> list[list[str]]:
     return [["An example that runs:"], ["  " + line if line else "" for line in EXAMPLE.split("\n")]]
 
 
-def exit_table(catalogue):
+def exit_table(catalogue: "Catalogue") -> list[list[str]]:
     return [table(topics.EXIT_CODES)]
 
 
-def functions_table(catalogue):
+def functions_table(catalogue: "Catalogue") -> list[list[str]]:
     text = "Angles are in radians; arguments are pure numbers where nothing else is said."
     return [paragraph(text), table(topics.FUNCTIONS.items())]
 
 
-def motions_table(catalogue):
+def motions_table(catalogue: "Catalogue") -> list[list[str]]:
     fields = catalogue.elements["body"].fields
     return [table((word, in_short(fields[word].about)) for word in MOTIONS),
             ["Each has a page of its own: `vibcli explain pin`."]]
 
 
-def shapes_table(catalogue):
+def shapes_table(catalogue: "Catalogue") -> list[list[str]]:
     rows = []
     for word in NEEDS:
         needs = ", ".join(NEEDS[word]) or "nothing"
@@ -52,7 +57,7 @@ def shapes_table(catalogue):
     return [table(rows), ["A scene with all of them: vibcli new bodies_of_every_shape"]]
 
 
-def shape_facts(word):
+def shape_facts(word: Any) -> list[str]:
     """J, mass centre and measure of a shape, from the law that the code runs on."""
     from vibcli.symbolic.expression import Table
 
@@ -78,13 +83,13 @@ def _text(node):
     return keys.plain(textbook(node))
 
 
-def shape_page(catalogue, word):
+def shape_page(catalogue: "Catalogue", word: str):
     needs = ", ".join(f"`{key}`" for key in NEEDS[word]) or "no size"
     return blocks([f"{word} — a shape of a body"], table([("needs", needs), ("has", *shape_facts(word))]),
                   ["All shapes: vibcli explain shapes"])
 
 
-def usage(head):
+def usage(head: str) -> str:
     """How a quantity is written: M[q,r], J[body, O], amplitude(x)."""
     asked = named(head)
     if asked.args:
@@ -101,7 +106,7 @@ def usage(head):
     return ", ".join(f"{text}.{a}" for a in asked.components) if asked.components != ("",) else text
 
 
-def quantities_table(catalogue):
+def quantities_table(catalogue: "Catalogue") -> list[list[str]]:
     rows = [(usage(head), named(head).about + _unit(named(head))) for head in FAMILIES]
     rows.insert(next(i for i, head in enumerate(FAMILIES) if named(head).args), ("x(2 s)", named("value").about))
     lines = ["`answers` names a quantity and the value that it is expected to have; `vibcli check` compares them. "
@@ -117,7 +122,7 @@ def _unit(asked):
     return f" [{asked.unit}]" if asked.own_unit not in (None, "1") else ""
 
 
-def quantity_page(catalogue, head):
+def quantity_page(catalogue: "Catalogue", head: str) -> str:
     """One quantity: how it is written, and a scene whose answers ask for it."""
     asked = named(head)
     rows = [("means", asked.about), ("unit", _unit(asked).strip(" []") or None)]
@@ -135,21 +140,21 @@ def _more(head):
         "All quantities: vibcli explain quantities")
 
 
-def find_page(catalogue, word):
+def find_page(catalogue: "Catalogue", word: str) -> str:
     return blocks([f"{word} — a word of `find`"], table([("prints", FIND[word])]),
                   ["All words of `find`: vibcli explain find"])
 
 
-def missing_page(catalogue, word):
+def missing_page(catalogue: "Catalogue", word: str):
     return blocks([f"{word} — no section of a scene, but:"], paragraph(INSTEAD[word], 2))
 
 
-def function_page(catalogue, name):
+def function_page(catalogue: "Catalogue", name: str) -> str:
     return blocks([f"{name} — a function"], table([("means", topics.FUNCTIONS[name])]),
                   ["All functions: vibcli explain functions"])
 
 
-def units_table(catalogue):
+def units_table(catalogue: "Catalogue") -> list[list[str]]:
     """The units by what they measure, each in the SI unit."""
     groups = {}
     for name, unit in units.UNITS.items():
@@ -181,15 +186,15 @@ def _in_si(name):
     return f"{name} = {size}".replace("e-0", "e-").replace("e+0", "e")
 
 
-def unit_page(catalogue, name):
+def unit_page(catalogue: "Catalogue", name: str) -> str:
     return blocks([f"{name} — a unit"], table([("measures", _measured(name)), ("in SI", _in_si(name))]),
                   ["All units: vibcli explain units"])
 
 
-def json_table(catalogue):
+def json_table(catalogue: "Catalogue") -> list[list[str]]:
     return [paragraph(json_keys.ABOUT), table(json_keys.KEYS.items())]
 
 
-def json_page(catalogue, word):
+def json_page(catalogue: "Catalogue", word: str) -> str:
     rows = [(key, about) for key, about in json_keys.KEYS.items() if key.replace("[]", "").split(".")[-1] == word]
     return blocks([f"{word} — a key of --json"], table(rows), ["All keys: vibcli explain json"])

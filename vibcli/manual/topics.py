@@ -3,6 +3,8 @@
 A topic is a list of parts: a text is a paragraph, a list of pairs a table. REMARKS are such parts for elements.
 """
 
+from typing import Any
+
 from vibcli.manual.on_paper import DATA, PICTURES, REPORTS
 from vibcli.manual.python import PYTHON
 from vibcli.manual.responses import FREQUENCY_RESPONSE, RESPONSE, SIGNALS
@@ -180,7 +182,7 @@ SHAPES = [
     "springs, dampers, forces, links and signals, and where `slide` and `move` say how far.",
 ]
 
-REMARKS = {
+REMARKS: dict[str, Any] = {
     "constraint": [
         "Each holds as drawn, and each of its conditions makes one coordinate depend on the others: a later one, as "
         "far as there is a choice, in the order of `coordinates`, or else of the file. A constraint that follows from "
@@ -234,7 +236,7 @@ EDITORS = [
     "Dimensions, names and geometry are checked by vibcli alone: `vibcli check FILE`.",
 ]
 
-TOPICS = {
+TOPICS: dict[str, Any] = {
     "expressions": ("how numbers, units, names and derivatives are written", EXPRESSIONS),
     "units": ("the units that are known", None),
     "functions": ("the functions that are known", None),

@@ -6,8 +6,11 @@ M and C are taken at t = 0. Whether M, C, G, K then are those of every instant i
 coefficients (a shaken pivot) are refused by name.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.linearisation import at_position, residual_terms
+from vibcli.mechanics.linearisation import Linearisation, at_position, residual_terms
 from vibcli.mechanics.linearise import expanded_terms, load_at_rest, row_of, without_time
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.delta_functions import at_impulses
@@ -17,11 +20,16 @@ from vibcli.symbolic.normal_form import collected
 from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
 INSTANTS, SAME = (0.137, 0.731, 1.933, 4.217), 1e-9
 WORDS = {"M": "the inertia", "C": "the damping", "G": "the gyroscopic coupling", "K": "the stiffness"}
 
 
-def steady(scene, form):
+def steady(scene: "Scene", form: Linearisation) -> Linearisation:
     """The Linearisation without its excitation; that of a scene without time is returned as it is."""
     if not scene.timed:
         return form
@@ -70,7 +78,7 @@ def _summed(scene, bucket):
     return {key: node for key, node in found.items() if not node.is_zero}
 
 
-def require_autonomous(configuration, values):
+def require_autonomous(configuration: "Configuration", values: Mapping[str, float]) -> None:
     """PhysicsError where M, C, G or K about a position depend on the time; `values`: {name: float} of all symbols."""
     scene = configuration.scene
     if scene.vibrating is not scene:
@@ -89,7 +97,7 @@ def require_autonomous(configuration, values):
             _compare(scene, key, wanted[key], found[key], size)
 
 
-def matrices_at(form, values):
+def matrices_at(form: Linearisation, values: Mapping[str, float]) -> dict[str, dict[tuple[int, int], float]]:
     numbers = in_numbers(form, SmoothFloats, values)
     found = dict(zip("MCGK", numbers.elements.matrices(), strict=True))
     return {**found, "size": numbers.elements.K_size}
@@ -109,7 +117,7 @@ def _periodic(scene, i, key):
                         "of `vibcli equations`, its motion from `initial` that of motion: full")
 
 
-def excitation(scene, form, position):
+def excitation(scene: "Scene", form: Linearisation, position: "Mapping[Node, Node]") -> "dict[int, Node]":
     """{i: Q(t)}: what drives coordinate i of the small oscillations about a position ({symbol: node}), in letters.
 
     Of the residual it is the terms that hold the time, as the others are in equilibrium; of driven displacements and
@@ -138,7 +146,7 @@ def _whole(scene, node):
     return collected(scene.table, expanded_terms(scene, node)) if node.mask & scene.time.mask else node
 
 
-def with_time(scene, node):
+def with_time(scene: "Scene", node: "Node") -> "Node":
     """The terms of an expression that depend on the time."""
     time = scene.time.mask
     if not node.mask & time:

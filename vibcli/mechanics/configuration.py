@@ -1,38 +1,47 @@
 """A mechanical system at one of its equilibria, and the linear system about it."""
 
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.stage import Costs, Stage
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.symbolic.evaluation import Floats, Rationals, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
+    from vibcli.mechanics.inputs_outputs.reactions import Reaction
+    from vibcli.mechanics.linearisation import Linearisation
+    from vibcli.scene.scene import Scene
+
 
 class Configuration:
     """A NumericSystem at the equilibrium next to the drawn position, or at one that is given, with its linear system
     if that is; `final`: no more digits of this are to be had."""
 
-    def __init__(self, numeric, equilibrium=None, linear_system=None, final=False):
+    def __init__(self, numeric: NumericSystem, equilibrium: Any = None, linear_system: Any = None, final: bool = False):
         self.numeric, self.system, self.spec, self.work = numeric, numeric.system, numeric.spec, numeric.work
         self.costs = numeric.costs if equilibrium is None else Costs()
         self._equilibrium, self._linear_system, self._final = equilibrium, linear_system, final
 
     @cached_property
-    def scene(self):
+    def scene(self) -> "Scene":
         return self.system.scene
 
-    def with_values(self, given):
+    def with_values(self, given: Mapping[str, Fraction]) -> "Configuration":
         """The same with values for its symbols, its scene drawn anew."""
         return Configuration(self.numeric.with_values(given))
 
     @property
-    def reference_form(self):
+    def reference_form(self) -> "Linearisation":
         """The Linearisation from which the linear system is: as drawn, where that is the equilibrium."""
         system = self.system
         return system.linearisation_at_reference if self.equilibrium.drawn else system.linearisation
 
-    def about(self, equilibrium, linear_system=None, final=False):
+    def about(self, equilibrium: "Equilibrium", linear_system: Any = None, final: bool = False) -> "Configuration":
         """The same system at another of its equilibria."""
         return Configuration(self.numeric, equilibrium, linear_system, final)
 
@@ -74,12 +83,12 @@ class Configuration:
         return sharpened(numeric, found)
 
     @property
-    def at_rest(self):
+    def at_rest(self) -> dict[str, float]:
         """{symbol: float} of everything in equilibrium, at t = 0."""
         return self.numeric.at_rest_in(self.equilibrium.values)
 
     @property
-    def dependent_values(self):
+    def dependent_values(self) -> dict[str, float]:
         """{name: float} of the dependent coordinates in equilibrium."""
         nodes = self.scene.resting.dependent
         values = dict(zip(nodes, evaluate(list(nodes.values()), Floats, self.at_rest), strict=True))
@@ -114,7 +123,7 @@ class Configuration:
             require_inertia(numeric, found)
         return found
 
-    def precise_system(self, digits):
+    def precise_system(self, digits: int):
         """The FactoredSystem to so many digits, as mpmath numbers."""
         from vibcli.mechanics.high_precision import system_to
 
@@ -132,7 +141,7 @@ class Configuration:
             return None
 
     @property
-    def sources(self):
+    def sources(self) -> tuple[Callable, Callable]:
         """Where more digits of the linear system come from, (None, None) where there are none."""
         return (None, None) if self._final else (self.precise_system, self.exact_system)
 
@@ -144,14 +153,14 @@ class Configuration:
         return SystemWithInputs(self)
 
     @Stage
-    def reactions(self):
+    def reactions(self) -> "list[Reaction]":
         """Forces in constraints and supports in equilibrium, by multipliers."""
         from vibcli.mechanics.inputs_outputs.reactions import reactions
 
         return reactions(self)
 
     @cached_property
-    def moving_reactions(self):
+    def moving_reactions(self) -> "MovingReactions":
         """Forces in constraints and supports during small oscillations."""
         from vibcli.mechanics.inputs_outputs.dynamic_reactions import MovingReactions
 

@@ -10,6 +10,7 @@ the same vanishes: where it does not, there are no small oscillations (`steady`,
 """
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from vibcli.mechanics.autonomous import INSTANTS
 from vibcli.mechanics.energies import dissipation, potential
@@ -21,10 +22,14 @@ from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
+
 NOTHING = 1e-9      # of what the displacement does to the equations
 
 
-def driven_products(symbolic):
+def driven_products(symbolic: "SymbolicSystem") -> "dict[int, list[Node]]":
     """{i: [products]} on the left side of equation i, the coordinates counted from the equilibrium."""
     if symbolic.numeric.has_free_symbols and not symbolic.linearisable:
         return {}

@@ -4,9 +4,14 @@ V has for each spring ½ k (∇s·q)², and with ½ V′ qᵀ∇²s q what its t
 add ½ f qᵀ∇²s q. Such geometric parts may be negative.
 """
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import place_to
 from vibcli.symbolic.evaluation import evaluate, multiprecision
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 WEIGHTS, WRITTEN = "the weights", "written out"
 
@@ -20,7 +25,7 @@ class Owned:
         self.kinetic, self.potential, self.dissipation = {}, {}, {}
 
 
-def owned_forms(configuration):
+def owned_forms(configuration: "Configuration") -> Owned:
     """The Owned forms of a system in equilibrium, at the working precision of mpmath."""
     scene, form = configuration.scene.vibrating, configuration.reference_form
     springs, dampers = scene.at_still("springs"), scene.at_still("dampers")

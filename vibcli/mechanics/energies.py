@@ -1,16 +1,22 @@
 """T, V and Φ of a scene as expressions, from the scalar functions of its elements."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
 
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def potential(scene):
+
+def potential(scene: "Scene") -> "Node":
     """V = Σ (N s + ½ k s²) + Σ f s + what is written out."""
     stored = [term.potential(scene) for terms in (scene.springs, scene.weights) for term in terms]
     return scene.table.total([*stored, *_written_out(scene, "V")])
 
 
-def potential_as_drawn(scene):
+def potential_as_drawn(scene: "Scene") -> "Node":
     """V with the driven displacements as symbols that are zero as drawn."""
     if not scene.shaken:
         return potential(scene)
@@ -20,17 +26,17 @@ def potential_as_drawn(scene):
     return scene.table.total([*stored, *laws, *_written_out(scene, "V")])
 
 
-def kinetic(scene):
+def kinetic(scene: "Scene") -> "Node":
     """T = ½ Σ w ṡ² + what is written out."""
     return scene.table.total([*(term.energy(scene) for term in scene.inertias), *_written_out(scene, "T")])
 
 
-def dissipation(scene):
+def dissipation(scene: "Scene") -> "Node":
     """Φ = ½ Σ c ṡ² + what is written out."""
     return scene.table.total([*(term.potential(scene) for term in scene.dampers), *_written_out(scene, "Phi")])
 
 
-def generalised_force(scene, i):
+def generalised_force(scene: "Scene", i: int) -> "Node":
     """Q_q = Σ F ∂s/∂q of the forces and moments, from their virtual work δA = Σ F δs = Σ Q_q δq."""
     q, zero = scene.q[i], scene.table.zero
     return scene.table.total(term.weight * gradient(term.s).get(q, zero) for term in scene.forces)
@@ -44,7 +50,7 @@ def _written_out(scene, key):
             scene.energies[key]]
 
 
-def effective_potential(scene):
+def effective_potential(scene: "Scene") -> "Node":
     """V − T at rest − Σ F s of constant forces: what is stationary in (relative) equilibrium."""
     from vibcli.symbolic.derivatives import substitute
 
@@ -53,7 +59,7 @@ def effective_potential(scene):
     return potential(scene) - substitute([scene.energies["T"]], rest)[0] - loads
 
 
-def textbook_energies(scene):
+def textbook_energies(scene: "Scene") -> "dict[str, Node]":
     """{'T': …, 'V': …, 'Phi': …} simplified; parts of V that do not depend on the coordinates are left out."""
     return {"T": textbook(kinetic(scene)), "V": _textbook_potential(scene), "Phi": _textbook_dissipation(scene)}
 

@@ -5,13 +5,18 @@ From the scalar functions s(q, t) of the scene, with s̈ = Σ sⱼ q̈ⱼ + b:
     M = Σ w ∇s ∇sᵀ        h = Σ w b ∇s + ∂V/∂q + ∂Φ/∂q̇ − Q        G̈ = Σ Gⱼ q̈ⱼ + γ = 0
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.energies import dissipation, potential
 from vibcli.mechanics.lagrange import gyroscopic
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 SIMPLIFIED = 4          # coordinates up to which a shorter form of each entry is looked for
 
@@ -28,12 +33,12 @@ class Dynamics(NamedTuple):
     slopes: dict
     bends: list
 
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """All expressions that the accelerations are made of."""
         return [*self.M.values(), *self.h, *self.slopes.values(), *self.bends]
 
 
-def dynamics(scene, redundant=()):
+def dynamics(scene: "Scene", redundant: Sequence[Any] = ()) -> Dynamics:
     """The Dynamics of a scene; `redundant`: names of constraints which follow from the others."""
     M, h = _from_terms(scene)
     if len(scene.q) <= SIMPLIFIED and not scene.laws:
@@ -49,7 +54,7 @@ def dynamics(scene, redundant=()):
                     rates, slopes, [drift(scene, node) for node in rates])
 
 
-def drift(scene, rate):
+def drift(scene: "Scene", rate: "Node"):
     """d(rate)/dt without accelerations: Σ (∂rate/∂q) q̇ + ∂rate/∂t."""
     slopes = gradient(rate)
     return scene.table.total(slopes[x] * scene.speeds[x] for x in (*scene.q, scene.time) if x in slopes)

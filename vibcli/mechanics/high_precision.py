@@ -1,14 +1,24 @@
 """Equilibrium and element data to any number of digits, by Newton's method in mpmath from the float solution."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import evaluate, multiprecision
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.equilibrium.equilibrium import Equilibrium
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 ROUNDED, NOTHING, FALLEN, VANISHED = 40, 1e-20, 1e-10, 1e-6
 GUARD = 30      # digits beyond those asked: near a bifurcation a singular K takes up many of them
 
 
-def system_to(configuration, digits):
+def system_to(configuration: "Configuration", digits: int):
     """FactoredSystem of mpmath numbers, good to `digits` digits."""
     import mpmath
 
@@ -20,7 +30,8 @@ def system_to(configuration, digits):
                           configuration.numeric.rational).elements
 
 
-def place_to(configuration, values, arithmetic):
+def place_to(configuration: "Configuration", values: "Mapping[str, mpmath.mpf]",
+             arithmetic: Any) -> "dict[str, mpmath.mpf]":
     """{coordinate: number} of the equilibrium at the working precision; of a linear scene in floats, where it is of no
     matter."""
     if configuration.equilibrium.drawn:
@@ -35,13 +46,14 @@ class Degenerate(PhysicsError):
     """K is singular in the equilibrium: Newton's method finds no more digits of it. position: {coordinate: number}, the
     best that is known, where it is a multiple zero."""
 
-    def __init__(self, position=None):
+    def __init__(self, position: "Mapping[str, mpmath.mpf] | None" = None):
         self.position = position
         super().__init__("the equilibrium is degenerate (its stiffness is singular): no more digits of it are found",
                          "leave --digits out")
 
 
-def equilibrium_to(numeric, near, values, arithmetic):
+def equilibrium_to(numeric: "NumericSystem", near: "Equilibrium", values: "Mapping[str, mpmath.mpf]",
+                   arithmetic: Any) -> "dict[str, mpmath.mpf]":
     """{coordinate: mpf} in the Equilibrium `near`, at the working precision, dependent coordinates included.
 
     Towards a multiple zero Newton's method crawls, its residual falling by a factor; where there is none it stays.
@@ -80,7 +92,7 @@ def equilibrium_to(numeric, near, values, arithmetic):
                        "with `equilibrium:`")
 
 
-def rests(numeric, position):
+def rests(numeric: "NumericSystem", position: Mapping[str, float]) -> bool:
     """Do all forces vanish in a position ({coordinate: float}), to more digits than floats have?"""
     import mpmath
 
@@ -109,7 +121,7 @@ def _newton_step(numbers, mpmath):
     return step
 
 
-def require_inertia(numeric, elements):
+def require_inertia(numeric: "NumericSystem", elements: Any) -> None:
     """PhysicsError where the inertia along a coordinate vanishes in equilibrium, though not as drawn."""
     from vibcli.symbolic.evaluation import Floats
 
@@ -121,7 +133,7 @@ def require_inertia(numeric, elements):
                                "give the bodies their inertia, or start elsewhere with `equilibrium:`")
 
 
-def rounded_system(configuration):
+def rounded_system(configuration: "Configuration"):
     """The element data at an equilibrium that was searched for, each number correctly rounded.
 
     What falls with the digits is rounding of what cancels, and zero.

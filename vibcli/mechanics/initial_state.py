@@ -2,6 +2,7 @@
 
 from functools import cached_property
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.stage import Stage
@@ -10,15 +11,20 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
+
 
 class InitialState:
     """Where the motion of a Configuration starts."""
 
-    def __init__(self, configuration):
+    def __init__(self, configuration: "Configuration"):
         self.configuration, self.costs = configuration, configuration.costs
 
     @cached_property
-    def given(self):
+    def given(self) -> dict[str, float]:
         """{coordinate, or velocity x': value} of `initial`, and of the equilibrium under a force that lets go."""
         configuration = self.configuration
         record, scene, held = configuration.spec.get("initial"), configuration.scene, configuration.preloaded
@@ -36,7 +42,7 @@ class InitialState:
         return found
 
     @Stage
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         """({coordinate: value}, {coordinate: velocity}) at t = 0 of the independent coordinates."""
         given, names = self.given, self.configuration.scene.coordinates
         rest = given if all(name in given for name in names) else at_rest(self.configuration)
@@ -44,7 +50,7 @@ class InitialState:
                 {name: given.get(name + "'", 0.0) for name in names})
 
 
-def at_rest(configuration):
+def at_rest(configuration: "Configuration") -> dict[str, float]:
     """{coordinate: value} where a motion starts at rest: in the equilibrium without friction; where none is reached, as
     drawn, if friction holds the scene there."""
     from vibcli.mechanics.equilibrium.dry_friction import holds
@@ -61,7 +67,7 @@ def at_rest(configuration):
         return configuration.numeric.drawn_floats
 
 
-def start_in_letters(symbolic):
+def start_in_letters(symbolic: "SymbolicSystem") -> "list[Node] | None":
     """[deviation from the equilibrium, velocity] of the one coordinate at t = 0; None where the file gives none."""
     record, (name,) = symbolic.spec.get("initial"), symbolic.scene.coordinates
     if record is None:

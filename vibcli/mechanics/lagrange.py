@@ -6,13 +6,18 @@ in letters where the equilibrium is the drawn position or plays no part, else wi
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.energies import dissipation, generalised_force, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import TooLong, expanded, factors_of, reduced, textbook
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 LETTERS = 16        # most coordinates for which equations are written in letters
 
@@ -39,7 +44,8 @@ class EquationsOfMotion(NamedTuple):
     linear: tuple = ()
 
 
-def equation_of(scene, i, T=None, V=None, Phi=None):
+def equation_of(scene: "Scene", i: int, T: "Node | None" = None, V: "Node | None" = None,
+                Phi: "Node | None" = None) -> "Node":
     """The left side of the equation of motion of coordinate i, as it comes from the energies."""
     T, V, Phi = T or kinetic(scene), V or potential(scene), Phi or dissipation(scene)
     q, v, zero = scene.q[i], scene.v[i], scene.table.zero
@@ -48,7 +54,7 @@ def equation_of(scene, i, T=None, V=None, Phi=None):
     return left + gyroscopic(scene, i) - generalised_force(scene, i)
 
 
-def gyroscopic(scene, i):
+def gyroscopic(scene: "Scene", i: int) -> "Node":
     """Σ Gᵢⱼ q̇ⱼ of the skew part of a C that is given outright, which no dissipation function has."""
     if "C" not in scene.matrices:
         return scene.table.zero
@@ -56,7 +62,7 @@ def gyroscopic(scene, i):
     return scene.table.sum(*(((C[i][j] - C[j][i]) * v, HALF) for j, v in enumerate(scene.v[:len(C)]) if i < len(C)))
 
 
-def full_equations(scene):
+def full_equations(scene: "Scene") -> "list[Node]":
     """The left side of each equation of motion, simplified."""
     T, V, Phi = textbook(kinetic(scene)), potential(scene), dissipation(scene)
     return [textbook(equation_of(scene, i, T, V, Phi)) for i in range(len(scene.q))]
@@ -84,7 +90,7 @@ def _primitive(node):
         return node
 
 
-def equations(symbolic):
+def equations(symbolic: "SymbolicSystem") -> EquationsOfMotion:
     """The EquationsOfMotion of a scene; without an equilibrium only the full ones, and the refusal of the others."""
     scene, loose = symbolic.scene, symbolic.system.scene_with_multipliers
     full, multipliers, conditions = full_equations(loose) if len(loose.q) <= LETTERS else [], {}, []

@@ -1,8 +1,12 @@
 """The Linearisation of a scene: rows ∇s and weights as expressions, anywhere or in one position."""
 
-from typing import Any, NamedTuple
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.derivatives import substitute
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 
 class Linearisation(NamedTuple):
@@ -26,7 +30,7 @@ class Linearisation(NamedTuple):
     residual: list
 
 
-def at_position(form, values):
+def at_position(form: Linearisation, values: "Mapping[Node, Node]"):
     """The Linearisation with coordinates replaced, {symbol: node}; what vanishes there is left out.
 
     In letters, so that what is zero by structure is exactly zero.
@@ -36,7 +40,7 @@ def at_position(form, values):
     return each(form, moved.__getitem__)
 
 
-def each(form, change):
+def each(form: Linearisation, change: Callable) -> Linearisation:
     """A Linearisation with `change` applied to every expression in a fixed order."""
     def entries(mapping):
         changed = {key: change(node) for key, node in mapping.items()}
@@ -52,7 +56,7 @@ def each(form, change):
         list(map(entries, form.residual)))
 
 
-def residual_terms(form):
+def residual_terms(form: Linearisation) -> "list[list[Node]]":
     """The terms of each condition of equilibrium r = 0: a list of expressions for each coordinate."""
     found = [[] for _ in range(form.n)]
     for force, _, row in form.curved:
@@ -64,7 +68,7 @@ def residual_terms(form):
     return found
 
 
-def nodes_of(form):
+def nodes_of(form: Linearisation) -> "list[Node]":
     """Every expression of a Linearisation."""
     nodes = []
     each(form, lambda node: nodes.append(node) or node)

@@ -13,14 +13,22 @@ them to the excitation; and so are loads that depend on the time, the F₀ in F�
 to Σ P ∇²s unless it is steady, as where they turn with what they act on.
 """
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import Linearisation
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import TooLong, collected, expanded, reduced, textbook
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.scene.energy_terms import AppliedLoad
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def linearise(scene, still=False):
+
+def linearise(scene: Any, still: bool = False) -> Linearisation:
     """The Linearisation of a scene as functions of the coordinates; `still`: without any excitation, so that what
     depends on the time turns or drifts with a carrier."""
     number = {node: i for i, node in enumerate(scene.q)}
@@ -104,12 +112,12 @@ def _rows(terms, number):
     return [(term.weight, row_of(term.s, number)) for term in terms]
 
 
-def row_of(s, number):
+def row_of(s: Any, number: "Mapping[Node, int]"):
     """{i: ∂s/∂xᵢ} by the symbols {xᵢ: i} in `number`."""
     return {number[x]: slope for x, slope in gradient(s).items() if x in number}
 
 
-def slopes_of(row, number):
+def slopes_of(row: Any, number: Any):
     """{(i, j): ∂rowᵢ/∂xⱼ} by the symbols {xⱼ: j} in `number`."""
     return {(i, number[x]): second for i, slope in row.items() for x, second in gradient(slope).items() if x in number}
 
@@ -160,7 +168,7 @@ def _at_rest(entries, rest):
     return {key: node for key, node in zip(entries, values, strict=True) if not node.is_zero}
 
 
-def without_time(scene, node):
+def without_time(scene: "Scene", node: "Node") -> "Node":
     """The terms of an expression that do not depend on the time."""
     time = scene.time.mask
     if not node.mask & time:
@@ -169,7 +177,7 @@ def without_time(scene, node):
                                    if not any(atom.mask & time for atom, _ in monomial)})
 
 
-def load_at_rest(scene, term):
+def load_at_rest(scene: "Scene", term: "AppliedLoad") -> "tuple[Node, Node, Node, Node]":
     """A load in four parts: (the steady one, that in it which turns with the frames that carry it and so holds the
     time, what waves in the one in time, the constant beside it). Of F₀ (1 − cos Ωt) these are −F₀ cos Ωt and F₀."""
     rest = dict.fromkeys(scene.v, scene.table.zero)
@@ -180,7 +188,7 @@ def load_at_rest(scene, term):
     return steady_part, turning, force - steady_part - constant, constant
 
 
-def expanded_terms(scene, node):
+def expanded_terms(scene: "Scene", node: "Node"):
     try:
         return reduced(expanded(node))
     except (TooLong, ZeroDivisionError):

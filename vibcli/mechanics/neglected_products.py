@@ -9,6 +9,8 @@ a stiffness that varies in time (parametric excitation). Loads in time are small
 are, so that their products are not kept.
 """
 
+from typing import TYPE_CHECKING
+
 from vibcli.mechanics.autonomous import INSTANTS, with_time
 from vibcli.mechanics.linearise import load_at_rest
 from vibcli.symbolic.derivatives import gradient, substitute
@@ -16,10 +18,13 @@ from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.smoothed_functions import SmoothFloats
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+
 NOTHING = 1e-9      # of what the load does to the equations
 
 
-def left_out(symbolic):
+def left_out(symbolic: "SymbolicSystem"):
     """{i: node}, what the left side of equation i lacks, linear in the coordinates counted from the equilibrium."""
     scene = symbolic.scene.vibrating
     number, place = {q: i for i, q in enumerate(scene.q)}, symbolic.excitation_place

@@ -1,9 +1,16 @@
 """Kinks: |u|, sign u, min and max whose argument vanishes in equilibrium leave no slope, so no small oscillations."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import Kinked
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
 
 SIDES = {"sign": (-1, 1), "step": (0, 1)}     # values on both sides of a vanishing argument
 KINKED = ("abs", "min", "max", "ramp", *SIDES)
@@ -11,7 +18,7 @@ SAME = 1e-9
 HINT = "the full equations are those of `vibcli equations`, their motion that of motion: full"
 
 
-def require_smooth(configuration):
+def require_smooth(configuration: "Configuration") -> None:
     """Kinked where a load, energy or constraint has a kink at the equilibrium, or dry friction holds the scene."""
     scene = configuration.scene.resting
     if not scene.table.called.intersection(KINKED):
@@ -27,7 +34,7 @@ def require_smooth(configuration):
                              "oscillations about it", HINT)
 
 
-def require_unheld(system):
+def require_unheld(system: "MechanicalSystem") -> None:
     """Kinked where dry friction holds the scene at rest."""
     if system.sticking is not None:
         raise Kinked("dry friction has a kink at rest: there are no small oscillations", HINT)
@@ -51,7 +58,7 @@ def _jumps(configuration, node):
     return abs(left - right) > SAME * max(abs(left), abs(right))
 
 
-def without_slope(scene):
+def without_slope(scene: "Scene"):
     """Refuse small oscillations where the slope of a force is infinite as drawn, as of ∛d at d = 0; ZeroDivisionError
     where the energies themselves are not defined there."""
     from vibcli.mechanics.energies import kinetic, potential

@@ -1,10 +1,16 @@
 """A Linearisation in numbers of any arithmetic: element data, residual, and the sizes of what they were summed from."""
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.factored_system import FactoredSystem
-from vibcli.mechanics.linearisation import nodes_of
+from vibcli.mechanics.linearisation import Linearisation, nodes_of
 from vibcli.symbolic.evaluation import evaluate, evaluate_rational
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.symbolic.node import Node
 
 ALIKE = 2.0**-46
 
@@ -17,7 +23,8 @@ class Numbers(NamedTuple):
     residual_size: list
 
 
-def in_numbers(form, arithmetic, values, rational=None):
+def in_numbers(form: Linearisation, arithmetic: Any, values: Mapping[str, Any],
+               rational: "Mapping[str, Fraction] | None" = None):
     """The Numbers of a Linearisation. `rational`: exact values of the symbols, for rows that are exactly rational."""
     unique = list(dict.fromkeys(nodes_of(form)))
     known = dict(zip(unique, evaluate(unique, arithmetic, values), strict=True))
@@ -63,7 +70,7 @@ def _gather(residual, size, i, term):
     size[i] = size[i] + abs(term)
 
 
-def massless(form, known):
+def massless(form: Linearisation, known: "Mapping[Node, Any]") -> list[int]:
     """Coordinates which no inertia moves: those in no row of T and in no entry of M but such as are exactly zero."""
     moving = {i for weight, row in form.inertias if known[weight] for i in row}
     moving |= {i for (i, _), node in form.M.items() if known[node]}

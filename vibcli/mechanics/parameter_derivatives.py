@@ -6,16 +6,21 @@ Both are found by evaluating the linearised form in dual numbers. Along what mov
 stays where the drawing puts it.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.high_precision import place_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.dual_numbers import Dual, Duals, dual, slope, value
 from vibcli.symbolic.evaluation import evaluate, multiprecision
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+
 LOST = 1e-20    # of the terms of a force: what counts as none, at the working precision of 60 digits
 
 
-def perturbed_system(configuration, name, free):
+def perturbed_system(configuration: "Configuration", name: str, free: Any):
     """FactoredSystem in dual numbers at the working precision of mpmath, the slopes being d/d`name`.
 
     `free`: the shapes of the rigid-body modes. PhysicsError where the equilibrium does not persist as p changes.

@@ -8,11 +8,15 @@ What drives a scene has the power of the forces along the prescribed motions. Wi
 the last two sums because loads and dampers count with the whole of ṡ, that which is prescribed included.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.energies import dissipation, kinetic, potential
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
 
 
 class Powers(NamedTuple):
@@ -28,12 +32,12 @@ class Powers(NamedTuple):
     ties: list
 
     @property
-    def driven(self):
+    def driven(self) -> bool:
         """Does anything move as it is prescribed?"""
         return not (self.drive.is_zero and self.carried.is_zero and all(tie.is_zero for tie in self.ties))
 
 
-def powers(scene, ties=()):
+def powers(scene: "Scene", ties: Sequence[Any] = ()) -> Powers:
     """The Powers of a scene; `ties`: the conditions G that multipliers hold."""
     table, T, V = scene.table, kinetic(scene), potential(scene)
     zero, loads = table.zero, _forces(scene, scene.forces)

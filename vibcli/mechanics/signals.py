@@ -1,5 +1,7 @@
 """Signals as functions of the coordinates, and the forces in equilibrium (vibcli/language/signals.py lists them)."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import NotFixed, PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.energies import dissipation, kinetic, potential, potential_as_drawn
@@ -7,8 +9,14 @@ from vibcli.mechanics.equilibrium.redundant_friction import require_fixed_at_res
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def moving(system, text, primes=0):
+
+def moving(system: "MechanicalSystem", text: str, primes: int = 0) -> "Node":
     """The node of a coordinate or signal along a motion, `primes` times differentiated."""
     scene = system.scene
     if text in system.spec.coordinates:
@@ -28,7 +36,7 @@ def moving(system, text, primes=0):
     return node
 
 
-def energy(scene, text, primes=0):
+def energy(scene: "Scene", text: str, primes: int = 0) -> "Node":
     """T, V or Φ of a scene along a motion, V counted from the drawn position."""
     node = {"T": kinetic, "V": potential, "Phi": dissipation}[text](scene)
     if text == "V":
@@ -51,7 +59,7 @@ def _along(scene, name, part):
     return scene.table.total(nodes) if nodes else None
 
 
-def force(configuration, text):
+def force(configuration: "Configuration", text: str) -> float:
     """The value of a force in equilibrium."""
     name, _, part = text.partition(".")
     if name == "ground" or part == "energy":
@@ -87,7 +95,7 @@ def _tension(configuration, name):
     return values[0] if len(values) == 1 else sum(value * value for value in values) ** 0.5
 
 
-def reaction_of(system, text, known):
+def reaction_of(system: "MechanicalSystem", text: str, known: Any):
     """The name of a force in a constraint or support among those `known`; at a point, that of the body pinned there."""
     name, _, part = text.partition(".")
     if name in (system.spec.get("points") or {}) and not part.startswith("drive"):
@@ -99,7 +107,7 @@ def reaction_of(system, text, known):
     return text
 
 
-def require_fixed(text, value):
+def require_fixed(text: str, value: Any):
     """The value of a force in motion; PhysicsError where it is None."""
     if value is None:
         raise PhysicsError(f"rigid bodies alone do not fix '{text}': the scene is supported by more than it needs",
@@ -117,7 +125,7 @@ def _pinned_at(system, point):
     return found[0]
 
 
-def normal_of(scene, name):
+def normal_of(scene: "Scene", name: str):
     """The normal of the surface on which a body rolls or slides."""
     normal = scene.bodies[name].normal
     if normal is None and scene.bodies[name].touched:
@@ -128,7 +136,7 @@ def normal_of(scene, name):
     return normal
 
 
-def in_contact(part, normal, reaction):
+def in_contact(part: str, normal: Any, reaction: Any):
     """The `normal` or `friction` part of the reaction (x, y) of a surface."""
     (nx, ny), (x, y) = normal, reaction
     return x * nx + y * ny if part == "normal" else x * ny - y * nx

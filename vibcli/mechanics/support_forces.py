@@ -3,14 +3,19 @@
 An element with tension F pulls each of its ends towards the other.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
-from vibcli.mechanics.inputs_outputs.linear_functions import combined, product, rate
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, product, rate
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
 
 PARTS = {"force": "slide", "moment": "turn"}
 
 
-def on_the_ground(opened, part):
+def on_the_ground(opened: Any, part: str) -> LinearFunction:
     """The LinearFunction of ground.force, ground.moment (one-axis scenes), ground.force.x or ground.force.y."""
     kind, _, axis = part.partition(".")
     terms = []
@@ -46,7 +51,7 @@ def _of_element(opened, record, kind, axis):
     return [(sign, product(found[0], along))]
 
 
-def along_the_axis(opened, record, kind):
+def along_the_axis(opened: Any, record: "Record", kind: str) -> int:
     """±1: the sign with which the tension of an element between lumped ends acts on the ground; 0 where it does not,
     None of an element between places."""
     lumped = [_axis_of(opened.scene, end) for end in record["between"]]
@@ -72,14 +77,14 @@ def _moves(opened, node):
     return any(node.mask & q.mask for q in opened.scene.q[:opened.n])
 
 
-def forces(opened, name):
+def forces(opened: Any, name: str) -> list[LinearFunction]:
     """The LinearFunctions of the force of an element; those of its components where it has no free length."""
     scene = opened.scene
     return [combined([pair]) for pair in weighted_rates(opened, name)] or opened.rows(
         [term.force(scene) for term in scene.terms_of(name)])
 
 
-def weighted_rates(opened, name):
+def weighted_rates(opened: Any, name: str) -> list[tuple[float, LinearFunction]]:
     """[(weight, LinearFunction)] of ṡ of a linear damper, of s̈ of an inerter; none of another element."""
     scene = opened.scene
     terms = scene.terms_of(name, "dampers", "inertias")

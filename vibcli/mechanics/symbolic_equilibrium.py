@@ -7,18 +7,23 @@ some speed) the position that depends on letters is preferred.
 """
 
 import math
+from collections.abc import Iterator, Sequence
 from itertools import islice
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.language.parameter_samples import given_values
-from vibcli.mechanics.linearisation import nodes_of, residual_terms
+from vibcli.mechanics.linearisation import Linearisation, nodes_of, residual_terms
 from vibcli.symbolic.angle_addition import opened, openings
 from vibcli.symbolic.derivatives import substitute
-from vibcli.symbolic.equations.one_unknown import solutions
+from vibcli.symbolic.equations.one_unknown import SymbolicSolution, solutions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
 ATTEMPTS, FAILURES, ENOUGH, LEAST, CLOSE = 16, 5, 4, 2, 1e-8
 
@@ -33,26 +38,26 @@ class SymbolicEquilibrium(NamedTuple):
     reached: list
     named: bool = False
 
-    def with_solution(self, q, solution, reached):
+    def with_solution(self, q: Any, solution: SymbolicSolution, reached: Any):
         """The same with one coordinate more; `reached`: those that still reach it."""
         calls = {} if solution.sine is None else {
             q.table.call("sin", q): solution.sine, q.table.call("cos", q): solution.cosine}
         return SymbolicEquilibrium({**self.values, q: solution.value}, {**self.calls, **calls}, reached)
 
-    def at(self, nodes):
+    def at(self, nodes: "Sequence[Node]"):
         """The nodes with what is known put in."""
         for q in self.values:
             nodes = opened(nodes, q)
         return substitute(nodes, {**self.values, **self.calls})
 
-    def position(self, form):
+    def position(self, form: Linearisation):
         """{node: expression} of what a Linearisation holds of the coordinates."""
         nodes = nodes_of(form)
         sums = {call: node for q in self.values for call, node in openings(nodes, q).items()}
         return {**dict(zip(sums, self.at(list(sums.values())), strict=True)), **self.values, **self.calls}
 
 
-def symbolic_equilibrium(symbolic):
+def symbolic_equilibrium(symbolic: "SymbolicSystem"):
     """The SymbolicEquilibrium of a nonlinear scene, None where it is not found."""
     scene, tried, start = symbolic.scene, _Tried(symbolic), symbolic.start
     reached = tried.first(LEAST) if scene.loops is None else []
@@ -77,11 +82,11 @@ class _Tried:
     """Modes at random values of the letters, found when they are asked for; each about a stable equilibrium, unless
     `equilibrium:` names a place."""
 
-    def __init__(self, symbolic):
+    def __init__(self, symbolic: "SymbolicSystem"):
         self.symbolic, self.known, self.left = symbolic, [], iter(range(ATTEMPTS))
         self.free = [name for name in symbolic.scene.parameters.free if name not in symbolic.numeric.given]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Any]:
         symbolic, named = self.symbolic, self.symbolic.system.named_start
         yield from self.known
         for attempt in self.left:
@@ -98,10 +103,10 @@ class _Tried:
             self.known.append(candidate)
             yield candidate
 
-    def first(self, count):
+    def first(self, count: int) -> list[Any]:
         return list(islice(self, count))
 
-    def keep(self, those):
+    def keep(self, those: Sequence[Any]) -> None:
         """Only these from now on."""
         self.known, self.left = list(those), iter(())
 

@@ -1,5 +1,8 @@
 """Equilibrium in letters: does a condition vanish, and where is the equilibrium of a linear scene?"""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.parameter_samples import sample_values
 from vibcli.mechanics.autonomous import steady
@@ -11,10 +14,15 @@ from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
+
 SAMPLES = range(20, 28)     # attempts to draw a scene with other sample values
 
 
-def vanishes(scene, terms):
+def vanishes(scene: "Scene", terms: "Sequence[Node]") -> bool:
     """Is the sum of these expressions zero: by expansion, or at several unrelated sets of values?"""
     total = scene.table.total(terms)
     if is_zero(total):
@@ -27,7 +35,7 @@ def vanishes(scene, terms):
     return True
 
 
-def equilibrium_in_letters(symbolic):
+def equilibrium_in_letters(symbolic: "SymbolicSystem") -> "dict[str, Node]":
     """{coordinate: expression} of the equilibrium: drawn, or that of linear equations; else PhysicsError."""
     scene, start = symbolic.scene, symbolic.start
     if symbolic.balanced_as_drawn and start is None:
@@ -64,7 +72,7 @@ def equilibrium_in_letters(symbolic):
     return {name: simplest(place[i] + shift[i]) if i in shift else place[i] for i, name in enumerate(scene.coordinates)}
 
 
-def drawn_stable(scene):
+def drawn_stable(scene: "Scene") -> "Scene":
     """The scene drawn with sample values for which it is stable, where there are such: signs are read off there."""
     for start in SAMPLES:
         if not _falls_as_drawn(scene):

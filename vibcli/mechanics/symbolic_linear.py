@@ -1,5 +1,7 @@
 """Inputs and outputs of the small oscillations in letters."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters
 from vibcli.mechanics.inputs_outputs.displacements import displacement
 from vibcli.mechanics.inputs_outputs.inputs import in_powers, named_input
@@ -10,8 +12,12 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
-def coefficients(symbolic, signal, driven_by):
+
+def coefficients(symbolic: "SymbolicSystem", signal: str, driven_by: str):
     """b, c, d as [{i: node}] of the powers of s, nodes of the opened scene; d has the one entry 0."""
     opened, place = symbolic.configuration.with_inputs, place_in_letters(symbolic)
     chosen = named_input(symbolic.configuration, driven_by)
@@ -34,7 +40,7 @@ def coefficients(symbolic, signal, driven_by):
                                                                                               chosen.turns)
 
 
-def outputs(symbolic, signal):
+def outputs(symbolic: "SymbolicSystem", signal: str) -> "tuple[list[dict[int, Node]], Node]":
     """(c, direct): [{i: node}] of the powers of s for a signal, and what driven displacements u(t) do to it at once, a
     function of the time in the scene."""
     opened, table = symbolic.configuration.with_inputs, symbolic.scene.table
@@ -48,7 +54,7 @@ def outputs(symbolic, signal):
     return [{i: node for i, node in part.items() if i < opened.n} for part in rows], direct
 
 
-def place_in_letters(symbolic):
+def place_in_letters(symbolic: "SymbolicSystem") -> "dict[Node, Node]":
     """{symbol: node} of the equilibrium in letters."""
     scene = symbolic.configuration.with_inputs.scene
     rest = dict.fromkeys((*scene.v, *scene.a), scene.table.zero)

@@ -1,9 +1,11 @@
 """M, C, G and K of small oscillations as expressions."""
 
+from typing import Any
+
 from vibcli.symbolic.normal_form import textbook
 
 
-def matrices_in_letters(form):
+def matrices_in_letters(form: Any) -> Any:
     """M, C, G, K of a Linearisation as {(i, j): simplified expression}, zeros left out."""
     M = _assembled(form.table, form.inertias, [form.M])
     C = _assembled(form.table, form.dampers, [form.C, form.drag])

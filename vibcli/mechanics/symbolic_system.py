@@ -3,22 +3,29 @@
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import NotInLetters
 from vibcli.base.stage import Stage
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.lagrange import EquationsOfMotion
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class SymbolicSystem:
     """A Configuration in letters. `modal_of`: what finds the modes of a Configuration, by which the stable equilibria
     are told from the others."""
 
-    def __init__(self, configuration, modal_of):
+    def __init__(self, configuration: "Configuration", modal_of: type[Any]):
         self.configuration, self.modal_of = configuration, modal_of
         self.numeric, self.system, self.spec = configuration.numeric, configuration.system, configuration.spec
         self.work, self.costs = configuration.work, configuration.costs
 
     @cached_property
-    def scene(self):
+    def scene(self) -> "Scene":
         return self.system.scene
 
     @cached_property
@@ -28,13 +35,13 @@ class SymbolicSystem:
         return held and SymbolicSystem(held, self.modal_of)
 
     @property
-    def letters(self):
+    def letters(self) -> list[str]:
         """The parameters that have neither a value nor a condition."""
         return [name for name in self.scene.parameters.free
                 if name not in self.numeric.given and name not in self.spec.choices]
 
     @cached_property
-    def matrices(self):
+    def matrices(self) -> Any:
         """M, C, G, K of the small oscillations."""
         from vibcli.mechanics.nonsmooth import require_unheld
         from vibcli.mechanics.symbolic_matrices import matrices_in_letters
@@ -60,7 +67,7 @@ class SymbolicSystem:
                 self.equilibrium_position  # noqa: B018
 
     @cached_property
-    def linearisable(self):
+    def linearisable(self) -> bool:
         """Can the small oscillations be written in letters: is the equilibrium known, or does its place not matter?"""
         return self.system.is_linear or self.balanced_as_drawn or self.equilibrium is not None
 
@@ -86,7 +93,7 @@ class SymbolicSystem:
             return symbolic_equilibrium(self)
 
     @cached_property
-    def equilibrium_position(self):
+    def equilibrium_position(self) -> "dict[str, Node]":
         """{coordinate: expression} of the equilibrium; PhysicsError where there is none, or none in letters."""
         from vibcli.mechanics.symbolic_equilibrium_linear import equilibrium_in_letters
 
@@ -103,7 +110,7 @@ class SymbolicSystem:
         return {**{q: scene.drawn[q] for q in scene.q}, **named} if moved else None
 
     @cached_property
-    def balanced_as_drawn(self):
+    def balanced_as_drawn(self) -> bool:
         """Is the equilibrium the drawn position? (Of linear equations its place does not matter.)"""
         if self.numeric.has_free_symbols:
             from vibcli.mechanics.symbolic_equilibrium_linear import vanishes
@@ -113,7 +120,7 @@ class SymbolicSystem:
         return self.configuration.equilibrium.drawn
 
     @cached_property
-    def excitation(self):
+    def excitation(self) -> "dict[int, Node]":
         """{i: Q(t)}: what drives coordinate i of the small oscillations, in letters, with numbers for the place of an
         equilibrium that is not the drawn one."""
         from vibcli.mechanics.autonomous import excitation
@@ -139,7 +146,7 @@ class SymbolicSystem:
         return left_out(self)
 
     @property
-    def excitation_place(self):
+    def excitation_place(self) -> "dict[Node, Node]":
         """{symbol: node} of the position about which loads in time act."""
         timed, scene, settled = self.system.time_dependent_linearisation, self.scene.vibrating, self.equilibrium
         if settled is not None:
@@ -150,14 +157,14 @@ class SymbolicSystem:
         return {q: scene.table.number(Fraction(values[q.name])) for q in scene.drawn}
 
     @Stage
-    def energies(self):
+    def energies(self) -> "dict[str, Node]":
         """T, V and Φ of the scene, brought into the form a textbook prints."""
         from vibcli.mechanics.energies import textbook_energies
 
         return textbook_energies(self.system.scene_with_multipliers)
 
     @Stage
-    def equations(self):
+    def equations(self) -> "EquationsOfMotion":
         """Lagrange's equations, full and for small oscillations."""
         from vibcli.mechanics.lagrange import equations
 

@@ -1,10 +1,19 @@
 """The mechanical system of a scene: its expressions, which hold wherever it rests and whatever values it is given."""
 
+from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, defined_as_drawn
 from vibcli.base.stage import Costs, Stage
 from vibcli.base.work import Work
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.spec import Spec
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 SENSES = ("sign", "abs", "min", "max")      # functions by which dry friction acts
 
@@ -14,16 +23,17 @@ class MechanicalSystem:
     symbols, by which signs in the geometry are read off; `work`: what counts its long work; `released`: the system
     whose motion starts under the force that lets go, where this one is held by it."""
 
-    def __init__(self, spec, given=None, work=None, released=None):
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: Work | None = None,
+                 released: Any = None):
         self.spec, self.given, self.work, self.released = spec, dict(given or {}), work or Work(), released
         self.costs = Costs()
 
-    def with_values(self, given):
+    def with_values(self, given: "Mapping[str, Fraction]") -> "MechanicalSystem":
         """The same scene drawn anew with these values alone for its symbols."""
         return MechanicalSystem(self.spec, given, self.work, self.released)
 
     @cached_property
-    def preloaded(self):
+    def preloaded(self) -> "MechanicalSystem | None":
         """The system under the force that lets go at t = 0; None where none does."""
         from vibcli.language.sections.initial import let_go
 
@@ -31,7 +41,7 @@ class MechanicalSystem:
             return None
         return MechanicalSystem(self.spec, self.given, self.work, self)
 
-    def dimension(self, coordinate):
+    def dimension(self, coordinate: str):
         """The dimension of a coordinate; a length where nothing settles it."""
         from vibcli.base.units import LENGTH
 
@@ -39,7 +49,7 @@ class MechanicalSystem:
         return LENGTH if any(base.startswith("?") for base in found) else found
 
     @Stage
-    def scene(self):
+    def scene(self) -> "Scene":
         from vibcli.scene.build import build_preloaded, build_scene
 
         scene = (build_scene if self.released is None else build_preloaded)(self.spec, self.given)
@@ -106,7 +116,7 @@ class MechanicalSystem:
             defined_as_drawn(without_slope, scene)
 
     @cached_property
-    def is_linear(self):
+    def is_linear(self) -> bool:
         """Do the equations not depend on where the scene is linearised?"""
         form = self.linearisation
         terms = (*form.inertias, *form.springs, *form.dampers)
@@ -115,7 +125,7 @@ class MechanicalSystem:
         return not any(node.mask for node in rows + parts) and not any(curvature for _, curvature, _ in form.curved)
 
     @cached_property
-    def drawn_residual(self):
+    def drawn_residual(self) -> "list[list[Node]]":
         """The terms of each condition of equilibrium as drawn: lists of expressions."""
         from vibcli.mechanics.linearisation import residual_terms
 
@@ -129,7 +139,7 @@ class MechanicalSystem:
         return defined_as_drawn(effective_potential, self.scene.vibrating)
 
     @cached_property
-    def conservative(self):
+    def conservative(self) -> bool:
         """Have all loads a potential: constant forces alone, and no driven motion?"""
         scene = self.scene.vibrating
         return not scene.timed and not any(term.weight.mask for term in scene.forces)
@@ -144,7 +154,7 @@ class MechanicalSystem:
         return sticking(self)
 
     @cached_property
-    def named_start(self):
+    def named_start(self) -> "dict[str, Node]":
         """{coordinate: expression} of the place that `equilibrium:` names, empty where it names none."""
         start = self.spec.get("equilibrium") or {}
         for name, expression in start.items():

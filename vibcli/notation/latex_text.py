@@ -33,7 +33,7 @@ DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
 LONG = re.compile(r"\d{10}(?=\d{10})")
 
 
-def escaped(text):
+def escaped(text: str) -> str:
     """Words for LaTeX's text mode; a character that it has no command for is named by its number."""
     text, found = on_one_line(text), []
     for letter in unicodedata.normalize("NFD", "".join(map(_kept, text))):

@@ -1,6 +1,7 @@
 """Texts in notation, as blocks hold them beside expressions: ω_d = ω·√(1 − ζ²), read for a typeset notation."""
 
 import re
+from typing import Any
 
 from vibcli.notation.plain import closing
 
@@ -14,7 +15,7 @@ FUNCTIONS = {"sin", "cos", "tan", "exp"}
 _RELATION = re.compile(r"\s*([+−=<>≤≥∓±])\s*")
 
 
-def read(text, write):
+def read(text: Any, write: Any) -> str:
     """The text in a notation, which has the hooks of Stacked."""
     return write.beside(*_read(_RELATION.sub(r"\1", text), write))
 

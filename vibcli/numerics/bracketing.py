@@ -1,13 +1,19 @@
 """Zeros and maxima of a function of one unknown, each in an interval of its own, all at once: the function is given an
 array of places."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+
+if TYPE_CHECKING:
+    import mpmath
 
 ROUNDS, SAME = 150, 2.0**-51
 SECTIONS, GOLDEN = 90, 0.3819660112501051
 
 
-def zeros_between(function, low, high):
+def zeros_between(function: Callable, low: np.ndarray, high: np.ndarray) -> np.ndarray:
     """The zero of a function in each of the intervals at whose ends its signs differ, to rounding.
 
     Chords, each third step a halving; a chord that falls near an end is moved inwards, so that both ends close in.
@@ -40,7 +46,7 @@ def _trial(a, b, fa, fb, step):
     return np.where((chord > a) & (chord < b), chord, middle)
 
 
-def maxima_between(function, low, high):
+def maxima_between(function: Callable, low: Any, high: "float | mpmath.mpf"):
     """Where a function is largest in each of the intervals in which it has one maximum, by golden section."""
     for _ in range(SECTIONS if len(low) else 0):
         left, right = low + GOLDEN * (high - low), high - GOLDEN * (high - low)

@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def components(related):
+def components(related: np.ndarray) -> list[list[int]]:
     """Those of a symmetric boolean array, as ascending lists of places."""
     left, found = set(range(len(related))), []
     while left:
@@ -17,6 +17,6 @@ def components(related):
     return found
 
 
-def clusters(related):
+def clusters(related: np.ndarray) -> list[list[int]]:
     """Those of more than one place."""
     return [part for part in components(related) if len(part) > 1]

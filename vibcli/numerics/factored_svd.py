@@ -14,7 +14,7 @@ UNIT = 2.0 ** -53
 ENOUGH, ENOUGH_WHEN_MANY, MANY = 1e-13, 1e-10, 150
 
 
-def singular_vectors(x, zeros, known=1.0):
+def singular_vectors(x: np.ndarray, zeros: int, known: float = 1.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Singular values of x descending, right singular vectors in columns, a relative bound for each value.
 
     `zeros`: how many vanish by structure; they and their vectors come last. `known`: how many times its
@@ -43,7 +43,7 @@ def singular_vectors(x, zeros, known=1.0):
     return np.concatenate([sigma, np.zeros(zeros)]), v, better
 
 
-def row_error(x, r, turned, known):
+def row_error(x: np.ndarray, r: np.ndarray, turned: np.ndarray, known: float) -> float:
     """The relative error of each value: that of the data and of QR, 8 ε ‖|X⁺||X|‖ with X⁺ = R⁺Qᵀ, `turned` being
     Qᵀ diag(lengths of the rows of X), and that of Jacobi's rotations, 16 √n ε times the condition of the rows of R."""
     sizes = np.linalg.norm(r, axis=1)[:, None]
@@ -59,7 +59,7 @@ def _lengths(x):
     return np.where(lengths > 0, lengths, 1.0)
 
 
-def pivoted_qr(a):
+def pivoted_qr(a: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """R, the order with a[:, order] = Q R up to the order of rows, and Qᵀ diag(lengths of the rows of a)."""
     from scipy.linalg import qr_multiply
 
@@ -68,7 +68,7 @@ def pivoted_qr(a):
     return r[:a.shape[1]], order, turned.T[:a.shape[1]]
 
 
-def jacobi(a):
+def jacobi(a: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Left singular vectors and singular values, descending, by rotations of columns (Hestenes 1958)."""
     from scipy.linalg.lapack import dgejsv
 
@@ -76,7 +76,7 @@ def jacobi(a):
     return u[:, :a.shape[1]], sigma * (work[0] / work[1])
 
 
-def mass_factor(rows):
+def mass_factor(rows: np.ndarray) -> np.ndarray:
     """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the sorted rows, never from the product."""
     order = np.argsort(-np.abs(rows).max(axis=1), kind="stable")
     r = np.linalg.qr(rows[order], mode="r")

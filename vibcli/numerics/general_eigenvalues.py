@@ -6,7 +6,9 @@ in fixed point, V⁻¹ in floats; each step removes some fifty bits of E.
 """
 
 import math
+from collections.abc import Callable, Sequence
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 
@@ -27,11 +29,11 @@ class Root:
 
     __slots__ = ("im", "left", "radius", "re", "right")
 
-    def __init__(self, re, im, radius, right, left):
+    def __init__(self, re: Any, im: Any, radius: Any, right: np.ndarray, left: np.ndarray):
         self.re, self.im, self.radius, self.right, self.left = re, im, radius, right, left
 
 
-def eigenvalues(apply, matrix, bits, enough, noise):
+def eigenvalues(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable, noise: float) -> list[Root]:
     """All eigenvalues of A as a list of Root.
 
     apply(V): A V in fixed point; matrix: A in floats; enough(root): whether it is known well enough; noise:
@@ -41,7 +43,8 @@ def eigenvalues(apply, matrix, bits, enough, noise):
     return form.all_roots(norms)
 
 
-def block_diagonal(apply, matrix, bits, enough, noise):
+def block_diagonal(apply: Callable, matrix: np.ndarray, bits: int, enough: Callable,
+                   noise: float) -> "tuple[BlockForm, list[float]]":
     """The BlockForm of A, and for each of its blocks log2 of what bounds its rows of E."""
     form = BlockForm(matrix, bits)
     best, stalled = math.inf, 0
@@ -62,7 +65,7 @@ class BlockForm:
 
     __slots__ = ("bits", "blocks", "e", "inverse", "shift", "t", "v", "vf")
 
-    def __init__(self, matrix, bits):
+    def __init__(self, matrix: np.ndarray, bits: int):
         rotation, self.blocks = split(matrix)
         self.bits, self.v = bits, fixed(rotation, bits)
         self.t = fixed(np.linalg.inv(rotation) @ matrix @ rotation, bits)
@@ -74,7 +77,7 @@ class BlockForm:
             at = np.ix_(part, part)
             self.t[at] = t[at]
 
-    def measure(self, apply):
+    def measure(self, apply: Callable) -> None:
         """E = V⁻¹(A V − V T)."""
         residual = apply(self.v)
         for part in self.blocks:
@@ -85,7 +88,7 @@ class BlockForm:
         self.inverse = np.linalg.inv(self.vf)
         self.e = self.inverse @ floats(residual, self.bits - self.shift)
 
-    def unknown(self, noise):
+    def unknown(self, noise: float) -> list[float]:
         """For each block log2 of a bound of its rows of E, with the errors of V⁻¹ and the noise in them."""
         n, inverse, v = len(self.e), np.abs(self.inverse), np.abs(self.vf)
         wrong = np.abs(self.inverse @ self.vf - np.eye(n)) + (n + 2) * 2.0 ** -53 * (inverse @ v)
@@ -99,17 +102,17 @@ class BlockForm:
             rows = np.logaddexp2(np.log2(rows) - self.shift, np.log2(inverse.sum(axis=1)) + spread)
         return [float(rows[part].max()) + math.log2(len(part)) / 2 for part in self.blocks]
 
-    def all_roots(self, norms):
+    def all_roots(self, norms: Sequence[float]) -> list[Root]:
         """The eigenvalues of all blocks, moved by no more than 2^norms."""
         return [root for part, off in zip(self.blocks, norms, strict=True) for root in self.roots(part, off)]
 
-    def roots(self, part, off):
+    def roots(self, part: np.ndarray, off: float) -> list[Root]:
         """The eigenvalues of one block of T; 2^off, the norm of E in its rows, bounds what can move them."""
         block = self.t[np.ix_(part, part)]
         return [Root(re, im, radius, self.vf[:, part] @ right, left @ self.inverse[part])
                 for re, im, radius, right, left in roots_of_block(block, self.bits, off)]
 
-    def improve(self):
+    def improve(self) -> None:
         """A step of first order: V(I + X), T + diag E; blocks it cannot separate are joined and split anew."""
         blocks, bits = self.blocks, self.bits
         t = floats(self.t, bits)
@@ -151,7 +154,7 @@ class BlockForm:
         return [part[piece] for piece in pieces]
 
 
-def split(matrix):
+def split(matrix: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
     """A real basis R of invariant subspaces of a float matrix, and their index sets."""
     count_floats(len(matrix))
     values, vectors = np.linalg.eig(matrix)
@@ -187,7 +190,7 @@ def _closest(units, steep):
     return min(combinations(steep, 2), key=gap, default=None)
 
 
-def largest_steps(t, blocks):
+def largest_steps(t: np.ndarray, blocks: Sequence[np.ndarray]) -> np.ndarray:
     """For each pair of blocks the largest step to be taken between them.
 
     Small between eigenvalues of one size: a step would carry what their vectors still hold of much stiffer ones
@@ -198,7 +201,8 @@ def largest_steps(t, blocks):
     return np.where(alike, LARGE, 0.05)
 
 
-def separation(t, blocks, e, shift, limit):
+def separation(t: np.ndarray, blocks: Sequence[np.ndarray], e: np.ndarray, shift: int,
+               limit: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """X with T X − X T = −E between blocks, and which pairs of blocks have one larger than `limit`, an array."""
     x, close = np.zeros_like(e), np.zeros((len(blocks), len(blocks)), bool)
     sizes = {}

@@ -1,9 +1,10 @@
 """Halton's sequence of points (Halton 1960)."""
 
+from collections.abc import Iterator
 from itertools import count
 
 
-def halton(dimensions, first=1):
+def halton(dimensions: int, first: int = 1) -> Iterator[list[float]]:
     """Points spread evenly over the unit cube, the same at every run, from that of a number on."""
     bases = _primes(dimensions)
     for number in count(first):

@@ -5,6 +5,7 @@ the zeros of the functions as they are between the points of a grid over a box (
 centre of the cube and those of a Halton sequence (Halton 1960); the search ends when further ones find nothing new.
 """
 
+from collections.abc import Callable, Sequence
 from itertools import chain, islice, product
 
 import numpy as np
@@ -17,7 +18,7 @@ STEPS, STARTS, IDLE, STEP, CLOSE = 40, 48, 16, 1e-7, 1e-6
 CONVERGED, LONGEST = 1e-13, 2.3
 
 
-def common_zeros(function, place, dimensions):
+def common_zeros(function: Callable, place: Callable, dimensions: int) -> list[list[float]]:
     """[u], the distinct zeros found; `function(u)` gives a list of at least so many values, None where it is not
     defined; `place(p)` is the start at a point p of the unit cube."""
     found, idle = [], 0
@@ -71,7 +72,7 @@ def _distance(a, b):
     return max(abs(x - y) / max(1.0, abs(x), abs(y)) for x, y in zip(a, b, strict=True))
 
 
-def newton(function, u):
+def newton(function: Callable, u: Sequence[float] | np.ndarray) -> list[float] | None:
     """A zero reached from u by Newton steps (Gauss–Newton of more values than unknowns), halved until they lower the
     sum of squares; None where they do not get there."""
     value = _values(function, u)

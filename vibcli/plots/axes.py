@@ -1,12 +1,16 @@
 """One panel by Matplotlib: its curves, ticks, labels and legend."""
 
 import math
+from typing import TYPE_CHECKING, Any
 
 from vibcli.plots import style
 from vibcli.plots.marking import draw_marks, draw_names
 from vibcli.plots.response import turns
 from vibcli.plots.ticks import OF_A_TURN, decade
 from vibcli.plots.words import shortened, width
+
+if TYPE_CHECKING:
+    from vibcli.plots.paper import Sheet
 
 _MARGIN = 0.05              # of the height, above and below the curves
 _LONGEST, _AN_INCH = 60, 8  # columns of a label; of one that is written upwards, to an inch of the panel
@@ -15,7 +19,7 @@ _OF_A_LINE = 8
 _ALONG, _UPWARDS = 10, 3.5  # stretches between ticks, at most; along y, to an inch of the panel
 
 
-def draw(axes, sheet, inches):
+def draw(axes: Any, sheet: "Sheet", inches: float) -> None:
     """Everything of a panel so many inches high."""
     panel = sheet.panel
     sheet = sheet._replace(x=_with_margin(sheet.x, _MARGIN * panel.equal), y=_with_margin(sheet.y, _MARGIN))

@@ -1,6 +1,7 @@
 """A figure as text for the terminal: dots of braille, axes with ticks, labels beside their curves. Nothing heavy."""
 
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from vibcli.plots.canvas import Canvas
 from vibcli.plots.curves import draw
@@ -9,12 +10,15 @@ from vibcli.plots.ticks import ticks
 from vibcli.plots.words import printable, shortened
 from vibcli.plots.words import width as columns_of
 
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
+
 NARROWEST, WIDEST = 40, 200
 FEWEST_ROWS = 5
 _EQUAL_MARGIN = 6      # columns of numbers left of axes with equal scales, about
 
 
-def braille(figure, width=80, height=20):
+def braille(figure: "Figure", width: int = 80, height: int = 20) -> str:
     """The figure in lines of at most `width` columns; `height`: rows of a panel of usual height, without its axes."""
     columns = min(max(width, NARROWEST), WIDEST)
     found = [(sheet, max(FEWEST_ROWS, round(height * sheet.panel.tall))) for sheet in sheets(figure)]

@@ -1,7 +1,7 @@
 """The curves of a panel on a canvas: lines told apart by their dots, points by letters, each with its label beside."""
 
 from vibcli.plots.canvas import Canvas
-from vibcli.plots.paper import thinned
+from vibcli.plots.paper import Sheet, thinned
 from vibcli.plots.words import cells, shortened
 
 _PATTERNS = ("x", "xxxxx    ", "xx  ", "xxxxxxx  x  ", "xxx       ")
@@ -11,7 +11,7 @@ _LONGEST = 14      # columns of a label beside its curve
 _APART = 3         # rows between such a label and any other line
 
 
-def draw(canvas, sheet):
+def draw(canvas: Canvas, sheet: Sheet) -> list[str]:
     """Draw everything within the axes; returns the legend, one entry a labelled curve where there are several."""
     _behind(canvas, sheet)
     curves, samples, lines, points = sheet.panel.curves, [], [], 0

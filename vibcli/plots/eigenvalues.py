@@ -1,6 +1,7 @@
 """Eigenvalues in the complex plane, with rays of constant damping ratio ζ = −Re λ/|λ|."""
 
 import math
+from collections.abc import Sequence
 
 from vibcli.plots.figure import Curve, Figure, Panel
 from vibcli.plots.prefixes import labelled, largest, readable
@@ -10,7 +11,7 @@ _MOST_RAYS = 5
 _ROUND_FROM = 0.4      # width to height from which both axes have one scale
 
 
-def argand(eigenvalues, labels, title):
+def argand(eigenvalues: Sequence[complex], labels: Sequence[str], title: str) -> Figure:
     """Eigenvalues [1/s] as crosses with their labels; both axes have one scale where that can be read."""
     factor, unit = readable(largest(eigenvalues), "1/s")
     points = [(value.real * factor, value.imag * factor) for value in eigenvalues]

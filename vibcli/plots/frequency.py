@@ -2,14 +2,21 @@
 
 import cmath
 import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from vibcli.plots.figure import Curve, Figure, Mark, Panel
 from vibcli.plots.prefixes import labelled, largest, readable, unit_text
 
+if TYPE_CHECKING:
+    import numpy as np
+
 _SAME = 1.01
 
 
-def of_frequency_response(Omega, H, kind, unit, peaks=(), antiresonances=(), title=""):
+def of_frequency_response(Omega: "Sequence[int] | np.ndarray", H: "Mapping[str, list[float] | np.ndarray]", kind: str,
+                          unit: str, peaks: Sequence[float] = (), antiresonances: Sequence[Any] = (),
+                          title: str = "") -> Figure:
     """`H`: {label: complex values} at the angular frequencies Omega [rad/s], in one unit (or dimension); `kind`: what
     it is (receptance); `peaks`, `antiresonances`: angular frequencies to be marked.
 
@@ -46,7 +53,7 @@ def _distinct(places):
     return found
 
 
-def lag(values):
+def lag(values: "Sequence[complex] | np.ndarray") -> tuple[float, ...]:
     """−arg of complex numbers in degrees, from the first in (−180, 180] on without jumps of more than half a turn."""
     found, last = [], None
     for h in values:
@@ -71,7 +78,7 @@ def _turns(lags):
     return (float(low), float(high)) if high > low else (low - 90.0, high + 90.0)
 
 
-def nyquist(Omega, H, unit, at=(), title=""):
+def nyquist(Omega: Any, H: "Mapping[str, list[float] | np.ndarray]", unit: str, at: Any = (), title: str = ""):
     """The frequency response in the complex plane, {label: complex values}; `at`: angular frequencies whose points
     are marked with their values."""
     factor, unit = readable(largest([h for values in H.values() for h in values]), unit_text(unit))

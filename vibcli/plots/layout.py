@@ -1,16 +1,20 @@
 """Panels on the page; Matplotlib's constrained layout gives every label its room."""
 
 from textwrap import wrap
+from typing import TYPE_CHECKING
 
 from vibcli.plots import style
 from vibcli.plots.axes import draw
 from vibcli.plots.paper import scaled, sheets
 from vibcli.plots.words import printable, shortened
 
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
+
 _LINE, _WORD, _LINES = 66, 40, 3      # columns of a line and of a word of the title; its lines
 
 
-def drawn(figure):
+def drawn(figure: "Figure"):
     """The Matplotlib figure, complete."""
     from matplotlib.figure import Figure
 

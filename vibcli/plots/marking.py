@@ -1,7 +1,9 @@
 """What is written beside curves in a file: marks with their labels above the axes, names beside points."""
 
+from typing import Any
+
 from vibcli.plots import style
-from vibcli.plots.paper import thinned
+from vibcli.plots.paper import Sheet, thinned
 from vibcli.plots.words import shortened, width
 
 _LONGEST, _MOST_ROWS = 40, 3
@@ -13,7 +15,7 @@ _AT_POINT, _AT_END = (_RIGHT, _LEFT, _ABOVE, _BELOW, *_CORNERS), (_ABOVE, _LEFT,
 _ANCHOR = {-1: ("right", "top"), 0: ("center", "center"), 1: ("left", "bottom")}
 
 
-def draw_marks(axes, sheet):
+def draw_marks(axes: Any, sheet: Sheet) -> float:
     """Thin lines across the axes with their labels above, in rows; returns how high they reach, in points."""
     rows = []
     for mark in sorted(sheet.panel.marks, key=lambda mark: mark.at):
@@ -37,7 +39,7 @@ def _long(text):
     return style.EM * style.SMALL * width(text)
 
 
-def draw_names(axes, sheet, inches):
+def draw_names(axes: Any, sheet: Sheet, inches: float) -> None:
     """Texts beside points, on the side where they cover least: other texts, points, lines."""
     high, texts = 72 * inches - 50, []
     lines = [(_ACROSS * sheet.x.part(x), high * sheet.y.part(y)) for runs in sheet.strokes for run in runs

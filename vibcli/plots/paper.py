@@ -1,10 +1,14 @@
 """From a panel to its paper: strokes of finite points, logarithms taken where the axis is log, and the ranges shown."""
 
 import math
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.plots.words import printable
+
+if TYPE_CHECKING:
+    from vibcli.plots.figure import Figure
 
 LARGEST, SMALLEST = 1e300, 1e-290      # beyond: no place; zero
 MOST_DECADES = 12
@@ -19,15 +23,15 @@ class Axis(NamedTuple):
     log: bool = False
     degrees: bool = False
 
-    def part(self, place):
+    def part(self, place: float) -> float:
         """0 at the low end, 1 at the high end."""
         return (place - self.low) / (self.high - self.low)
 
-    def place(self, value):
+    def place(self, value: float) -> float:
         """Where a value stands; None for one that has no place."""
         return _place(value, self.log)
 
-    def value(self, place):
+    def value(self, place: float) -> float:
         """What stands at a place."""
         return 10.0 ** place if self.log else place
 
@@ -44,7 +48,7 @@ class Sheet(NamedTuple):
     legend: bool
 
 
-def sheets(figure):
+def sheets(figure: "Figure") -> list[Sheet]:
     """The sheets of a figure, all texts on them printable; neighbours with the same x share its range."""
     panels = [_printable(panel) for panel in figure.panels]
     if len(panels) > MOST_PANELS:
@@ -137,7 +141,7 @@ def _without_poles(values, low, high):
     return max(low, ordered[tenth] - 3), min(high, ordered[-1 - tenth] + 3)
 
 
-def thinned(run, axis, columns):
+def thinned(run: Sequence[tuple[float, float]], axis: Axis, columns: int):
     """Of the points that follow each other within one column the first, lowest, highest and last: the same drawing."""
     if len(run) <= 2 * columns:
         return run
@@ -152,7 +156,7 @@ def thinned(run, axis, columns):
     return found + _extremes(group)
 
 
-def fewer(x, y, most=20000):
+def fewer(x: Sequence[float], y: Sequence[float], most: int = 20000) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """(x, y) as tuples, of very many points the first, lowest, highest and last of each few that follow each other."""
     if len(x) > most:
         size = -(-4 * len(x) // most)
@@ -171,7 +175,7 @@ def _extremes(group):
     return [group[i] for i in kept]
 
 
-def scaled(sheet, ratio):
+def scaled(sheet: Sheet, ratio: float):
     """The sheet, with one scale where its panel wants it, for paper `ratio` times as wide as high: the axis with room
     to spare is widened."""
     width, height = sheet.x.high - sheet.x.low, sheet.y.high - sheet.y.low

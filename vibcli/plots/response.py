@@ -1,18 +1,24 @@
 """Signals in time as a figure: one panel for each unit, the steady part and envelopes with their signal."""
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 from vibcli.plots.figure import Curve, Figure, Panel
 from vibcli.plots.paper import fewer
 from vibcli.plots.prefixes import labelled, largest, readable, unit_text
+
+if TYPE_CHECKING:
+    import numpy as np
 
 _LONGEST = 30      # columns of a label that names every curve
 _MOST_TURNS = 24   # of signals that share a panel
 _MOST_APART = 6    # signals of a unit that get panels of their own
 
 
-def of_response(times, series, steady=None, envelope=None, title=""):
+def of_response(times: "Sequence[float] | np.ndarray", series: "Sequence[tuple[str, str, list[float] | np.ndarray]]",
+                steady: Sequence[Any] | None = None, envelope: Sequence[Any] | None = None, title: str = "") -> Figure:
     """`series`: [(label, unit or dimension, values)] at the times [s]; `steady` and `envelope`: for each of them the
     values of its steady part and of its bounds (one array: ±, or a pair: upper and lower), None where it has none."""
     steady, envelope = steady or [None] * len(series), envelope or [None] * len(series)
@@ -41,7 +47,7 @@ def _panels(t, t_label, unit, group):
     return [_panel(t, t_label, unit, factor, [one])._replace(tall=0.6, y_range=scale) for one in group]
 
 
-def turns(values):
+def turns(values: Sequence[float]):
     """How often a signal turns between up and down."""
     steps = [b - a for a, b in pairwise(values)]
     return sum(a * b < 0 for a, b in pairwise(steps))

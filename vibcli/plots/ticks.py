@@ -1,6 +1,7 @@
 """Where ticks stand on an axis and what they say: multiples of 1, 2 or 5, decades, parts of a turn."""
 
 import math
+from collections.abc import Callable
 
 from vibcli.plots.prefixes import power
 
@@ -8,7 +9,7 @@ OF_A_TURN = (45, 90, 180, 360, 720, 1440, 2880, 5760)
 _PLAIN = range(-3, 5)      # decades that are written out: 0.001 … 10000
 
 
-def ticks(low, high, fits, log=False, degrees=False):
+def ticks(low: float, high: float, fits: Callable, log: bool = False, degrees: bool = False) -> list[tuple[float, str]]:
     """[(place, label)] on an axis from low to high (decades where it is log): the densest ones that `fits` takes,
     else two of them, else one."""
     ends = []
@@ -51,7 +52,7 @@ def _multiples(low, high, step, exponent):
     return [(k * size, decimal(k * step, exponent)) for k in range(first, last + 1)]
 
 
-def decimal(n, exponent):
+def decimal(n: int, exponent: int) -> str:
     """n·10ᵉ written out, or with a power of ten where that is long."""
     sign, digits = "−" if n < 0 else "", str(abs(n))
     if n == 0:
@@ -76,7 +77,7 @@ def _in_decades(low, high, within, step=1):
     return [(place, decimal(m, k) if plain else _scientific(m, k)) for k, m, place in inside]
 
 
-def decade(value, plain):
+def decade(value: float, plain: bool) -> str:
     """A multiple of a decade as its tick says it: 2·10⁻², 10⁷, or 0.02 where plain."""
     k = math.floor(math.log10(value) + 1e-9)
     m = round(value / 10.0 ** k)

@@ -3,13 +3,13 @@
 import unicodedata
 
 
-def printable(text):
+def printable(text: str) -> str:
     """The text on one line, without characters that do not print or turn the direction of writing."""
     text = " ".join(str(text).split())
     return "".join(letter for letter in text if unicodedata.category(letter)[0] != "C")
 
 
-def cells(text):
+def cells(text: str) -> list[str]:
     """The text column by column: a letter with its combining dots; a wide letter and an empty cell."""
     found = []
     for letter in text:
@@ -20,12 +20,12 @@ def cells(text):
     return found
 
 
-def width(text):
+def width(text: str) -> int:
     """Columns of a text in a terminal."""
     return len(cells(text))
 
 
-def shortened(text, columns):
+def shortened(text: str, columns: int) -> str:
     """At most so many columns, the end cut off as …"""
     found = cells(text)
     if len(found) <= columns:

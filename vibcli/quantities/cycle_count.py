@@ -1,5 +1,7 @@
 """What the parameters and quantities of a file count: cycles, radians, or neither."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
 from vibcli.language.parameters import definition_order
 from vibcli.language.record_calls import own
@@ -10,8 +12,14 @@ from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant, literal_unit
 from vibcli.symbolic.syntax import Equation, ExpressionError, NameRef, Product
 
+if TYPE_CHECKING:
+    from fractions import Fraction
 
-def cycles(spec, text=""):
+    from vibcli.language.reader import Record
+    from vibcli.language.spec import Spec
+
+
+def cycles(spec: "Spec", text: str = "") -> Cycles:
     """What counts the cycles in trees of a text."""
     if not spec.counts:
         _count_names(spec)
@@ -23,7 +31,7 @@ def _counter(spec, text=""):
                   lambda tree: known_dimension(spec, tree), text)
 
 
-def counts_cycles(spec, tree):
+def counts_cycles(spec: "Spec", tree: Any) -> bool:
     """Does a frequency count cycles (Hz), and not radians?"""
     return left_over(cycles(spec).count(tree)) == 1
 
@@ -46,7 +54,7 @@ def _count_names(spec):
             spec.counts[name] = _of_condition(counter, name, record["so"].sides)
 
 
-def count_of_unit(record):
+def count_of_unit(record: "Record") -> dict[Any, Any]:
     if "unit" not in record:
         return NEITHER
     return count_of(literal_unit(parse("1 " + record["unit"]).units))
@@ -85,7 +93,7 @@ def _unit_of(tree):
     return None if asked is None or asked.own_unit is None else units.parse_unit(asked.unit)
 
 
-def known_dimension(spec, tree):
+def known_dimension(spec: "Spec", tree: Any) -> "dict[str, Fraction | int] | None":
     """The dimension of a tree, as far as it is known."""
     def of(name, primes):
         return units.times(spec.dimensions.of(name), units.TIME, -primes)

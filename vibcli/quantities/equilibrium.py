@@ -1,5 +1,7 @@
 """Quantities of equilibria: where they are, how many there are, whether they are stable."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.base.units import LENGTH
 from vibcli.language.signals import coordinate_name, signal_dimension
@@ -7,8 +9,11 @@ from vibcli.quantities.matrices import coordinate_number
 from vibcli.quantities.quantity import COUNT, FUNCTION, ROUNDING, TRUTH, Declaration
 from vibcli.quantities.signal_dimensions import generalised_dimension, name_dimension
 
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
-def about(problem, number):
+
+def about(problem: "Problem", number: int) -> "Problem":
     """The problem about one of all its equilibria."""
     if number > count(problem):
         raise PhysicsError(f"there is no equilibrium {number}: {count(problem) or 'none'} "
@@ -17,7 +22,7 @@ def about(problem, number):
     return problem.about_each[number - 1]
 
 
-def count(problem):
+def count(problem: "Problem") -> int:
     """How many equilibria are found; refused where the search could not be finished."""
     found = problem.equilibria
     if found.cut:

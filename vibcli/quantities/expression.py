@@ -1,6 +1,8 @@
 """Values of quantities and of expressions of them: the arguments of a quantity first, then the quantity itself."""
 
+from collections.abc import Callable, Mapping
 from math import isfinite, tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import Diagnostic, PhysicsError, SpecError
 from vibcli.quantities.cycle_count import counts_cycles
@@ -9,8 +11,14 @@ from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import ExpressionError, QuantityRef, parts_of
 
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
-def measure(problem, tree):
+
+def measure(problem: "Problem", tree: QuantityRef) -> tuple[float, float]:
     """(value, relative error bound) of a quantity tree."""
     if not tree.args and is_choice(problem.spec, tree) and problem.choice is not None:
         return problem.choice.value(tree.head, int(tree.indices[0])), ROUNDING
@@ -30,7 +38,7 @@ def _argument(problem, kind, arg):
     return number_of(problem, arg) if kind in ("time", "Omega") else None
 
 
-def value_of(problem, expression):
+def value_of(problem: "Problem", expression: "Expression") -> tuple[float, float]:
     """(value, relative error bound) of an expression of parameters and quantities."""
     values, worst = dict(problem.numeric.floats), 0.0
     for quantity in expression.parts.quantities:
@@ -46,7 +54,7 @@ def value_of(problem, expression):
     return value, worst
 
 
-def evaluated(problem, expression, values):
+def evaluated(problem: "Problem", expression: "Expression", values: Mapping[str, float]) -> float:
     """An expression, given {parameter, or quantity as it is written: value}."""
     return evaluate([lowered(expression, problem.scene.table, _symbols(problem.scene))], Floats, values)[0]
 
@@ -61,7 +69,7 @@ def _symbols(scene):
     return symbol
 
 
-def lowered(expression, table, symbol):
+def lowered(expression: "Expression", table: "Table", symbol: Callable) -> "Node":
     """The node of a parsed expression; SpecError where it divides by zero."""
     try:
         return lower(expression.tree, table, symbol)
@@ -70,7 +78,7 @@ def lowered(expression, table, symbol):
         raise SpecError([Diagnostic(place, error.message, error.hint)]) from None
 
 
-def number_of(problem, tree):
+def number_of(problem: "Problem", tree: Any) -> float:
     """The value of an argument: an instant or an angular frequency; cycles count as 2π."""
     values = dict(problem.numeric.floats)
     for quantity in parts_of(tree).quantities:

@@ -10,7 +10,7 @@ from vibcli.quantities.quantity import COMPLEX, ERROR, Declaration, one
 from vibcli.quantities.signal_dimensions import input_dimension, output_dimension
 
 
-def wrapped(angle):
+def wrapped(angle: float) -> float:
     """The angle in (−π, π]."""
     angle = -((-angle + pi) % tau - pi) + 0.0
     return pi if angle == -pi else angle

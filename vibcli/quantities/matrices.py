@@ -1,14 +1,22 @@
 """Entries of M, C, G and K."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.quantity import ROUNDING, Declaration
 
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
+
 POWERS = {"M": 2, "C": 1, "G": 1, "K": 0}       # of the time in an entry, which times two coordinates is an energy
 
 
-def coordinate_number(problem, index):
+def coordinate_number(problem: "Problem", index: str) -> int:
     """The number of an independent coordinate, from 0."""
     name = coordinate_name(problem.spec, index)
     if name not in problem.scene.coordinates:
@@ -26,7 +34,7 @@ def _entry(problem, tree, args):
     return float(_matrix(problem, tree.head).get((i, j), 0.0)), ROUNDING
 
 
-def largest(problem, tree):
+def largest(problem: "Problem", tree: "QuantityRef") -> float:
     """The largest entry of a matrix."""
     return max((abs(float(value)) for value in _matrix(problem, tree.head).values()), default=0.0)
 
@@ -39,12 +47,12 @@ def _symbolic(problem, tree):
     return matrix.get(tuple(map(coordinates.index, names)), problem.scene.table.zero)
 
 
-def entry_dimension(which, q, r):
+def entry_dimension(which: str, q: Any, r: Mapping[str, Any]):
     """Of the entry of a matrix, given the dimensions of two coordinates: energy·timeᵖ/(q·r)."""
     return units.times(units.times(units.times(units.ENERGY, units.TIME, POWERS[which]), q, -1), r, -1)
 
 
-def dimension(spec, tree):
+def dimension(spec: "Spec", tree: "QuantityRef") -> dict[str, int]:
     """Of an entry."""
     return entry_dimension(tree.head, *(spec.dimensions.of(coordinate_name(spec, index)) for index in tree.indices))
 

@@ -1,12 +1,17 @@
 """Quantities of modes: frequencies, shapes, damping, sensitivities and estimates."""
 
 from math import sqrt, tau
+from typing import TYPE_CHECKING
 
 from vibcli.base import units
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.language.signals import coordinate_name
 from vibcli.quantities.matrices import entry_dimension
 from vibcli.quantities.quantity import COMPLEX, PERIOD, ROUNDING, Declaration
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 
 def _mode(problem, tree):
@@ -177,7 +182,7 @@ def _ritz(problem, tree, args):
     return mode.omega, ROUNDING
 
 
-def one_degree(problem):
+def one_degree(problem: "Problem") -> "list[Node]":
     """M, C, K of a scene with one coordinate, in letters."""
     if len(problem.scene.q) != 1:
         raise NotInLetters("this is found in letters for one degree of freedom")

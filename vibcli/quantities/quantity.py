@@ -5,10 +5,14 @@ Reading a scene loads declarations alone: what values are found by is imported w
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.quantities import FAMILIES, FORMS
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
 
 ALL = "all of them: vibcli explain quantities"
 ROUNDING = 1e-14        # relative, of what is evaluated in floats
@@ -43,35 +47,35 @@ class Declaration(NamedTuple):
     several: bool = False
 
     @property
-    def own_unit(self):
+    def own_unit(self) -> str | None:
         """The unit of its values; None where its indices or arguments settle it."""
         return None if self.unit == SIGNAL else self.unit
 
     @property
-    def is_rate(self):
+    def is_rate(self) -> bool:
         """Is it an angular frequency or a rate of growth, for which a number of cycles may be mistaken?"""
         return self.unit in ("rad/s", "1/s") and not self.args and self.kind != COMPLEX
 
     @property
-    def topic(self):
+    def topic(self) -> str | None:
         """The topic of the manual that tells more, if there is one."""
         if not self.args or self.args[0] == "time":
             return None
         return "response" if self.args[0] == "signal" else "frequency_response"
 
 
-def one(problem, tree):
+def one(problem: "Problem", tree: QuantityRef):
     """The size of an angle or a ratio."""
     return 1.0
 
 
-def named(form):
+def named(form: str) -> Declaration:
     """The Declaration of a word, or of one of its forms; None where there is none."""
     family = FAMILIES.get(form) or FORMS.get(form)
     return None if family is None else import_module(f"vibcli.quantities.{family}").QUANTITIES[form]
 
 
-def declared(tree):
+def declared(tree: QuantityRef) -> Declaration:
     """The Declaration of a tree; None where there is none."""
     head = tree.head
     forms = [head + "[]" * bool(tree.indices), head + "()" * bool(tree.args)]
@@ -79,29 +83,29 @@ def declared(tree):
     return named(next((form for form in forms if form in FORMS), head))
 
 
-def quantity_of(spec, tree):
+def quantity_of(spec: "Spec", tree: Any) -> Declaration | None:
     """The Declaration that a tree asks for; None of an expression of some, and of a chosen parameter."""
     return declared(tree) if isinstance(tree, QuantityRef) and not is_choice(spec, tree) else None
 
 
-def kind_of(spec, tree):
+def kind_of(spec: "Spec", tree: NameRef | QuantityRef | Sum) -> str | None:
     """The kind of the quantity that a tree asks for; None as above."""
     quantity = quantity_of(spec, tree)
     return None if quantity is None else quantity.kind
 
 
-def is_bare(name):
+def is_bare(name: str) -> bool:
     """Is this a quantity without index and argument, such as rayleigh or T?"""
     quantity = named(name) if name in FAMILIES else None
     return quantity is not None and not quantity.indices and not quantity.args
 
 
-def usage(head, spec=None):
+def usage(head: str, spec: "Spec | None" = None) -> str:
     """How a quantity is written, with indices and arguments that stand for any, or that a scene has."""
     return usage_of(head, named(head), spec)
 
 
-def usage_of(head, quantity, spec=None):
+def usage_of(head: str, quantity: Declaration, spec: "Spec | None" = None) -> str:
     from vibcli.quantities.index_kinds import INDICES
 
     def sample(kind):
@@ -113,7 +117,7 @@ def usage_of(head, quantity, spec=None):
         f".{quantity.components[0]}" if quantity.components[0] else "")
 
 
-def is_choice(spec, tree):
+def is_choice(spec: "Spec", tree: QuantityRef) -> bool:
     """Does a tree ask for a chosen parameter: c, or its second solution c[2]?"""
     choices = spec.get("choose") or ()
     if isinstance(tree, NameRef):

@@ -1,12 +1,18 @@
 """Numbers of signals of small motions: of the steady state that loads keep up, else of the free vibration."""
 
 import cmath
+from collections.abc import Sequence
 from math import cos, pi, sin, tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.quantities.frequency_response import wrapped
 from vibcli.results import signal_features, steady_features
 from vibcli.results.signals import LinearSignal
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.syntax import QuantityRef
 
 ANGLE = 0.7     # no phasor of an undamped scene is at right angles to it
 
@@ -19,7 +25,7 @@ def _linear(problem, tree):
     return signal
 
 
-def amplitude(problem, tree, args):
+def amplitude(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
     """Of the steady state that loads keep up, else of the free vibration."""
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
@@ -34,7 +40,7 @@ def _signed(X):
     return X.real * cos(ANGLE) + X.imag * sin(ANGLE)
 
 
-def phase(problem, tree, args):
+def phase(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         return wrapped(signal_features.from_the_start(signal).phase)
@@ -45,7 +51,7 @@ def phase(problem, tree, args):
     return wrapped(-cmath.phase(found[0][1]) - 0.5 * pi)
 
 
-def harmonic(problem, tree, args):
+def harmonic(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
     signal = _linear(problem, tree)
     if not signal_features.kept_up(signal):
         raise PhysicsError("no load that repeats itself drives this signal: it has no harmonics", "ask for max(x)")
@@ -69,7 +75,7 @@ def _free(find):
     return value
 
 
-def period(problem, tree, args):
+def period(problem: "Problem", tree: "QuantityRef", args: Sequence[Any]) -> float:
     """That of a full motion as it is found."""
     if problem.response.KIND != "small":
         return problem.response.period(tree.args[0])

@@ -1,10 +1,12 @@
 """Expected answers: does each name a quantity that can be asked of this scene, in the dimension it has?"""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check
-from vibcli.language.reader import Expression
+from vibcli.language.reader import Expression, Reader
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.quantity import ALL, OF_STATE, TRUTH, is_bare, kind_of, named, quantity_of, usage
@@ -13,10 +15,13 @@ from vibcli.reader.cycle_check import check_radians, check_same, check_terms, is
 from vibcli.reader.quantity_check import can_be_asked
 from vibcli.reader.sections.answer import Answer
 from vibcli.symbolic.cycles import left_over
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, Product, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
 
-def check_question(spec, reader, asked):
+def check_question(spec: "Spec", reader: Reader, asked: Expression) -> Expression:
     """A quantity, or an expression of some, that is asked without an expected value; reports what is wrong with it."""
     asked = as_quantity(spec, asked)
     if is_asked(spec, reader, asked) and check(spec, reader, asked, spec.parameters, None):
@@ -30,7 +35,7 @@ def _is_parameter(spec, name):
     return name in spec.choices or (measured is not None and measured != units.parse_unit(named(name).unit).dimension)
 
 
-def as_quantity(spec, expression):
+def as_quantity(spec: "Spec", expression: Expression) -> Expression:
     """The quantity that is written as a name alone, such as rayleigh or T; other expressions as they are."""
     tree = expression.tree
     if isinstance(tree, NameRef) and not tree.primes and is_bare(tree.name) and not _is_parameter(spec, tree.name):
@@ -38,13 +43,13 @@ def as_quantity(spec, expression):
     return expression
 
 
-def in_unit_asked(spec, expected, tree):
+def in_unit_asked(spec: "Spec", expected: Expression, tree: Product | QuantityRef | Sum) -> Expression:
     """An expected value in the unit of the quantity that is asked, if it has one of its own."""
     quantity = quantity_of(spec, tree)
     return Expression(expected.scalar, expected.tree, None if quantity is None else quantity.own_unit)
 
 
-def is_asked(spec, reader, asked):
+def is_asked(spec: "Spec", reader: Reader, asked: Expression) -> bool:
     """Is this a quantity, or an expression of some, that can be asked of the scene? Reports what is wrong with it."""
     if not all(can_be_asked(spec, reader, asked, quantity) for quantity in asked.parts.quantities):
         return False
@@ -63,7 +68,7 @@ def is_asked(spec, reader, asked):
     return True
 
 
-def checked(spec, reader, answer):
+def checked(spec: "Spec", reader: Reader, answer: Answer):
     """The finished Answer, a name alone being the quantity that it means; reports what cannot be asked, and an expected
     value that has not its dimension."""
     asked, expected = as_quantity(spec, answer.asked), answer.expected
@@ -101,7 +106,7 @@ def _expected(spec, reader, answer):
         check(spec, reader, answer.rtol, spec.parameters, units.NONE)
 
 
-def check_cycles(spec, reader, asked, expected):
+def check_cycles(spec: "Spec", reader: Reader, asked: Expression, expected: Expression) -> None:
     """Hz is not rad/s: an angular frequency refuses it, and a frequency the other; all else counts no cycles."""
     tree = asked.tree
     quantity = quantity_of(spec, tree)

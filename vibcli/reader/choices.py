@@ -1,8 +1,10 @@
 """Chosen parameters of a file: symbols with a condition each, which must name what can be asked, in its dimension."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.language.dimension_check import check
-from vibcli.language.reader import Record
+from vibcli.language.reader import Reader, Record
 from vibcli.quantities import FAMILIES
 from vibcli.quantities.dimensions import asked_dimension, dimension_of
 from vibcli.quantities.quantity import LEAPING, OF_STATE, kind_of
@@ -12,10 +14,13 @@ from vibcli.reader.sections.choose import Condition
 from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import NameRef, QuantityRef
 
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+
 MOST_CHOSEN = 4
 
 
-def with_choices(spec, reader):
+def with_choices(spec: "Spec", reader: Reader) -> "Spec":
     """The Spec in which every chosen name is a symbol, those as well whose condition could not be read."""
     choices, names = spec.get("choose") or {}, spec.named["choose"]
     moved = {motion.tree.name for motion in reader.motions.values() if isinstance(motion.tree, NameRef)}
@@ -36,7 +41,7 @@ def with_choices(spec, reader):
     return spec.with_parameters({**spec.parameters, **symbols})._replace(choices=choices, named=named)
 
 
-def check_choices(spec, reader):
+def check_choices(spec: "Spec", reader: Reader) -> "Spec":
     """The Spec with its conditions finished; reports whatever is wrong with them."""
     found = {name: record if record["so"].word else record.with_values({**record, "so": _finished(spec, record["so"])})
              for name, record in spec.choices.items()}

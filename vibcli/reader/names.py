@@ -1,11 +1,13 @@
 """Names and dimensions of a whole file: which names are parameters, which coordinates, and what each measures."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
 from vibcli.language.dimension_check import check, check_whole_literal
 from vibcli.language.named_place import NamedPlace
-from vibcli.language.reader import Record
+from vibcli.language.reader import Reader, Record
 from vibcli.language.record_calls import own
 from vibcli.language.sections.initial import RELEASED
 from vibcli.quantities.dimensions import asked_dimension
@@ -13,10 +15,13 @@ from vibcli.symbolic.parser import parse
 from vibcli.symbolic.semantics import DimensionCheck, constant
 from vibcli.symbolic.syntax import NameRef
 
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+
 MOST_COORDINATES = 2000
 
 
-def settle(spec, reader):
+def settle(spec: "Spec", reader: Reader) -> "Spec":
     """`spec` with its coordinates, the dimensions of all names, and what is asked; whatever does not fit goes to
     reader.diagnostics."""
     before = len(reader.diagnostics)

@@ -1,5 +1,8 @@
 """Quantities: can they be asked of a scene, with these indices, signals, instants, inputs and frequencies?"""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
@@ -16,8 +19,13 @@ from vibcli.symbolic.parser import VALUE
 from vibcli.symbolic.semantics import ALL_NUMBERS
 from vibcli.symbolic.syntax import ExpressionError, NameRef, QuantityRef, parts_of
 
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression, Reader
+    from vibcli.language.spec import Spec
 
-def can_be_asked(spec, reader, expression, tree, bare=False):
+
+def can_be_asked(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef,
+                 bare: bool = False) -> bool:
     """Is this a quantity that can be asked of this scene? Reports what is wrong with it. `bare`: a frequency response
     stands without a frequency."""
     head, indices, component = tree.head, tree.indices, tree.component
@@ -64,7 +72,8 @@ def _index(spec, reader, place, kind, index):
     return good
 
 
-def arguments_fit(spec, reader, expression, tree, bare=False):
+def arguments_fit(spec: "Spec", reader: "Reader", expression: "Expression", tree: QuantityRef,
+                  bare: bool = False) -> bool:
     """Are the arguments of a quantity what it takes? Reports what is wrong with them. `bare`: see can_be_asked."""
     quantity, head, args = declared(tree), tree.head, tree.args
     place = expression.scalar.place(tree.start, tree.end - tree.start)
@@ -88,7 +97,8 @@ def arguments_fit(spec, reader, expression, tree, bare=False):
     return all(_argument(spec, reader, expression, tree, kind, arg) for kind, arg in kinds)
 
 
-def check_questions(spec, reader, signals, drivers):
+def check_questions(spec: "Spec", reader: "Reader", signals: "Sequence[Expression]",
+                    drivers: "Sequence[Expression]") -> None:
     """Report what is wrong with the signals and inputs of `find`."""
     for expression in signals:
         _signal(spec, reader, expression, QuantityRef(0, 0, "", "", (), "", (expression.tree,)), expression.tree)

@@ -4,6 +4,8 @@ All diagnostics of a file are collected and raised together as one SpecError.
 """
 
 import re
+from collections.abc import Sequence
+from typing import Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.errors import Diagnostic, SpecError
@@ -31,7 +33,7 @@ class _Cases(Kind):
 
     wants = "a mapping from names to parts of the scene"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         if len(node.entries) > MOST_CASES:
@@ -84,7 +86,7 @@ INSTEAD = {
 } | dict.fromkeys(("bars", "shafts", "beams", "strings"), "continuous members do not work yet: a light one is a spring")
 
 
-def read_spec(root, file, diagnostics=(), settings=None):
+def read_spec(root: Any, file: str, diagnostics: Sequence[Any] = (), settings: Any = None) -> Spec:
     """The Spec of a document and of its cases; SpecError with every diagnostic where it is not one."""
     found = list(diagnostics)
     if root is None:

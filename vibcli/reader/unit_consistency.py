@@ -1,14 +1,18 @@
 """A scene with units throughout, in letters alone, or in consistent SI numbers without any unit."""
 
 from contextlib import suppress
+from typing import TYPE_CHECKING
 
 from vibcli.language.dimension_check import UNIT_DUE
-from vibcli.language.reader import TooManyErrors
+from vibcli.language.reader import Reader, TooManyErrors
 from vibcli.reader.names import settle
 from vibcli.symbolic.semantics import ALL_NUMBERS
 
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
-def resolve(spec, reader):
+
+def resolve(spec: "Spec", reader: Reader) -> "Spec":
     """`spec` with its names and dimensions settled; whatever does not fit goes to reader.diagnostics. A scene that uses
     no unit is taken in consistent SI numbers. Its dimensions are those of its letters, small whole numbers being
     factors, where all fits so; else, if it has data in numbers, everything fits: 2·d³ may be a force."""

@@ -5,7 +5,13 @@
     Key("modes", "a list …", each=(Key(…), …))           a list of objects with these keys; `of`: one such object
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.energy_shares import Shares
+    from vibcli.results.problem import Problem
 
 
 class Key(NamedTuple):
@@ -17,12 +23,12 @@ class Key(NamedTuple):
     each: tuple = ()
     of: tuple = ()
 
-    def row(self, *values):
+    def row(self, *values: Any) -> dict[str, Any]:
         """{name: value} of an object, or of an entry of the list."""
         return dict(zip([key.name for key in self.each or self.of], values, strict=True))
 
 
-def documented(keys, path=""):
+def documented(keys: Sequence[Key], path: str = ""):
     """(path, what it means) of all keys: dots lead into objects, [] into lists."""
     for key in keys:
         yield path + key.name, key.about
@@ -30,7 +36,8 @@ def documented(keys, path=""):
         yield from documented(key.each, f"{path}{key.name}[].")
 
 
-def data(keys, found, digits=None):
+def data(keys: Sequence[Key], found: "Mapping[str, Any] | tuple[DampedMode, dict[str, float]] | Shares | Problem",
+         digits: int | None = None) -> dict[str, Any]:
     """{name: value} of what was found, null where there is nothing; numbers of mpmath as texts of so many digits."""
     return {key.name: _value(key, found, digits) for key in keys}
 
@@ -45,7 +52,7 @@ def _value(key, found, digits):
     return data(key.of, value, digits) if key.of else [data(key.each, one, digits) for one in value]
 
 
-def plain(value, digits=None):
+def plain(value: Any, digits: Any = None):
     """A value as JSON has it: an expression as a text of the language, a complex number as [re, im]."""
     if value is None or isinstance(value, (str, bool, int, float)):
         return value

@@ -1,7 +1,9 @@
 """The motion of the full equations, integrated, and what it shares with motions that are prescribed."""
 
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import is_reaction
@@ -9,7 +11,15 @@ from vibcli.results.full_signals import FullSignal
 from vibcli.results.responses import Response
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.problem import Problem
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
 
 LOOK = 1.0          # seconds, to tell what rests for ever
 
@@ -17,7 +27,9 @@ LOOK = 1.0          # seconds, to tell what rests for ever
 class StatesInTime(Response):
     """A motion whose places, velocities and accelerations are known at any instant, and with them all forces."""
 
-    def signal(self, tree):
+    signal_of: Callable
+
+    def signal(self, tree: Any) -> FullSignal:
         """The signal of a tree: a function of the coordinates, velocities and accelerations, and of forces."""
         from vibcli.mechanics.signals import moving
         from vibcli.results.shared_friction import SharedFriction
@@ -40,7 +52,7 @@ class StatesInTime(Response):
         node = lower(tree, scene.table, symbol)
         return self.signal_of(node, forces, SharedFriction.of(scene, tree, frictions, symbol) if frictions else None)
 
-    def state_signal(self, node):
+    def state_signal(self, node: Any) -> FullSignal:
         """The signal of an expression of coordinates, velocities and accelerations."""
         return self.signal_of(node, {})
 
@@ -50,12 +62,13 @@ class StatesInTime(Response):
 
         return ForcesAlong(self.problem.numeric)
 
-    def forces(self, wanted, places, trajectory):
+    def forces(self, wanted: Mapping[str, str], places: "Mapping[str, float | np.ndarray]",
+               trajectory: "Trajectory | None") -> "dict[str, np.ndarray]":
         """{symbol: array} of the forces {symbol: name} of constraints, supports and drives, from the `places`."""
         found = self._forces.values(list(dict.fromkeys(wanted.values())), self.states(places, trajectory))
         return {symbol: found[name] for symbol, name in wanted.items()}
 
-    def states(self, known, trajectory):
+    def states(self, known: Any, trajectory: "Trajectory"):
         """{name: array} of the time and of all coordinates with their rates, from what is `known` of them."""
         import numpy as np
 
@@ -74,15 +87,15 @@ class FullResponse(StatesInTime):
 
     KIND, WORDS = "full", "full equations, integrated"
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem"):
         super().__init__(problem)
-        self._trajectory = None
+        self._trajectory: Any = None
 
     @property
     def integrated(self):
         return self._trajectory is not None
 
-    def trajectory(self, until=None):
+    def trajectory(self, until: Any = None):
         """The Trajectory up to an instant at least, to the end asked for if none is given."""
         until = self.until if until is None else until
         found = self._trajectory
@@ -104,7 +117,7 @@ class FullResponse(StatesInTime):
             return self._trajectory.end
         return min(until, self.trajectory().end)
 
-    def reaching(self, t):
+    def reaching(self, t: float):
         """The Trajectory up to an instant: as far as the motion is looked at, where that is known and can be found."""
         if self._trajectory is None or self._trajectory.until < t:
             try:
@@ -124,7 +137,7 @@ class FullResponse(StatesInTime):
             raise PhysicsError("it is not known how long this motion is to be looked at",
                                f"say until when: find: [{{response: {{until: {until}}}}}]") from None
 
-    def by_quadrature(self, tree):
+    def by_quadrature(self, tree: NameRef | Power | Sum):
         """(period, relative error) of a coordinate of a conservative scene that has no other; else None."""
         if isinstance(tree, NameRef) and tree.name in self.problem.scene.coordinates and not tree.primes:
             return self._exact_period
@@ -165,7 +178,7 @@ class FullResponse(StatesInTime):
             q, v = start(self.problem, values, q)
         return q.values(), v.values()
 
-    def period(self, tree):
+    def period(self, tree: NameRef | Power | Sum):
         """Of one conservative degree of freedom by quadrature; else the time after which a signal repeats itself."""
         from vibcli.analyses.time_integration.periodicity import searched_period
 
@@ -178,18 +191,18 @@ class FullResponse(StatesInTime):
             first = None
         return searched_period(self.signal(tree), first)
 
-    def states(self, known, trajectory):
+    def states(self, known: float, trajectory: "Trajectory"):
         if trajectory.system.switches:
             raise PhysicsError("reactions are not found along a motion in which a force bends or jumps",
                                "ask for forces of springs and dampers, as in s.force + d.force")
         return super().states(known, trajectory)
 
-    def places(self, times, trajectory):
+    def places(self, times: "np.ndarray", trajectory: "Trajectory"):
         """{name: array} of the time and of the coordinates that were integrated, with their rates."""
         values = {**self.problem.numeric.floats, self.problem.scene.time.name: times}
         for primes, rows in zip(("", "'", "''"), trajectory.at(times), strict=True):
             values |= {name + primes: row for name, row in zip(trajectory.names, rows, strict=True)}
         return values
 
-    def signal_of(self, node, forces, shared=None):
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
         return FullSignal(self, node, forces, shared)

@@ -1,11 +1,21 @@
 """Coordinates of small motions at an instant to any number of digits, by another way than the floats go."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.results.problem import Problem
 
 GUARD = 30
 
 
-def precise_value(problem, name, primes, time, digits):
+def precise_value(problem: "Problem", name: str, primes: int, time: "Fraction", digits: int) -> "mpmath.mpf":
     """A coordinate (1 prime: its velocity, 2: its acceleration) at a time given as a Fraction, an mpmath number correct
     to `digits`."""
     import mpmath
@@ -39,7 +49,7 @@ def precise_value(problem, name, primes, time, digits):
         return found + (rest[name] if not primes else 0)
 
 
-def drawn(problem, values):
+def drawn(problem: "Problem", values: "Mapping[str, mpmath.mpf]") -> "dict[str, mpmath.mpf]":
     """{coordinate: number} as drawn."""
     from vibcli.symbolic.evaluation import evaluate, multiprecision
 
@@ -47,7 +57,8 @@ def drawn(problem, values):
     return dict(zip((q.name for q in known), evaluate(list(known.values()), multiprecision(), values), strict=True))
 
 
-def start(problem, values, rest):
+def start(problem: "Problem", values: "Mapping[str, mpmath.mpf]",
+          rest: "Mapping[str, float | mpmath.mpf]") -> "tuple[dict[str, mpmath.mpf], dict[str, mpmath.mpf]]":
     """({coordinate: number}, {coordinate: velocity}) at t = 0."""
     import mpmath
 

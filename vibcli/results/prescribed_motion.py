@@ -1,8 +1,20 @@
 """Motions of which nothing is free: all places are functions of the time, given outright or by closing loops."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.results.full_response import StatesInTime
 from vibcli.results.full_signals import PrescribedSignal
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.results.problem import Problem
+    from vibcli.results.shared_friction import SharedFriction
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.syntax import NameRef, Power, Sum
 
 
 class PrescribedResponse(StatesInTime):
@@ -10,7 +22,7 @@ class PrescribedResponse(StatesInTime):
 
     KIND, WORDS = "prescribed", "prescribed by what drives it"
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem"):
         super().__init__(problem)
         self._closed = [self._start()]
 
@@ -26,7 +38,7 @@ class PrescribedResponse(StatesInTime):
         raise PhysicsError("it is not known how long this motion is to be looked at",
                            f"say until when: find: [{{response: {{until: {self.problem.spec.example('10 s')}}}}}]")
 
-    def period(self, tree):
+    def period(self, tree: "NameRef | Power | Sum"):
         raise PhysicsError("the period of what is prescribed is that of what drives it",
                            "ask for zero[1](x), zero[2](x), argmax(x)")
 
@@ -47,10 +59,10 @@ class PrescribedResponse(StatesInTime):
     def known(self):
         return self.until
 
-    def reaching(self, t):
+    def reaching(self, t: float):
         """It needs no solution."""
 
-    def places(self, times, trajectory):
+    def places(self, times: "np.ndarray", trajectory: "Trajectory"):
         """{name: array} of the time and of what closes the loops."""
         import numpy as np
 
@@ -66,5 +78,5 @@ class PrescribedResponse(StatesInTime):
             values[:, k] = [here[name] for name in loops.names]
         return {**found, **dict(zip(loops.names, values, strict=True))}
 
-    def signal_of(self, node, forces, shared=None):
+    def signal_of(self, node: "Node", forces: Mapping[Any, Any], shared: "SharedFriction | None" = None):
         return PrescribedSignal(self, node, forces, shared)

@@ -5,7 +5,9 @@
 Each part is an object of its own and knows those to its left only; a Problem holds them all.
 """
 
+from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses import OF_MODES
 from vibcli.analyses.modal.modal_analysis import ModalAnalysis
@@ -14,6 +16,18 @@ from vibcli.mechanics.configuration import Configuration
 from vibcli.mechanics.numeric_system import NumericSystem
 from vibcli.mechanics.symbolic_system import SymbolicSystem
 from vibcli.mechanics.system import MechanicalSystem
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.base.work import Work
+    from vibcli.language.spec import Spec
+    from vibcli.mechanics.equilibrium.all_equilibria import Equilibria
+    from vibcli.results.frequency_response import FrequencyResponse
+    from vibcli.results.signals import LinearSignal
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 STAGES = ("scene", "linearisation", "equilibrium", "linear_system", "modes", "damped", "energies", "equations",
           "closed_forms", "equilibria", "reactions", *OF_MODES)
@@ -26,7 +40,9 @@ class Problem:
     time [s], where it is not that of the file; `signed`: have amplitudes a sign, so that a search sees where they
     vanish?"""
 
-    def __init__(self, spec, given=None, work=None, modal=None, choice=None, earlier=None, end=None, signed=False):
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction] | None" = None, work: "Work | None" = None,
+                 modal: ModalAnalysis | None = None, choice: Any = None, earlier: Mapping[str, float] | None = None,
+                 end: Any = None, signed: bool = False):
         if modal is None:
             modal = ModalAnalysis(Configuration(NumericSystem(MechanicalSystem(spec, given, work))))
         self.spec, self.modal, self.configuration, self.numeric = spec, modal, modal.configuration, modal.numeric
@@ -36,44 +52,44 @@ class Problem:
         self._cases, self._curves = {}, {}
 
     @cached_property
-    def scene(self):
+    def scene(self) -> "Scene":
         return self.system.scene
 
     @property
-    def timings(self):
+    def timings(self) -> dict[str, float]:
         """{stage: seconds}."""
         return {**self.earlier, **self.costs}
 
-    def without(self, damper):
+    def without(self, damper: str) -> "Problem":
         """The problem with one damper taken out."""
         dampers = {name: record for name, record in self.spec.get("dampers").items() if name != damper}
         return self.with_spec(self.spec.with_sections(dampers=dampers))
 
-    def with_spec(self, spec):
+    def with_spec(self, spec: "Spec") -> "Problem":
         """The scene of another Spec, with the same values and the same count of work."""
         return Problem(spec, self.numeric.given, self.work)
 
-    def with_values(self, given):
+    def with_values(self, given: "Mapping[str, Fraction]") -> "Problem":
         """The same scene with values for its symbols, drawn anew."""
         return Problem(self.spec, {**self.numeric.given, **given}, self.work)
 
-    def sharing(self, given):
+    def sharing(self, given: "Mapping[str, Fraction]") -> "Problem":
         """The same with the expressions of this scene: for values on which no sign in its geometry hangs."""
         return self.about(Configuration(self.numeric.sharing(given)))
 
-    def until(self, end):
+    def until(self, end: Any) -> "Problem":
         """The same scene with its motion looked at until an instant [s]."""
         return self._copy(end=end)
 
-    def with_choice(self, choice, problem):
+    def with_choice(self, choice: Any, problem: "Problem") -> "Problem":
         """The same scene as one with the solution of what a Problem chose."""
         return self._copy(choice=choice, earlier=problem.timings, end=problem.end)
 
-    def with_signs(self):
+    def with_signs(self) -> "Problem":
         """The same scene with amplitudes that have a sign."""
         return self._copy(signed=True)
 
-    def about(self, configuration, free=0):
+    def about(self, configuration: Configuration, free: int = 0) -> "Problem":
         """The same scene about another of its equilibria; `free`: in how many directions it moves freely there."""
         return self._copy(modal=ModalAnalysis(configuration, free), end=None)
 
@@ -81,14 +97,14 @@ class Problem:
         kept = {"modal": self.modal, "choice": self.choice, "earlier": self.earlier, "end": self.end}
         return Problem(self.spec, **{**kept, **changes})
 
-    def case(self, name):
+    def case(self, name: str) -> "Problem":
         """The problem of a case of the file."""
         if name not in self._cases:
             given = {key: value for key, value in self.numeric.given.items() if key not in self.spec.choices}
             self._cases[name] = Problem(self.spec.cases[name], given, self.work)
         return self._cases[name]
 
-    def draw(self):
+    def draw(self) -> "list[Scene]":
         """Build the scene and its cases, asked or not: SpecError where the geometry contradicts itself."""
         systems = [problem.system for problem in (self, *(self.case(name) for name in self.spec.cases))]
         systems += [system.preloaded for system in systems if system.preloaded is not None]
@@ -102,7 +118,7 @@ class Problem:
         return InitialState(self.configuration)
 
     @Stage
-    def closed_forms(self):
+    def closed_forms(self) -> "ClosedForms | None":
         """Natural frequencies and modes in letters, by SymPy."""
         from vibcli.analyses.closed_form.modes import closed_forms
 
@@ -110,14 +126,14 @@ class Problem:
             return closed_forms(self.symbolic, self.modal)
 
     @Stage
-    def equilibria(self):
+    def equilibria(self) -> "Equilibria":
         """All equilibria within the bounds of the file, or within default ones."""
         from vibcli.mechanics.equilibrium.all_equilibria import find_equilibria
 
         return find_equilibria(self.configuration)
 
     @cached_property
-    def about_each(self):
+    def about_each(self) -> "list[Problem]":
         """The Problems about all equilibria."""
         from vibcli.mechanics.equilibrium.degenerate import about
 
@@ -142,19 +158,19 @@ class Problem:
             return FullResponse(self)
         return responses.SmallResponse(self)
 
-    def symbolic_frequency_response(self, signal, driver, frequency="Omega"):
+    def symbolic_frequency_response(self, signal: "LinearSignal", driver: str, frequency: "str | Node" = "Omega"):
         """The Formula of a frequency response; `frequency`: its letter, or an expression for it."""
         from vibcli.analyses.closed_form.frequency_response import formula
 
         return formula(self.symbolic, signal, driver, frequency)
 
-    def symbolic_steady_state(self, signal):
+    def symbolic_steady_state(self, signal: "LinearSignal"):
         """The Steady state of a signal in letters."""
         from vibcli.analyses.closed_form.steady_state import steady_state
 
         return steady_state(self.symbolic, signal)
 
-    def frequency_response(self, signal, driver):
+    def frequency_response(self, signal: str, driver: str) -> "FrequencyResponse":
         """The FrequencyResponse of a signal to an input."""
         from vibcli.results.frequency_response import FrequencyResponse
 

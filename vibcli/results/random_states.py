@@ -1,16 +1,24 @@
 """Random values of free symbols and random states of motion, at which scenes are compared: the same at every run."""
 
 import random
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError, SpecError
 from vibcli.language.parameter_samples import sample_values
 from vibcli.symbolic.evaluation import evaluate
 
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
 STATES, NEAR, SEPARATE, MOST_HALVINGS, CANDIDATES = 5, 1e-4, 12, 30, 40
 
 
-def random_instances(problem):
+def random_instances(problem: "Problem") -> "Iterator[Problem]":
     """The problem with random values for its free symbols, whenever the drawing fits together."""
     for attempt in range(CANDIDATES):
         values = sample_values(problem.symbolic.letters, attempt)
@@ -23,7 +31,7 @@ def random_instances(problem):
         yield candidate
 
 
-def states(problem):
+def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
     """Random states near the drawn position, in groups: {symbol name: array} and the slices of the groups.
 
     All at random; at rest, near and very near; velocities alone, accelerations alone; one coordinate alone: so a term
@@ -73,7 +81,7 @@ def _closed(problem, found):
     return {name: np.array(values) for name, values in found.items()}
 
 
-def at_states(problem, nodes, states):
+def at_states(problem: "Problem", nodes: "Sequence[Node]", states: "Mapping[str, np.ndarray]") -> "list[np.ndarray]":
     """The values of expressions at all states, arrays of one length."""
     import numpy as np
 
@@ -88,6 +96,6 @@ def at_states(problem, nodes, states):
     return [np.broadcast_to(value, (count,)) for value in values]
 
 
-def reach(problem, name):
+def reach(problem: "Problem", name: str) -> float:
     """How far a random state strays: a fraction of the figure, or of a radian."""
     return 0.2 * problem.numeric.size_along(name) if problem.system.dimension(name) else 0.3

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from math import tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.excitation.linear_output import LinearOutput, combined
 from vibcli.base.errors import PhysicsError
@@ -18,7 +19,12 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.semantics import lower
-from vibcli.symbolic.syntax import NameRef, QuantityRef
+from vibcli.symbolic.syntax import NameRef, Power, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 LONGEST = 1e12      # seconds
 FOLLOWED = 1e-9     # of the start: how nearly a place must be that to which a coordinate follows the others
@@ -31,11 +37,11 @@ class Response:
     lasting: Callable[[], float]
     known: float
 
-    def __init__(self, problem):
+    def __init__(self, problem: "Problem"):
         self.problem = problem
 
     @property
-    def ends(self):
+    def ends(self) -> bool:
         """Is it said until when it is looked at?"""
         return self.problem.end is not None or "until" in (self._asked or ())
 
@@ -45,7 +51,7 @@ class Response:
         return find.in_time if find is not None else None
 
     @cached_property
-    def until(self):
+    def until(self) -> float:
         """The end of the motion [s]: what the file says, else some periods or until it has died out."""
         end, where, record = self.problem.end, None, self._asked
         if end is None and record is not None and "until" in record:
@@ -59,30 +65,30 @@ class Response:
         return end
 
     @property
-    def start(self):
+    def start(self) -> tuple[dict[str, float], dict[str, float]]:
         """({coordinate: value}, {coordinate: velocity}) at t = 0."""
         return self.problem.initial.start
 
     @property
-    def title(self):
+    def title(self) -> str:
         """That of the scene, with where the motion ends to be known."""
         title = self.problem.spec.get("title") or ""
         return title if self.known >= self.until else f"{title} (known up to t = {self.known:.4g} s)".strip()
 
     @cached_property
-    def drive(self):
+    def drive(self) -> "dict[int, Node]":
         """{i: Q(t)} of the small oscillations, in letters."""
         return self.problem.symbolic.excitation if self.problem.scene.timed else {}
 
 
-def nonlinear(spec, owner):
+def nonlinear(spec: "Spec", owner: str) -> PhysicsError:
     """The refusal of a motion in time that nobody said to linearise."""
     record = spec.connection(owner)
     return PhysicsError(f"'{owner}' has a nonlinear law: its motion in time is not that of small oscillations",
                         "write motion: full, or motion: small where the motion stays small", record and record.where)
 
 
-def check_start(problem, motion):
+def check_start(problem: "Problem", motion: Any) -> None:
     """Refuses a velocity of what has no inertia, and a place of what nothing holds back."""
     record = problem.spec.get("initial")
     if motion.system is None or record is None:
@@ -132,7 +138,7 @@ class SmallResponse(Response):
 
         return system(self.problem.configuration)
 
-    def forcing(self, direct=()):
+    def forcing(self, direct: Any = ()):
         """The Forcing of the coordinates; `direct`: nodes of the time on further channels."""
         from vibcli.analyses.excitation.decompose import forcing_of
         from vibcli.notation.plain import plain
@@ -142,7 +148,7 @@ class SmallResponse(Response):
         return forcing_of(nodes, self.problem.scene.time, self.problem.numeric.floats, n + len(direct), write=plain,
                           work=self.problem.work)
 
-    def moved(self, direct=()):
+    def moved(self, direct: Any = ()):
         """The LinearMotion under the excitation."""
         from vibcli.analyses.transient.linear_response import linear_motion
 
@@ -184,7 +190,7 @@ class SmallResponse(Response):
         modes = () if problem.modal.damped or not self.alone.blocks else problem.modal.modes
         return duration(modes, problem.modal.damped, last, [speed for speed in speeds if speed])
 
-    def signal(self, tree):
+    def signal(self, tree: NameRef | Power | Sum):
         """The signal of a tree."""
         parts = {}
         node = lower(tree, self.problem.scene.table, lambda name, primes, part: self._part(parts, name, primes, part))
@@ -223,7 +229,7 @@ class SmallResponse(Response):
             parts[symbol] = self._apart(*linear_output(problem.configuration, name + "'" * primes))
         return symbol
 
-    def state_signal(self, node):
+    def state_signal(self, node: "Node"):
         """The signal of an expression of coordinates, velocities and accelerations."""
         parts = {}
         return self._composed(self._at_states(parts, node), parts)

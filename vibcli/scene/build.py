@@ -1,6 +1,8 @@
 """Spec to Scene: the elements contribute, what is driven is put in, constraints are closed last."""
 
+from collections.abc import Mapping
 from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import SpecError
 from vibcli.scene.builder import Builder
@@ -10,10 +12,15 @@ from vibcli.scene.scene import Drives, Scene, Setting, Variant
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.syntax import ExpressionError
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.language.spec import Spec
+
 ATTEMPTS = 12
 
 
-def build_scene(spec, given=None):
+def build_scene(spec: "Spec", given: "Mapping[str, Fraction] | None" = None) -> Scene:
     """The Scene of a Spec; SpecError where its geometry contradicts itself.
 
     A scene with symbols is drawn with sample values, those that are `given` and others; signs such as that of R − r
@@ -22,7 +29,7 @@ def build_scene(spec, given=None):
     return _drawn(spec, given or {}, 0, Variant())
 
 
-def build_preloaded(spec, given):
+def build_preloaded(spec: "Spec", given: Mapping[Any, Any]) -> Scene:
     """The Scene under the force that lets go where its motion starts."""
     return _drawn(spec, given, 0, Variant(preloaded=True))
 

@@ -1,9 +1,15 @@
 """The order in which bodies can be built: each after the bodies that carry it."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 from vibcli.elements.body import MOTIONS, touched
 
+if TYPE_CHECKING:
+    from vibcli.language.spec import Spec
 
-def carriers_first(spec, report):
+
+def carriers_first(spec: "Spec", report: Callable) -> list[str]:
     """Names of all bodies, carriers first; a circle is reported and leaves an empty list."""
     bodies = spec.get("bodies") or {}
     needs = {name: _carriers(record, spec) for name, record in bodies.items()}

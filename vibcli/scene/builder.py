@@ -1,12 +1,15 @@
 """The scene while it is built: the services by which elements make their functions of the coordinates, and to which
 they contribute."""
 
-from vibcli.base.errors import Diagnostic, SpecError
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from vibcli.base.errors import Diagnostic, SpecError, Where
 from vibcli.elements import ELEMENTS
 from vibcli.language.named_elements import load
 from vibcli.language.parameter_samples import sample_values
 from vibcli.language.parameters import Parameters
-from vibcli.language.reader import Reference
+from vibcli.language.reader import Expression, Record, Reference
 from vibcli.language.sections.initial import let_go
 from vibcli.scene.build_order import carriers_first
 from vibcli.scene.contents import Constraint, Contents
@@ -19,6 +22,14 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats
 from vibcli.symbolic.expression import Table
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.elements.body import Body
+    from vibcli.language.spec import Spec
+    from vibcli.scene.scene import Variant
+    from vibcli.symbolic.node import Node
+
 FIRST = (None, "points", "surfaces", "bodies")       # built by what refers to them, or before all others
 SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 
@@ -26,7 +37,9 @@ SIZES = (1, 0.1, 0.01, 10)  # of what is chosen beside the numbers of a scene
 class Builder:
     """A scene that is built: elements see it as `scene`. `owner`: the name of the element that contributes."""
 
-    def __init__(self, spec, given, attempt, variant):
+    owner: str
+
+    def __init__(self, spec: "Spec", given: "Mapping[str, Fraction]", attempt: int, variant: "Variant"):
         self.spec, self.variant, self.owner, self.reports = spec, variant, None, Reports()
         records = spec.sections.get("records") or {}
         self.table = table = Table({name: record["samples"] for name, record in records.items()})
@@ -61,22 +74,22 @@ class Builder:
         self.rim, self.place, self.place_of, self.pivot = places.rim, places.place, places.place_of, places.pivot
         self.extent, self.along_axis = places.extent, places.along_axis
 
-    def change(self, expression, part=""):
+    def change(self, expression: Expression, part: str = "") -> "Node":
         """A displacement of the body that is built."""
         return self.displacements.change(expression, self.owner, part)
 
-    def supported(self, body):
+    def supported(self, body: "Body") -> "Body":
         """A body that moves; where supports give way, with that of its own."""
         if not self.variant.released or "weld" in body.record:
             return body
         return body._replace(frame=self.displacements.release(body))
 
     @property
-    def supports(self):
+    def supports(self) -> "list[Node]":
         """The coordinates by which supports give way, drives apart."""
         return [q for q in self.released if ".reaction." in q.name]
 
-    def add_elements(self):
+    def add_elements(self) -> None:
         """Build the bodies, carriers first, then what connects them."""
         sections, bodies = self.spec.sections, self.bodies
         if "gravity" in sections:
@@ -110,41 +123,41 @@ class Builder:
             except ZeroDivisionError:
                 self.report(record.where, f"'{record.name}' divides by zero as drawn", "draw its ends apart")
 
-    def add_inertia(self, weight, s):
+    def add_inertia(self, weight: "Node", s: "Node") -> None:
         """½·weight·ṡ² to T; nothing where s does not move or the weight is zero."""
         if s.mask and not weight.is_zero:
             self.contents.inertias.append(Inertia(weight, s, owner=self.owner))
 
-    def add_inerter(self, b, s):
+    def add_inerter(self, b: "Node", s: "Node") -> None:
         """½·b·ṡ² to T, and the force b·s̈ between two ends."""
         self.contents.inertias.append(Inerter(b, s, owner=self.owner))
 
-    def add_weight(self, mass, x, y):
+    def add_weight(self, mass: "Node", x: "Node", y: "Node") -> None:
         """−mass·(gₓ x + g_y y) to V."""
         if self.contents.gravity is not None:
             for g, s in zip(self.contents.gravity, (x, y), strict=True):
                 if s.mask and not g.is_zero:
                     self.contents.weights.append(Weight(-mass * g, s, owner=self.owner))
 
-    def add_spring(self, k, preload, s):
+    def add_spring(self, k: "Node", preload: "Node", s: "Node") -> None:
         """preload·s + ½·k·s² to V."""
         self.contents.springs.append(Spring(k, s, preload, self.owner))
 
-    def add_damper(self, c, s):
+    def add_damper(self, c: "Node", s: "Node") -> None:
         """½·c·ṡ² to Φ."""
         self.contents.dampers.append(Damper(c, s, owner=self.owner))
 
-    def add_force(self, steady, in_time, s):
+    def add_force(self, steady: "Node", in_time: "Node", s: "Node") -> None:
         """The virtual work δA = force·δs of a load in two parts, functions of coordinates and velocities."""
         if (s.mask or self.variant.inputs) and not (steady.is_zero and in_time.is_zero):
             offset = None if in_time.is_zero else steady
             self.contents.forces.append(AppliedLoad(steady + in_time, s, offset, self.owner))
 
-    def add_constraint(self, record, node, form, part=""):
+    def add_constraint(self, record: Record, node: "Node", form: str, part: str = "") -> None:
         """The condition node = 0."""
         self.contents.constraints.append(Constraint(record.name + part, node, record.where, form))
 
-    def integrated(self, force, x, where):
+    def integrated(self, force: "Node", x: "Node", where: Where) -> "Node":
         """∫₀ˣ force dx; None where it is not found, which is reported."""
         from vibcli.symbolic.antiderivatives import from_zero
 
@@ -154,20 +167,20 @@ class Builder:
                         "exponentials of d; other energies stand under `energies`")
         return found
 
-    def add_law(self, s, x, energy, damper=False, bound=None):
+    def add_law(self, s: "Node", x: "Node", energy: "Node", damper: bool = False, bound: "Node | None" = None) -> None:
         """V(s) of a spring or Φ(ṡ) of a damper, given as a function of x."""
         from vibcli.scene.laws import Law
 
         force = gradient(energy).get(x, self.table.zero)
         self.contents.laws.append(Law(self.owner, s, x, energy, force, damper, bound))
 
-    def static_preload(self, record):
+    def static_preload(self, record: Record) -> "Node":
         """The unknown tension that keeps the drawn position in equilibrium, as a symbol `name.preload`."""
         node = self.table.parameter(record.name + ".preload", positive=False)
         self.contents.static_preloads.append((node, record))
         return node
 
-    def add_energy(self, key, node):
+    def add_energy(self, key: str, node: "Node") -> None:
         """A term of T, V or Φ that is written out."""
         record, names = self.spec.get("energies"), self.coordinates.names
         velocities = set(self.v)
@@ -182,7 +195,7 @@ class Builder:
                         f"{key} must depend on a velocity")
         self.contents.energies[key] = self.contents.energies[key] + node
 
-    def add_matrix(self, key, nodes):
+    def add_matrix(self, key: str, nodes: "Sequence[list[Node]]") -> None:
         """M, C or K given outright."""
         self.contents.matrices[key] = nodes
 
@@ -196,13 +209,13 @@ class Reports:
     def __init__(self):
         self.diagnostics, self.finished = [], False
 
-    def report(self, where, message, hint=None):
+    def report(self, where: Where, message: str, hint: str | None = None):
         """Something is wrong at a place of the file."""
         self.diagnostics.append(Diagnostic(where, message, hint))
         if self.finished:
             raise SpecError(self.diagnostics[-1:])
 
-    def finish(self):
+    def finish(self) -> None:
         """The scene is built: SpecError where it is wrong."""
         if self.diagnostics:
             raise SpecError(self.diagnostics)

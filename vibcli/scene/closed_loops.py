@@ -4,8 +4,17 @@ A step from a known position is taken whole where Newton's steps contract fast, 
 keeps its sign. So a linkage does not jump from one way of closing to another, nor pass a dead centre.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 CONTRACTION, SHORTEST, ROUNDS = 0.25, 2.0**-12, 40
 ALONG = 1e-14       # of its size: what is left of a step
@@ -16,11 +25,12 @@ class Loops:
 
     __slots__ = ("conditions", "names", "sizes", "slopes")
 
-    def __init__(self, unknowns, conditions, partial, sizes):
+    def __init__(self, unknowns: "Sequence[Node]", conditions: "Sequence[Node]", partial: "Sequence[list[Node]]",
+                 sizes: Sequence[float]):
         self.names, self.conditions, self.sizes = [z.name for z in unknowns], conditions, sizes
         self.slopes = [node for row in partial for node in row[:len(unknowns)]]
 
-    def followed(self, start, target):
+    def followed(self, start: Mapping[str, float], target: Mapping[str, float]) -> dict[str, float]:
         """{name: float} of `target` ({name: float}) with z, along the straight path from the position `start`; None
         where the loops cannot follow. What `start` leaves open, as a drawn position that is driven away from at once,
         is closed on the way."""
@@ -75,7 +85,7 @@ class Loops:
             before = size
         return False
 
-    def along(self, start, values):
+    def along(self, start: Mapping[str, float], values: Mapping[str, float]):
         """{name: array} of the unknowns for arrays of coordinates and instants near the closed position `start`; None
         where Newton's method does not find them."""
         import numpy as np
@@ -96,7 +106,7 @@ class Loops:
                 return dict(zip(self.names, z, strict=True))
         return None
 
-    def refined(self, values, arithmetic):
+    def refined(self, values: "dict[str, mpmath.mpf]", arithmetic: Any) -> "dict[str, mpmath.mpf]":
         """The same in mpmath at the working precision, from float values close to the solution; in place."""
         import mpmath
 
@@ -112,7 +122,7 @@ class Loops:
         raise PhysicsError("the loops of this scene do not close to more digits", "ask for fewer digits")
 
 
-def nearby(scene, attempt):
+def nearby(scene: "Scene", attempt: int) -> dict[str, float]:
     """A closed position near the drawn one, other at each attempt; None where the loops do not close there."""
     start = scene.drawn_values
     target = dict(start)

@@ -5,18 +5,23 @@ the implicit one, z_q = −G_z⁻¹ G_q, an expression in q and z: its own deriv
 that all which is derived from z later is exact to any order.
 """
 
+from collections.abc import Callable, Sequence
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from vibcli.scene.closed_loops import Loops, nearby
-from vibcli.scene.scene import Closure, Freedom
+from vibcli.scene.scene import Closure, Freedom, Scene
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+
 LOOSE = 1e-7
 
 
-def closed(scene):
+def closed(scene: Scene) -> Scene:
     """The Scene with its dependent coordinates expressed by the others throughout, and the same ones in the scene at
     rest if that is another: {name: expression} in `dependent` of each. What contradicts itself is reported.
 
@@ -168,7 +173,7 @@ def _implicit(scene, nodes, waiting, values, left, at_rest):
     return Loops(waiting, nodes, partial, [scene.unit_of(z.name) for z in waiting])
 
 
-def solved(rows, n, numbers):
+def solved(rows: "Sequence[list[Node]]", n: int, numbers: Callable) -> "list[list[Node]]":
     """A⁻¹B of rows [A | B] in letters, A being n × n: sparse elimination; pivots are not small as drawn."""
     work = [{j: node for j, node in enumerate(row) if not node.is_zero} for row in rows]
     order, free = [], set(range(n))
@@ -240,7 +245,7 @@ def _rates(scene, node):
     return [sizes[0] / (sum(map(abs, sizes[1:])) or 1.0)]
 
 
-def words_of_locked(scene):
+def words_of_locked(scene: Scene) -> str:
     """What is said of a scene whose constraints leave no freedom."""
     if any(node.mask & scene.time.mask for node in scene.dependent.values()) or not scene.dependent:
         return "nothing moves freely: all motion is prescribed as a function of the time"

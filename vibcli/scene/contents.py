@@ -1,6 +1,11 @@
 """What the elements of a scene contribute: bodies, points and the terms of the energies."""
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 TERMS = ("inertias", "springs", "dampers", "weights", "forces", "laws", "constraints")
 
@@ -15,16 +20,16 @@ class Constraint(NamedTuple):
     form: str
 
     @property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """The expressions of the coordinates that it is made of."""
         return [self.node]
 
-    def over(self, new):
+    def over(self, new: "Mapping[Node, Node]") -> "Constraint":
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(node=new[self.node])
 
     @property
-    def whole(self):
+    def whole(self) -> str:
         """The name of the constraint that this is a part of."""
         return self.name.partition(".")[0]
 
@@ -57,25 +62,25 @@ class Contents(NamedTuple):
     shaken: dict
 
     @classmethod
-    def empty(cls, table):
+    def empty(cls, table: "Table") -> "Contents":
         """Contents to which elements may add."""
         energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
         return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})
 
     @property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """All expressions of the coordinates in it."""
         kinds = [*(getattr(self, kind) for kind in TERMS), *self.shaken.values(), self.bodies.values()]
         places = [node for _, place in self.points.values() for node in place]
         return [*(node for kind in kinds for part in kind for node in part.nodes), *places, *self.energies.values()]
 
     @property
-    def depends_on(self):
+    def depends_on(self) -> "list[Node]":
         """Those of the inertias, springs, dampers, weights and loads, with their factors, and of the energies."""
         kinds = (self.inertias, self.springs, self.dampers, self.weights, self.forces)
         return [*(node for kind in kinds for term in kind for node in term.nodes), *self.energies.values()]
 
-    def over(self, new):
+    def over(self, new: Any) -> "Contents":
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(
             **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},

@@ -1,9 +1,14 @@
 """The coordinates of a scene: symbols, rates, values as drawn; what depends on others, is driven or released."""
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Record
+    from vibcli.symbolic.node import Node
 
 
 class SceneCoordinates(NamedTuple):
@@ -26,7 +31,7 @@ class SceneCoordinates(NamedTuple):
     at_rest: dict
 
     @classmethod
-    def named(cls, names, time):
+    def named(cls, names: "Mapping[str, Record]", time: "Node") -> "SceneCoordinates":
         """Coordinates of these names, none of them drawn yet."""
         table, names = time.table, list(names)
         q, v, a = ([table.variable(name + primes) for name in names] for primes in ("", "'", "''"))
@@ -34,12 +39,12 @@ class SceneCoordinates(NamedTuple):
                    for name, node in zip(names, nodes, strict=True)}
         return cls(table, time, names, q, v, a, _speeds(q, v, a, time), symbols | {(time.name, 0): time}, {}, {})
 
-    def draw(self, values):
+    def draw(self, values: "Sequence[Node]") -> None:
         """Let their values as drawn be those of the list `values`."""
         self.drawn.update(zip(self.q, values, strict=True))
         self.at_rest.update({**self.drawn, **dict.fromkeys(self.v, self.table.zero), self.time: self.table.zero})
 
-    def further(self, name):
+    def further(self, name: str) -> "Node":
         """One more coordinate, zero as drawn; its symbol."""
         q, v, a = (self.table.variable(name + primes) for primes in ("", "'", "''"))
         for listed, new in ((self.names, name), (self.q, q), (self.v, v), (self.a, a)):
@@ -48,13 +53,13 @@ class SceneCoordinates(NamedTuple):
         self.drawn[q] = self.at_rest[q] = self.at_rest[v] = self.table.zero
         return q
 
-    def keeping(self, independent):
+    def keeping(self, independent: "Sequence[Node]") -> "SceneCoordinates":
         """These alone, in this order, as the independent ones."""
         kept = [self.q.index(q) for q in independent]
         names, q, v, a = ([listed[i] for i in kept] for listed in (self.names, self.q, self.v, self.a))
         return self._replace(names=names, q=q, v=v, a=a, speeds=_speeds(q, v, a, self.time))
 
-    def defining(self, dependent):
+    def defining(self, dependent: "Mapping[Node, Node]") -> "SceneCoordinates":
         """Itself where dependent coordinates {symbol: node} are those nodes wherever their names stand."""
         symbols, drawn, at_rest = dict(self.symbols), dict(self.drawn), dict(self.at_rest)
         drawn |= {node: self.drawn[z] for z, node in dependent.items() if node.name == z.name}
@@ -69,17 +74,17 @@ class SceneCoordinates(NamedTuple):
                 at_rest[node] = drawn[node]
         return self._replace(symbols=symbols, drawn=drawn, at_rest=at_rest)
 
-    def apart(self):
+    def apart(self) -> "SceneCoordinates":
         """A copy that does not change with this one."""
         return self._replace(symbols=dict(self.symbols), drawn=dict(self.drawn), at_rest=dict(self.at_rest))
 
-    def symbol(self, name, primes=0):
+    def symbol(self, name: str, primes: int = 0) -> "Node":
         """The node of a coordinate, its velocity or acceleration; of a dependent one, what it equals."""
         if primes and (name, primes) not in self.symbols:
             self.symbols[name, primes] = self.rate(self.symbol(name, primes - 1))
         return self.symbols[name, primes]
 
-    def rate(self, node):
+    def rate(self, node: "Node") -> "Node":
         """dnode/dt = Σ (∂node/∂x) ẋ over coordinates, velocities and the time."""
         found = self.table.sum(*((slope * self.speeds[x], ONE) for x, slope in gradient(node).items()
                                  if x in self.speeds))
@@ -89,7 +94,7 @@ class SceneCoordinates(NamedTuple):
             return at_impulses(found, self.time)
         return found
 
-    def at_drawn(self, *nodes):
+    def at_drawn(self, *nodes: "Node") -> "list[Node]":
         """The nodes in the drawn position, at rest."""
         return substitute(nodes, self.at_rest) if any(node.mask for node in nodes) else list(nodes)
 

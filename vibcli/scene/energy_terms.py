@@ -5,9 +5,14 @@
 The force of what joins two ends is positive in lengthening.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class Term(NamedTuple):
@@ -20,18 +25,18 @@ class Term(NamedTuple):
     owner: str = None
 
     @property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """The expressions that it is made of."""
         return [node for node in self[:3] if node is not None]
 
-    def over(self, new):
+    def over(self, new: "Mapping[Node, Node]") -> "Term":
         """Itself with its expressions replaced, {node: node}."""
-        return self._make([*(node if node is None else new[node] for node in self[:3]), self.owner])
+        return self.__class__(*(node if node is None else new[node] for node in self[:3]), self.owner)
 
-    def energy(self, _scene):
+    def energy(self, _scene: "Scene"):
         """None: it stores nothing."""
 
-    def power(self, _scene):
+    def power(self, _scene: "Scene"):
         """None: it dissipates nothing."""
 
 
@@ -40,11 +45,11 @@ class Inertia(Term):
 
     __slots__ = ()
 
-    def momentum(self, scene):
+    def momentum(self, scene: "Scene") -> "Node":
         """w ṡ."""
         return self.weight * scene.rate(self.s)
 
-    def energy(self, scene):
+    def energy(self, scene: "Scene") -> "Node":
         """½ w ṡ²."""
         return self.weight * scene.rate(self.s) ** 2 * HALF
 
@@ -54,7 +59,7 @@ class Inerter(Inertia):
 
     __slots__ = ()
 
-    def force(self, scene):
+    def force(self, scene: "Scene") -> "Node":
         """b s̈."""
         return self.weight * scene.rate(scene.rate(self.s))
 
@@ -64,15 +69,15 @@ class Spring(Term):
 
     __slots__ = ()
 
-    def force(self, _scene):
+    def force(self, _scene: "Scene") -> "Node":
         """N + k s."""
         return self.offset + self.weight * self.s
 
-    def potential(self, _scene):
+    def potential(self, _scene: "Scene") -> "Node":
         """N s + ½ k s², which is the energy but for a constant."""
         return self.offset * self.s + self.weight * self.s * self.s * HALF
 
-    def energy(self, scene):
+    def energy(self, scene: "Scene") -> "Node":
         """F²/2k, counted from where the spring is undeformed."""
         return self.force(scene) ** 2 / self.weight * HALF
 
@@ -82,15 +87,15 @@ class Damper(Term):
 
     __slots__ = ()
 
-    def force(self, scene):
+    def force(self, scene: "Scene") -> "Node":
         """c ṡ."""
         return self.weight * scene.rate(self.s)
 
-    def potential(self, scene):
+    def potential(self, scene: "Scene") -> "Node":
         """½ c ṡ², its share of Φ."""
         return self.weight * scene.rate(self.s) ** 2 * HALF
 
-    def power(self, scene):
+    def power(self, scene: "Scene") -> "Node":
         """c ṡ², which it dissipates."""
         return self.force(scene) * scene.rate(self.s)
 
@@ -100,7 +105,7 @@ class Weight(Term):
 
     __slots__ = ()
 
-    def potential(self, _scene):
+    def potential(self, _scene: "Scene") -> "Node":
         """f s."""
         return self.weight * self.s
 
@@ -111,14 +116,14 @@ class AppliedLoad(Term):
     __slots__ = ()
 
     @property
-    def steady(self):
+    def steady(self) -> "Node":
         """What of F depends on the time through driven frames alone."""
         return self.weight if self.offset is None else self.offset
 
-    def force(self, _scene):
+    def force(self, _scene: "Scene") -> "Node":
         """F."""
         return self.weight
 
-    def power(self, scene):
+    def power(self, scene: "Scene") -> "Node":
         """F ṡ, which it brings in."""
         return self.weight * scene.rate(self.s)

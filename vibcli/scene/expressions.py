@@ -1,9 +1,12 @@
 """Parsed fields as expressions of a scene, what can be said of their values as drawn, directions and distances, whose
 signs are those as drawn."""
 
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base import units
-from vibcli.language.parameters import unusable
-from vibcli.language.reader import Expression
+from vibcli.language.parameters import Parameters, unusable
+from vibcli.language.reader import Expression, Record
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
@@ -12,17 +15,24 @@ from vibcli.symbolic.rationals import ONE
 from vibcli.symbolic.semantics import lower
 from vibcli.symbolic.syntax import ExpressionError, Sum, parts_of
 
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+    from vibcli.scene.builder import Reports
+    from vibcli.scene.coordinates import SceneCoordinates
+    from vibcli.symbolic.node import Node
+
 
 class Expressions:
     """Lowers fields to nodes of a scene and compares nodes in its drawn position, the `coordinates` being its own."""
 
     __slots__ = ("coordinates", "parameters", "reports", "sample", "table")
 
-    def __init__(self, coordinates, parameters, sample, reports):
+    def __init__(self, coordinates: "SceneCoordinates", parameters: Parameters, sample: Mapping[str, float],
+                 reports: "Reports"):
         self.coordinates, self.parameters, self.sample, self.reports = coordinates, parameters, sample, reports
         self.table = coordinates.table
 
-    def lower(self, expression, local=None):
+    def lower(self, expression: Expression, local: "tuple[str, Node] | None" = None) -> "Node":
         """The node of a parsed field; `local`: (name, node) of a name that is good there alone. Who reads more of a
         scene that is built has the values to judge it by."""
         def symbol(name, primes, tree):
@@ -44,7 +54,7 @@ class Expressions:
             self.reports.report(where, "this value is " + problem[0], problem[1])
         return self.table.one if problem else node
 
-    def positive(self, expression, what, zero=False):
+    def positive(self, expression: Expression, what: str, zero: bool = False) -> "Node":
         """The node of a field whose value must be positive, or not negative."""
         node = self.lower(expression)
         value, = evaluate([node], Floats, self.sample)
@@ -55,7 +65,7 @@ class Expressions:
                         "mind the signs" if value < 0 else None)
         return node
 
-    def load(self, expression):
+    def load(self, expression: Expression):
         """(steady part, part in time) of a load: what holds the time are its summands as they are written, so that
         F0*(1 - cos(W*t)) is in time as a whole."""
         tree, parts = expression.tree, ([], [])
@@ -66,26 +76,26 @@ class Expressions:
             return (self.table.zero, whole) if parts[1] else (whole, self.table.zero)
         return tuple(self.lower(Expression(expression.scalar, tree._replace(parts=tuple(part)))) for part in parts)
 
-    def pair(self, expressions):
+    def pair(self, expressions: Sequence[Expression]) -> "tuple[Node, Node]":
         """The nodes of two fields, such as a place [x, y]."""
         return self.lower(expressions[0]), self.lower(expressions[1])
 
-    def number(self, node):
+    def number(self, node: "Node") -> float:
         """The value of a node as drawn, with sample values for symbols."""
         return evaluate(self.coordinates.at_drawn(node), Floats, self.sample)[0]
 
-    def sign(self, node):
+    def sign(self, node: "Node") -> int:
         """That of a node as drawn."""
         return -1 if self.number(node) < 0 else 1
 
-    def agree(self, a, b):
+    def agree(self, a: "Node", b: "Node") -> bool:
         """Are two expressions the same, by algebra or at the sample?"""
         if a is b or is_zero(a - b):
             return True
         x, y = self.number(a), self.number(b)
         return abs(x - y) <= 1e-9 * max(abs(x), abs(y))
 
-    def terms_with(self, node, mask):
+    def terms_with(self, node: "Node", mask: int) -> "Node":
         """The terms of an expression that depend on one of these symbols, multiplied out as far as it can be."""
         try:
             terms = reduced(expanded(node))
@@ -94,7 +104,7 @@ class Expressions:
         return collected(self.table, {monomial: value for monomial, value in terms.items()
                                       if any(atom.mask & mask for atom, _ in monomial)})
 
-    def vanishes(self, node):
+    def vanishes(self, node: "Node") -> bool:
         """Is an expression zero in all positions: by algebra, or term by term at the sample?"""
         if is_zero(node):
             return True
@@ -113,12 +123,13 @@ class Expressions:
                 return False
         return True
 
-    def require_equal(self, a, b, where, message, hint=None, size=0.0):
+    def require_equal(self, a: "Node", b: "Node", where: "Where", message: str, hint: str | None = None,
+                      size: float = 0.0) -> None:
         """Report `message` with both values where they differ in the drawn position by more than `size`."""
         if not self.agree(*self.coordinates.at_drawn(a, b)) and not abs(self.number(a) - self.number(b)) <= size:
             self.reports.report(where, message.format(f"{self.number(a):.6g}", f"{self.number(b):.6g}"), hint)
 
-    def unit(self, dx, dy, where=None):
+    def unit(self, dx: Any, dy: Any, where: "Where | None" = None):
         """The unit vector along (dx, dy), constants."""
         length = self.distance(dx, dy)
         if self.number(length) == 0:
@@ -127,11 +138,11 @@ class Expressions:
             return self.table.one, self.table.zero
         return dx / length, dy / length
 
-    def absolute(self, node):
+    def absolute(self, node: "Node"):
         """A node or its opposite, so that it is positive as drawn."""
         return node if self.sign(node) > 0 else -node
 
-    def distance(self, dx, dy):
+    def distance(self, dx: Any, dy: Any):
         """√(dx² + dy²), rational where the direction never changes: there it is ±dx, ±dy or their projection."""
         dx0, dy0 = self.coordinates.at_drawn(dx, dy)
         for along, across in ((dx, dy), (dy, dx)):
@@ -147,7 +158,7 @@ class Expressions:
             return self.absolute(root)
         return self.table.sqrt(textbook(square) if square.mask & self.coordinates.time.mask else square)
 
-    def unrooted(self, nodes):
+    def unrooted(self, nodes: "Iterable[Node]"):
         """The nodes with √(L² cos² θ) as L cos θ, with its sign as drawn."""
         simpler = {}
         for part in reachable(nodes):
@@ -159,6 +170,6 @@ class Expressions:
                 simpler[part] = self.table.product((self.table.number(part.coefficient), ONE), *factors)
         return substitute(nodes, simpler) if simpler else nodes
 
-    def height_of(self, surface, x):
+    def height_of(self, surface: Record, x: "Node"):
         """f(x) of a curve y = f(x)."""
         return self.lower(surface["curve"], (surface["in"], x))

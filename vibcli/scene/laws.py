@@ -1,8 +1,13 @@
 """Nonlinear springs and dampers: V_e(s) and Φ_e(ṡ) from their laws, F = dV/ds and F = dΦ/dṡ."""
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.derivatives import substitute
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 
 class Law(NamedTuple):
@@ -18,27 +23,27 @@ class Law(NamedTuple):
     bound: Any = None
 
     @property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """The expressions of the coordinates that it is made of."""
         return [self.s]
 
-    def over(self, new):
+    def over(self, new: "Mapping[Node, Node]") -> "Law":
         """Itself with its stretch replaced, {node: node}."""
         return self._replace(s=new[self.s])
 
-    def potential(self, scene):
+    def potential(self, scene: "Scene") -> "Node":
         """V of a spring, Φ of a damper, as a function of the coordinates and velocities."""
         return self._at(scene, self.integral)
 
-    def force(self, scene):
+    def force(self, scene: "Scene") -> "Node":
         """F = dV/ds, or dΦ/dṡ."""
         return self._at(scene, self.derivative)
 
-    def energy(self, scene):
+    def energy(self, scene: "Scene"):
         """V of a spring; None of a damper, which stores nothing."""
         return None if self.damper else self.potential(scene)
 
-    def power(self, scene):
+    def power(self, scene: "Scene") -> "Node":
         """F ṡ, which a damper dissipates; None of a spring."""
         return self.force(scene) * scene.rate(self.s) if self.damper else None
 

@@ -1,8 +1,17 @@
 """Where the bodies and points of a scene are, as drawn and now."""
 
-from typing import Any, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Expression, Record, Reference
+    from vibcli.language.spec import Spec
+    from vibcli.scene.expressions import Expressions
+    from vibcli.symbolic.node import Node
 
 
 class Frame(NamedTuple):
@@ -14,15 +23,15 @@ class Frame(NamedTuple):
     angle: Any
 
     @property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """The expressions of the coordinates that it is made of."""
         return [*self.place, self.angle]
 
-    def over(self, new):
+    def over(self, new: "Mapping[Node, Node]") -> "Frame":
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(place=tuple(new[node] for node in self.place), angle=new[self.angle])
 
-    def point(self, x, y):
+    def point(self, x: "Node", y: "Node") -> "tuple[Node, Node]":
         """Where the body's point drawn at (x, y) is now: place + R(angle)·(its offset as drawn)."""
         dx, dy = x - self.drawn[0], y - self.drawn[1]
         if self.angle.is_zero:
@@ -30,12 +39,12 @@ class Frame(NamedTuple):
         dx, dy = self.turned(dx, dy)
         return self.place[0] + dx, self.place[1] + dy
 
-    def turned(self, x, y):
+    def turned(self, x: "Node", y: "Node") -> "tuple[Node, Node]":
         """R(angle)·(x, y): a direction that the body carries."""
         cos, sin = self.angle.table.call("cos", self.angle), self.angle.table.call("sin", self.angle)
         return x * cos - y * sin, x * sin + y * cos
 
-    def seen(self, x, y):
+    def seen(self, x: "Node", y: "Node") -> "tuple[Node, Node]":
         """Where the body, were it still as drawn, would have the place that is now (x, y): the inverse of `point`."""
         dx, dy = x - self.place[0], y - self.place[1]
         cos, sin = self.angle.table.call("cos", self.angle), self.angle.table.call("sin", self.angle)
@@ -51,16 +60,17 @@ class Places:
 
     __slots__ = ("bodies", "driven", "expressions", "ground", "points", "report", "spec", "table")
 
-    def __init__(self, spec, expressions, bodies, points, driven=None):
+    def __init__(self, spec: "Spec", expressions: "Expressions", bodies: "Mapping[str, Body]",
+                 points: "dict[str, tuple[tuple[Node, Node], tuple[Node, Node]]]", driven: Callable | None = None):
         self.spec, self.expressions, self.bodies, self.points, self.driven = spec, expressions, bodies, points, driven
         self.table, self.report = expressions.table, expressions.reports.report
         self.ground = self.still((self.table.zero, self.table.zero))
 
-    def still(self, drawn):
+    def still(self, drawn: Any) -> Frame:
         """The frame of what does not move."""
         return Frame(drawn, drawn, self.table.zero)
 
-    def frame(self, name):
+    def frame(self, name: "Reference") -> Frame:
         """That of a body, which must have a place."""
         frame = self.bodies[name.text].frame
         if frame is None:
@@ -68,11 +78,11 @@ class Places:
                         "say where it is drawn with `at: [x, y]`")
         return frame or self.ground
 
-    def carrier(self, record, key="carrier"):
+    def carrier(self, record: "Record", key: str = "carrier") -> Frame:
         """The frame of the body that a record names, or the ground."""
         return self.frame(record[key]) if key in record else self.ground
 
-    def along_axis(self, motion, kind):
+    def along_axis(self, motion: Any, kind: str):
         """How far the carrier of a body without a place slides or turns along the axis of both; zero of the ground."""
         if "carrier" not in motion:
             return self.table.zero
@@ -86,7 +96,7 @@ class Places:
              "leave `carrier` out; where one drives the other write an equation between both under `constraints`")))
         return self.table.zero
 
-    def rim(self, body, where):
+    def rim(self, body: "Body", where: "Where") -> "tuple[Node, Node]":
         """The centre as drawn of the circle about which a body rolls, meshes and carries ropes; of one that is not
         round its pin, or else its mass centre."""
         if len(body.rims) > 1:
@@ -96,11 +106,11 @@ class Places:
             return body.rims[0]
         return body.frame.drawn if "pin" in body.record else body.centre
 
-    def place_of(self, end):
+    def place_of(self, end: "Sequence[Expression] | Reference") -> "tuple[Node, Node]":
         """Where an end is now: a place [x, y], or a named point or body."""
         return self.expressions.pair(end) if isinstance(end, list) else self.place(end)[1]
 
-    def pivot(self, pin, body):
+    def pivot(self, pin: "Record", body: "Body") -> "tuple[tuple[Node, Node], tuple[Node, Node], Frame]":
         """(pin as drawn, pin now, frame that carries it)."""
         carrier = self.carrier(pin)
         at = pin.get("at")
@@ -114,7 +124,7 @@ class Places:
                 return drawn, place, frame
         return drawn, carrier.point(*drawn), carrier
 
-    def place(self, name):
+    def place(self, name: Any) -> "tuple[tuple[Node, Node], tuple[Node, Node], Frame]":
         """(drawn, present, carrying frame) of a named point or body."""
         if name.text in self.bodies:
             body = self.bodies[name.text]
@@ -134,7 +144,7 @@ class Places:
         place = self.driven(record, drawn) if "moves" in record else drawn
         return drawn, self.frame(record["body"]).point(*place) if "body" in record else place
 
-    def extent(self, values):
+    def extent(self, values: Mapping[str, float]) -> float:
         """The size of the drawn figure in metres, {name: float} given; 0 where nothing has a place."""
         places = [body.centre for body in self.bodies.values() if body.frame is not None]
         places += [self.expressions.pair(end) for record in (self.spec.get("springs") or {}).values()
@@ -145,7 +155,7 @@ class Places:
         size = max(max(found[0::2]) - min(found[0::2]), max(found[1::2]) - min(found[1::2]))
         return size or max(map(abs, found))
 
-    def unit_of(self, name):
+    def unit_of(self, name: str) -> float:
         """A natural size of a coordinate: 1 of an angle, the extent of the figure of a length."""
         sample = self.expressions.sample
         return (self.extent(sample) or 1.0) if self.spec.dimensions.of(name) else 1.0

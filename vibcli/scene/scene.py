@@ -3,9 +3,9 @@
     T = ½ Σ w ṡ²       V = Σ (N s + ½ k s²) − Σ m (gₓ x + g_y y)       Φ = ½ Σ c ṡ²
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.scene.displacements import stays_bounded
 from vibcli.scene.expressions import Expressions
@@ -14,6 +14,12 @@ from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.scene.contents import Contents
+    from vibcli.scene.coordinates import SceneCoordinates
+    from vibcli.scene.energy_terms import Term
+    from vibcli.symbolic.node import Node
 
 CONNECTIONS = ("springs", "dampers", "laws", "inertias")        # of the inertias those that exert a force
 BENT = ("abs", "sign", "min", "max", "step", "ramp")
@@ -72,7 +78,8 @@ class Scene:
     `still`: the scene at rest, where something is driven to and fro.
     """
 
-    def __init__(self, setting, coordinates, contents, drives, closure=None, still=None):
+    def __init__(self, setting: Setting, coordinates: "SceneCoordinates", contents: "Contents", drives: Drives,
+                 closure: Closure | None = None, still: "Scene | None" = None):
         self._parts = {"setting": setting, "coordinates": coordinates, "contents": contents, "drives": drives,
                        "closure": closure, "still": still}
         self.setting, self.kinematics, self.contents, self.still = setting, coordinates, contents, still
@@ -93,83 +100,83 @@ class Scene:
         self.loops, self.dependent, self.freedom = closure or Closure(None, {}, Freedom(len(self.q), 0, ()))
         self.timed = any(node.mask & self.time.mask for node in contents.depends_on)
 
-    def with_parts(self, **parts):
+    def with_parts(self, **parts: Any) -> "Scene":
         """The same with other parts, as they are named where a Scene is made."""
         return Scene(**{**self._parts, **parts})
 
-    def replaced(self, values, **parts):
+    def replaced(self, values: Any, **parts: Any) -> "Scene":
         """With other parts, and symbols replaced in every expression, {symbol: node}."""
         scene = self.with_parts(**parts)
         nodes = scene.contents.nodes
         new = scene.unrooted(substitute(nodes, values))
         return scene.with_parts(contents=scene.contents.over(dict(zip(nodes, new, strict=True))))
 
-    def with_preloads(self, tensions):
+    def with_preloads(self, tensions: "Mapping[Node, Node]") -> "Scene":
         """The same with its static preloads, {symbol: node}; so is the scene at rest."""
         found = self.replaced(tensions, contents=self.contents._replace(static_preloads=[]))
         return found.with_parts(still=self.still and self.still.with_preloads(tensions))
 
-    def with_multipliers(self):
+    def with_multipliers(self) -> "Scene":
         """The same with all its coordinates, its constraints to be held by multipliers."""
         return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True))
 
-    def with_released_supports(self):
+    def with_released_supports(self) -> "Scene":
         """The same with all its coordinates and those by which its supports give way, whose forces are reactions."""
         return self.setting.draw(self.attempt, self.setting.variant._replace(multipliers=True, released=True))
 
-    def with_inputs(self):
+    def with_inputs(self) -> "Scene":
         """The same with what drives it as further coordinates, which stand last: displacements that come and go, a load
         beside each load, and one along each coordinate."""
         return self.setting.draw(self.attempt, self.setting.variant._replace(inputs=True))
 
-    def drawn_anew(self, attempt):
+    def drawn_anew(self, attempt: int) -> "Scene":
         """The same drawn with other sample values for its symbols, of the first attempt from this one that fits."""
         return self.setting.draw(attempt, self.setting.variant)
 
     @property
-    def resting(self):
+    def resting(self) -> "Scene":
         """The scene at rest: itself where nothing is driven to and fro."""
         return self.still or self
 
     @property
-    def vibrating(self):
+    def vibrating(self) -> "Scene":
         """The scene whose small oscillations are those of this one: itself; but the one at rest where constraints tie
         its coordinates to what is driven to and fro."""
         tied = self.still and any(node.mask & self.time.mask for node in self.dependent.values())
         return self.still if tied else self
 
     @property
-    def drawn_position(self):
+    def drawn_position(self) -> "dict[Node, Node]":
         """{symbol: its value as drawn} of all coordinates and the time."""
         return {**self.drawn, self.time: self.table.zero}
 
     @property
-    def drawn_coordinates(self):
+    def drawn_coordinates(self) -> "dict[str, Node]":
         """{name: node as drawn} of the independent coordinates."""
         return {q.name: self.drawn[q] for q in self.q}
 
     @property
-    def drawn_values(self):
+    def drawn_values(self) -> dict[str, float]:
         """{name: float} as drawn, with sample values for letters."""
         names = {node.name: value for node, value in self.drawn.items()}
         found = evaluate(list(names.values()), Floats, self.sample)
         return {**self.sample, **dict(zip(names, found, strict=True)), self.time.name: 0.0}
 
-    def terms_of(self, name, *kinds, undriven=False):
+    def terms_of(self, name: str, *kinds: str, undriven: bool = False) -> list[Any]:
         """The springs, dampers, laws and inerters of an element, or those of the given kinds; `undriven`: as functions
         of the symbols of driven displacements."""
         return [term for kind in kinds or CONNECTIONS
                 for term in (self.undriven(kind) if undriven else getattr(self, kind))
                 if term.owner == name and hasattr(term, "force")]
 
-    def force_of(self, name):
+    def force_of(self, name: str) -> "Node | None":
         """The force of a spring or damper, of a spring without free length its magnitude; None of another element."""
         forces = [term.force(self) for term in self.terms_of(name)]
         if len(forces) > 1:
             return self.table.sqrt(self.table.sum(*((force * force, ONE) for force in forces)))
         return forces[0] if forces else None
 
-    def law_switches(self):
+    def law_switches(self) -> "tuple[dict[Node, str], dict[Node, Node]]":
         """({argument: owner}, {argument: σ₀}) of what bends or jumps in the laws."""
         owners, bounds = {}, {}
         for law in self.laws:
@@ -184,21 +191,21 @@ class Scene:
                         bounds[sign.args[0]] = law.bound
         return owners, bounds
 
-    def undriven(self, kind):
+    def undriven(self, kind: str) -> "list[Term]":
         """Terms, or laws, as functions of the symbols of driven displacements, which are zero as drawn."""
         return self.shaken[kind] if self.shaken else getattr(self, kind)
 
     @cached_property
-    def oscillating(self):
+    def oscillating(self) -> "list[Node]":
         """The driven displacements that come and go, so that they count as small ones."""
         return [symbol for symbol, node in self.driven.items() if stays_bounded(node, self.time, self.sample)]
 
     @property
-    def held_drives(self):
+    def held_drives(self) -> "dict[Node, Node]":
         """{symbol: node} of driven displacements, zero of those that oscillate."""
         return self.driven | dict.fromkeys(self.oscillating, self.table.zero)
 
-    def at_still(self, kind):
+    def at_still(self, kind: str) -> "list[Term]":
         """The springs, dampers, inertias or loads with the driven displacements that oscillate left out."""
         if not self.shaken:
             return getattr(self, kind)

@@ -1,27 +1,32 @@
 """One fraction bar: a sum of quotients over a common denominator, all coefficients whole, common factors cancelled."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import gcd, lcm
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.nested_form import letters, nested
 from vibcli.symbolic.normal_form import TooLong, add, cleared, expanded, factors_of, reduced, times
 from vibcli.symbolic.rationals import ONE, ZERO
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def single(node):
+
+def single(node: "Node") -> "Node":
     """The node as one fraction."""
     return node.table.product(*fraction(node))
 
 
-def shorter(node):
+def shorter(node: "Node") -> "Node":
     """The node, as one fraction where it divides by a sum and that is shorter."""
     divides = any(base.op == "sum" and e < 0 for part in reachable([node]) if part.op == "product"
                   for base, e in part.args)
     return min((node, single(node)), key=letters) if divides else node
 
 
-def fraction(node):
+def fraction(node: "Node") -> "tuple[tuple[Node, Fraction | int], ...]":
     """((base, exponent), …): the node as a rational and powers of letters and of sums with whole coefficients. The node
     alone where it is too long."""
     table = node.table
@@ -73,7 +78,7 @@ def _cancelled(above, base, e):
     return above, e
 
 
-def divided(terms, divisor):
+def divided(terms: "Mapping[tuple[tuple[Node, int], ...], Fraction | int]", divisor: Any):
     """The polynomial terms/divisor where the division leaves no rest, else None."""
     lead = max(divisor, key=_rank)
     rest, found = dict(terms), {}

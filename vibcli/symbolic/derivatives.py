@@ -1,14 +1,16 @@
 """Derivatives and substitution, each memoised: a shared part is treated once."""
 
+from collections.abc import Mapping
 from fractions import Fraction
 from operator import is_
+from typing import Any
 
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.node import Node
 from vibcli.symbolic.rationals import HALF, ONE
 
 
-def gradient(node):
+def gradient(node: Any) -> dict[Node, Node]:
     """{variable: ∂node/∂variable} for every variable that the node depends on. Memoised on the node."""
     if node.gradient is None:
         for part in _unfinished(node):
@@ -112,7 +114,7 @@ _OUTER = {
 }
 
 
-def substitute(nodes, values):
+def substitute(nodes: Any, values: Mapping[Node, Node]) -> list[Node]:
     """The nodes with each symbol in `values` ({symbol: node}) replaced; parts without those symbols are kept."""
     done = {}
     for node in reachable(nodes):

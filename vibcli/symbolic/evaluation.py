@@ -5,16 +5,25 @@ sums and products use the operators of the numbers themselves.
 """
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic import discontinuous_functions
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, bits, exact_root
 
+if TYPE_CHECKING:
+    import sympy
+
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.sampled_functions import Samples
+
 ELEMENTARY = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log")
 
 
-def evaluate(nodes, arithmetic, values):
+def evaluate(nodes: "Sequence[Node]", arithmetic: Any, values: Any) -> list[Any]:
     """The values of `nodes`, given {symbol name: number}."""
     number, power, functions = arithmetic.number, arithmetic.power, arithmetic.functions
     done = {}
@@ -70,7 +79,7 @@ class Floats:
         **{name: _guarded(f) for name, f in discontinuous_functions.on(math.pi, math.floor).items()}}
 
     @staticmethod
-    def number(value):
+    def number(value: Fraction | int) -> float:
         try:
             found = value.numerator / value.denominator
         except OverflowError:
@@ -78,7 +87,7 @@ class Floats:
         return found if found or not value else math.nan
 
     @staticmethod
-    def power(base, exponent):
+    def power(base: float, exponent: Fraction | int) -> float:
         try:
             if exponent.denominator == 1:
                 return base**exponent.numerator
@@ -91,7 +100,7 @@ class Floats:
     isfinite = staticmethod(math.isfinite)
 
     @staticmethod
-    def record(name, samples):
+    def record(name: str, samples: "Samples") -> Callable:
         return samples.at
 
 
@@ -110,11 +119,11 @@ class Rationals:
     number = Fraction
 
     @classmethod
-    def record(cls, name, samples):
+    def record(cls, name: str, samples: Sequence[dict[str, float]]):
         raise cls.Irrational
 
     @classmethod
-    def power(cls, base, exponent):
+    def power(cls, base: Fraction, exponent: Fraction | int) -> Fraction:
         if bits(base) * abs(exponent.numerator) > 10**5:
             raise cls.Irrational
         if exponent.denominator == 1:
@@ -125,7 +134,7 @@ class Rationals:
         return root ** exponent.numerator
 
 
-def evaluate_rational(nodes, values):
+def evaluate_rational(nodes: "Sequence[Node]", values: Mapping[str, Fraction]) -> list[Fraction] | None:
     """As `evaluate` in exact rationals; None where a part of it is irrational or undefined."""
     try:
         return evaluate(nodes, Rationals(), values)
@@ -186,7 +195,7 @@ def sympy_arithmetic():
     return Symbolic()
 
 
-def from_sympy(table, expression, symbols):
+def from_sympy(table: "Table", expression: "sympy.Basic", symbols: "Mapping[sympy.Symbol, Node]") -> "Node":
     """A SymPy expression as a node; `symbols` maps SymPy symbols to nodes. ValueError where it cannot be said."""
     if expression in symbols:
         return symbols[expression]

@@ -5,7 +5,9 @@ within BITS; parameters are leaves. Every walk is iterative, because a node is a
 `index` is an order of evaluation.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 from vibcli.symbolic.exact_values import folded
 from vibcli.symbolic.node import Node
@@ -17,7 +19,9 @@ class Table:
     float values of the parameters, once they are known; they decide only how R − r is written, and with
     `squares_at_sample` how (R − r)² is."""
 
-    def __init__(self, records=None, squares_at_sample=False):
+    time: Node
+
+    def __init__(self, records: dict[Any, Any] | None = None, squares_at_sample: bool = False):
         """`records`: {name: samples} of functions of the time."""
         self._nodes = {}
         self._count = 0
@@ -29,7 +33,7 @@ class Table:
         self.pi = self._make("pi", (), ONE, 0, "pi")
         self.positive.add(self.pi)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self._count
 
     def _make(self, op, args, coefficient, mask, name=None):
@@ -42,19 +46,19 @@ class Table:
             self._count += 1
         return node
 
-    def number(self, value):
+    def number(self, value: Fraction | int) -> Node:
         return self._make("number", (), value if value.__class__ is int else exact(value), 0)
 
-    def node(self, value):
+    def node(self, value: Fraction | int | Node):
         return value if isinstance(value, Node) else self.number(value)
 
-    def parameter(self, name, positive=True):
+    def parameter(self, name: str, positive: bool = True) -> Node:
         node = self._make("symbol", (), ONE, 0, name)
         if positive:
             self.positive.add(node)
         return node
 
-    def variable(self, name):
+    def variable(self, name: str) -> Node:
         """A symbol to differentiate by."""
         known = self._nodes.get(("symbol", name, ONE, ()))
         if known is not None:
@@ -63,23 +67,23 @@ class Table:
         self.variables.append(node)
         return node
 
-    def time_variable(self, name):
+    def time_variable(self, name: Any) -> Node:
         """The variable that is the time."""
         self.time = self.variable(name)
         return self.time
 
-    def dependent(self, name, mask, at_rest=False):
+    def dependent(self, name: str, mask: int, at_rest: bool = False) -> Node:
         """A symbol that depends on variables through an equation: its `gradient` is set where that is solved.
         `at_rest`: that of this name in the scene at rest, which has another gradient."""
         return self._make("symbol", (self.zero if at_rest else self.one,), ONE, mask, name)
 
-    def scaled(self, node, factor):
+    def scaled(self, node: Node, factor: float | Fraction) -> Node:
         """factor·node, the factor rational; over a sum it is distributed."""
         if factor == 1:
             return node
         return self.sum((node, factor))
 
-    def sum(self, *terms):
+    def sum(self, *terms: Any):
         """Σ cᵢ·nodeᵢ of (node, rational c) pairs; sums within sums are flattened, equal terms collected."""
         constant, collected = ZERO, {}
         for node, factor in terms:
@@ -126,11 +130,11 @@ class Table:
             mask |= node.mask
         return self._make("sum", tuple(args), exact(constant), mask)
 
-    def total(self, nodes):
+    def total(self, nodes: Sequence[Node]):
         """Σ nodeᵢ."""
         return self.sum(*((node, 1) for node in nodes))
 
-    def product(self, *factors):
+    def product(self, *factors: tuple[Node, Fraction | int]):
         """Π nodeᵢ^eᵢ of (node, rational e) pairs; products are flattened and equal bases collected."""
         coefficient, collected = ONE, {}
         for node, exponent in factors:
@@ -220,7 +224,7 @@ class Table:
                 self._signs[total] = leads
         return self._signs[total]
 
-    def resample(self, sample):
+    def resample(self, sample: Any) -> None:
         """Decide by other values of the parameters from now on how R − r is written."""
         self.sample, self._signs = sample, {}
 
@@ -228,7 +232,7 @@ class Table:
         """(Π bᵢ^eᵢ)^e = Π bᵢ^(eᵢe) holds for fractional e where every base is positive."""
         return product.coefficient > 0 and all(self.is_positive(base) for base, _ in product.args)
 
-    def is_positive(self, node, depth=4):
+    def is_positive(self, node: Node, depth: int = 4) -> bool:
         """Is a node positive whatever the values of the variables? Sums and products of what is, to some depth."""
         if node.op == "number":
             return node.coefficient > 0
@@ -241,7 +245,7 @@ class Table:
             self.positive.add(node)
         return found
 
-    def power(self, base, exponent):
+    def power(self, base: Node, exponent: Fraction | int | Node) -> Node:
         """base^exponent, the exponent a rational or a node."""
         if isinstance(exponent, Node):
             if exponent.op != "number":
@@ -256,10 +260,10 @@ class Table:
             raise ZeroDivisionError("division by zero")
         return self.product((base, exponent))
 
-    def sqrt(self, node):
+    def sqrt(self, node: Node) -> Node:
         return self.power(node, HALF)
 
-    def call(self, name, *args):
+    def call(self, name: str, *args: Node) -> Node:
         """A function of nodes; its value is folded only where it is exact (sin 0 = 0)."""
         value = folded(self, name, args)
         if value is not None:

@@ -2,9 +2,13 @@
 
 import re
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from vibcli.base.units import UNITS
 from vibcli.symbolic.syntax import ExpressionError, Number, UnitPower
+
+if TYPE_CHECKING:
+    from re import Match
 
 SMALLEST, LARGEST = 1e-60, 1e60
 RANGE = "in SI units a value is zero or between 1e-60 and 1e60 in size"
@@ -14,7 +18,7 @@ _SUPERSCRIPTS = {"²": "2", "³": "3", "⁴": "4"}
 _POWER_SIGN = re.compile(r"\s*(?:\^|\*\*)")
 
 
-def literal(text, number):
+def literal(text: str, number: "Match") -> Number:
     """The Number of a match of one in a text, with the units that follow it."""
     start, digits = number.start(), number.group()
     mantissa, _, exponent = digits.lower().partition("e")

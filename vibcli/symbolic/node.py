@@ -8,7 +8,7 @@ A node is one of
 """
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.rationals import ONE
 
@@ -30,41 +30,41 @@ class Node:
     index: int
     gradient: "dict[Node, Node] | None"
 
-    def keep_gradient(self, gradient):
+    def keep_gradient(self, gradient: Any) -> None:
         """Keep {variable: derivative}, which is worked out once."""
         self.gradient = gradient
 
-    def __add__(self, other):
+    def __add__(self, other: "int | Node") -> "Node":
         return self.table.sum((self, ONE), (self.table.node(other), ONE))
 
-    def __sub__(self, other):
+    def __sub__(self, other: "Node") -> "Node":
         return self.table.sum((self, ONE), (self.table.node(other), -ONE))
 
-    def __mul__(self, other):
+    def __mul__(self, other: "Fraction | int | Node") -> "Node":
         return self.table.product((self, ONE), (self.table.node(other), ONE))
 
-    def __truediv__(self, other):
+    def __truediv__(self, other: "int | Node") -> "Node":
         return self.table.product((self, ONE), (self.table.node(other), -ONE))
 
-    def __pow__(self, exponent):
+    def __pow__(self, exponent: Fraction | int) -> "Node":
         return self.table.power(self, exponent)
 
-    def __neg__(self):
+    def __neg__(self) -> "Node":
         return self.table.scaled(self, -ONE)
 
-    def __rsub__(self, other):
+    def __rsub__(self, other: Fraction | int) -> "Node":
         return self.table.node(other) - self
 
-    def __rtruediv__(self, other):
+    def __rtruediv__(self, other: int) -> "Node":
         return self.table.node(other) / self
 
     __radd__, __rmul__ = __add__, __mul__
 
     @property
-    def is_zero(self):
+    def is_zero(self) -> bool:
         return self.op == "number" and not self.coefficient
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         if self.op in ("sum", "product"):
             return f"{self.op}({self.coefficient}, {', '.join(f'{a!r}^{e}' for a, e in self.args)})"
         return str(self.coefficient) if self.op == "number" else f"{self.name}({', '.join(map(repr, self.args))})"

@@ -4,13 +4,19 @@ The rules are few: expand, sin² + cos² = 1, the addition theorems for products
 factors taken out. Work is bounded; what grows beyond MOST terms is left as it is.
 """
 
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from math import gcd
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF, ONE, ZERO, exact_root
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 MOST = 300
 
@@ -19,7 +25,7 @@ class TooLong(ArithmeticError):
     """More than MOST terms."""
 
 
-def expanded(node, kept=None):
+def expanded(node: "Node", kept: "Collection[Node] | None" = None):
     """{monomial: coefficient}, a monomial being a tuple of (atom, exponent) in the order of the atoms' indices. Sums
     that stand in a denominator are atoms, above as well as below the line, so that they cancel."""
     kept = _denominators(node) if kept is None else kept
@@ -55,7 +61,7 @@ def _expanded_power(base, exponent, kept):
     return {((base, exponent),): ONE}
 
 
-def add(found, monomial, value):
+def add(found: Any, monomial: Any, value: Any) -> None:
     total = found.get(monomial, ZERO) + value
     if total:
         found[monomial] = total
@@ -65,7 +71,7 @@ def add(found, monomial, value):
         raise TooLong
 
 
-def multiplied(left, right):
+def multiplied(left: Any, right: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
     found = {}
     if len(left) * len(right) > 20 * MOST:
         raise TooLong
@@ -82,7 +88,8 @@ def multiplied(left, right):
     return found
 
 
-def times(a, b, power=1):
+def times(a: "Sequence[tuple[Node, Fraction | int]]", b: Any,
+          power: int = 1) -> "tuple[tuple[Node, Fraction | int], ...]":
     """The monomial a·b^power."""
     exponents = dict(a)
     for atom, e in b:
@@ -94,7 +101,7 @@ def times(a, b, power=1):
     return tuple(sorted(exponents.items(), key=lambda pair: pair[0].index))
 
 
-def reduced(terms):
+def reduced(terms: Any) -> "dict[tuple[tuple[Node, Fraction | int], ...], Fraction | int]":
     """The same polynomial with the trigonometric identities applied wherever they shorten it."""
     changed = True
     while changed:
@@ -163,7 +170,7 @@ def _move(terms, old, new, value):
     add(terms, new, value)
 
 
-def is_zero(node):
+def is_zero(node: "Node") -> bool:
     """Is the expression zero by expansion and the identities? False where that does not show it."""
     try:
         return node.is_zero or not _numerator(expanded(node))
@@ -181,7 +188,7 @@ def _numerator(terms):
     return cleared(terms, tuple((atom, -e) for atom, e in lowest.items()))
 
 
-def cleared(terms, below):
+def cleared(terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]", below: Any):
     """The polynomial times a denominator ((atom, exponent), …); sums of it expanded where their exponent is whole."""
     found = {}
     whole = {atom for atom, e in below if atom.op == "sum" and e.denominator == 1}
@@ -196,7 +203,7 @@ def cleared(terms, below):
     return reduced(found)
 
 
-def textbook(node):
+def textbook(node: "Node"):
     """The expression expanded, collected by its variable parts, each coefficient with common factors taken out."""
     try:
         terms = reduced(expanded(_unnested(node)))
@@ -215,7 +222,7 @@ def _unnested(node):
     return substitute([node], simpler)[0] if simpler else node
 
 
-def collected(table, terms):
+def collected(table: "Table", terms: "Mapping[tuple[tuple[Node, Fraction | int], ...], Fraction | int]") -> "Node":
     """A polynomial as a node: Σ (factored coefficient of parameters)·(part that holds variables)."""
     groups = {}
     for monomial, value in terms.items():
@@ -226,7 +233,7 @@ def collected(table, terms):
     return table.sum(*((part, ONE) for part in parts))
 
 
-def factors_of(table, terms):
+def factors_of(table: "Table", terms: Any) -> "tuple[tuple[Node, Fraction | int], ...]":
     """A polynomial as factors: its content — rational factor and common monomial — and what is left in brackets."""
     monomials = list(terms)
     if not monomials:
@@ -257,7 +264,7 @@ def _scale(values):
     return -scale if all(v < 0 for v in values) else scale
 
 
-def square_root(terms):
+def square_root(terms: Any) -> "dict[tuple[tuple[Node, Fraction], ...], Fraction] | None":
     """The polynomial whose square this is (up to sign), None where there is none of up to four terms."""
     squares = {monomial: exact_root(value) for monomial, value in terms.items()
                if all(e.denominator == 1 and e.numerator % 2 == 0 for _, e in monomial) and value > 0}
@@ -273,7 +280,7 @@ def square_root(terms):
     return None
 
 
-def root_of_square(node):
+def root_of_square(node: "Node") -> "Node | None":
     """√node up to sign as a node where that needs no root, else None."""
     try:
         terms = reduced(expanded(node))

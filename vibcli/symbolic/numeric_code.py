@@ -8,11 +8,19 @@ What bends or jumps with the motion is smooth while its switches σ stay as they
     step u = (1 + σ)/2             ramp u = (1 + σ) u/2
 """
 
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.discontinuous_functions import PULSES
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.rationals import HALF
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.symbolic.node import Node
 
 SWITCHED = ("abs", "sign", "min", "max", "step", "ramp")
 NUMPY = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "min": "minimum", "max": "maximum"}
@@ -27,11 +35,12 @@ class Source:
     max and pulses are what they are. records: {name: slot} of the sampled functions that are called. constants: {node:
     value} of what is known already."""
 
-    def __init__(self, slots, floats, switches, constants=()):
+    def __init__(self, slots: "Mapping[Node, str]", floats: Mapping[str, float], switches: "dict[Node, str] | None",
+                 constants: "Mapping[Node, float] | Sequence[Any]" = ()):
         self.slots, self.floats, self.switches = dict(slots), floats, switches
         self.lines, self.constants, self.records = [], dict(constants), {}
 
-    def add(self, nodes):
+    def add(self, nodes: Any) -> list[str]:
         """Write what computes the nodes; their slots or constants are returned as texts."""
         parts = reachable(nodes, self.slots)
         known = [part for part in parts if not part.mask and part not in self.constants]
@@ -43,7 +52,7 @@ class Source:
                 self.lines.append(f"{slot}={text}")
         return [self.text(node) for node in nodes]
 
-    def text(self, node):
+    def text(self, node: Any) -> str:
         return self.slots[node] if node.mask else number(self.constants[node])
 
     def _symbol(self, node):
@@ -106,7 +115,7 @@ class Source:
         return "(-" + self._switch(-argument) + ")"
 
 
-def number(value):
+def number(value: Any) -> str:
     """A rational or float as source: the repr of a float."""
     if not isinstance(value, float):
         value = Floats.number(value)
@@ -123,7 +132,7 @@ def _signed(c, factors=""):
     return f"{'-' if c < 0 else '+'}{abs(c)!r}" + (f"*{factors}" if factors else "")
 
 
-def rooted(nodes):
+def rooted(nodes: "Sequence[Node]") -> bool:
     """Is a root of |u|, or of what is u on one side alone, in them? It has no series at u = 0."""
     return any(_never_negative(base) and e.denominator != 1 for node in reachable(nodes) if node.op == "product"
                for base, e in node.args)
@@ -150,7 +159,7 @@ def _powers(slot, exponent, bent=False):
     return [f"{size}**{float(exponent)!r}"]
 
 
-def function(head, lines, result, records=()):
+def function(head: str, lines: Sequence[str], result: str, records: Sequence[Any] = ()) -> Callable:
     """The function of a text made of slots; NumPy's functions act on floats and arrays. `records`: (slot, function)."""
     import numpy as np
 
@@ -168,7 +177,7 @@ class Compiled:
     `switches`: {argument: slot}, shared by what is to be smooth; None where |u|, sign u, min and max may bend.
     `prepared(t)`: the parts that depend on the time alone, at the instants t."""
 
-    def __init__(self, scene, floats, switches, nodes):
+    def __init__(self, scene: Any, floats: Mapping[str, float], switches: "dict[Node, str] | None", nodes: Any):
         time = scene.time
         below = reachable(nodes)
         _require_known(below, time)
@@ -190,7 +199,8 @@ class Compiled:
         self.count, self.work = len(nodes), len(late.lines)
         self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
 
-    def __call__(self, t, q, v, g=(), c=None):
+    def __call__(self, t: "np.ndarray", q: Any, v: "np.ndarray", g: "Sequence[float | np.ndarray] | np.ndarray" = (),
+                 c: "Sequence[np.ndarray] | None" = None) -> "tuple[float | np.ndarray, ...]":
         """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
         return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
 

@@ -8,10 +8,14 @@ Nothing is ever evaluated as code.
 import re
 from fractions import Fraction
 from operator import methodcaller
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.literals import literal
 from vibcli.symbolic.syntax import Call, Equation, ExpressionError, NameRef, Number, Power, Product, QuantityRef, Sum
+
+if TYPE_CHECKING:
+    from re import Match
 
 LONGEST, DEEPEST, PARTS = 2000, 64, 400
 FUNCTIONS = {"sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2, "sinh": 1, "cosh": 1,
@@ -34,7 +38,7 @@ _INDEX = re.compile(r"\[([^][]{1,80})\]")
 _SPACE = re.compile(r"[ \t\n]*")
 
 
-def parse(text, equation=None):
+def parse(text: str, equation: str | None = None):
     """The syntax tree of `text`; of `left = right` where `equation` gives an example of one."""
     if len(text) > LONGEST:
         raise ExpressionError(0, 1, f"this expression has {len(text)} characters; the limit is {LONGEST}",
@@ -62,13 +66,13 @@ def parse(text, equation=None):
 
 
 class _Parser:
-    def __init__(self, text):
+    def __init__(self, text: str):
         self.text, self.at, self.depth = text, 0, 0
 
-    def skip(self):
+    def skip(self) -> None:
         self.at = _SPACE.match(self.text, self.at).end()
 
-    def take(self, token):
+    def take(self, token: str) -> bool:
         self.skip()
         if self.text.startswith(token, self.at):
             self.at += len(token)
@@ -98,7 +102,7 @@ class _Parser:
             return "numbers are written in decimal digits alone: 1000"
         return "there is no implicit multiplication: write a * between factors"
 
-    def expression(self, depth):
+    def expression(self, depth: int):
         """A sum of products."""
         if depth > DEEPEST:
             raise ExpressionError(self.at, 1, f"more than {DEEPEST} levels of parentheses", "name the inner parts")
@@ -121,7 +125,7 @@ class _Parser:
             return terms[0][1]
         return Sum(start, self.at, tuple(terms))
 
-    def product(self, depth):
+    def product(self, depth: int):
         self.skip()
         start, factors, power = self.at, [], 1
         while True:
@@ -139,7 +143,7 @@ class _Parser:
                 break
         return factors[0][1] if len(factors) == 1 else Product(start, self.at, tuple(factors))
 
-    def power(self, depth):
+    def power(self, depth: int):
         self.skip()
         start = self.at
         base = self.atom(depth)
@@ -155,7 +159,7 @@ class _Parser:
             return Power(start, self.at, base, exponent)
         return base
 
-    def atom(self, depth):
+    def atom(self, depth: int):
         self.skip()
         start = self.at
         number = _NUMBER.match(self.text, start)
@@ -178,7 +182,7 @@ class _Parser:
         raise ExpressionError(start, 1, f"expected a number, a name or '(', found {quoted(self.text[start])}",
                               "expressions are made of numbers, units, names, + - * / ^ ( ) and functions")
 
-    def applied(self, tree, start, depth):
+    def applied(self, tree: Any, start: int, depth: int):
         """x(2 s) of a tree x that is no function; `start` is where its text starts."""
         while self.text.startswith("(", self.at):
             if depth > DEEPEST:
@@ -189,7 +193,7 @@ class _Parser:
             tree = QuantityRef(start, self.at, self.text[start:self.at], VALUE, (), component, (tree, *args))
         return tree
 
-    def arguments(self, depth):
+    def arguments(self, depth: int) -> list[Any]:
         """The trees within round brackets."""
         start, self.at = self.at, self.at + 1
         args = [self.expression(depth + 1)]
@@ -198,14 +202,14 @@ class _Parser:
         self.close(start, ")")
         return args
 
-    def close(self, start, bracket):
+    def close(self, start: int, bracket: str) -> None:
         if not self.take(bracket):
             self.skip()
             if self.at >= len(self.text):
                 raise ExpressionError(start, 1, "this bracket is never closed", f"write '{bracket}' where it ends")
             self.fail_after()
 
-    def word(self, match, depth):
+    def word(self, match: "Match", depth: int) -> Call | NameRef | QuantityRef:
         start, self.at = match.start(), match.end()
         name = match.group()
         if len(name) > 32:
@@ -226,7 +230,7 @@ class _Parser:
             raise ExpressionError(start, self.at - start, "pi has no derivative", "only coordinates move")
         return NameRef(start, self.at, plain_name(name), primes)
 
-    def call(self, start, name, depth):
+    def call(self, start: int, name: str, depth: int) -> Call | QuantityRef:
         args = self.arguments(depth)
         wanted = FUNCTIONS.get(name, 1)
         if len(args) == 1 and name in OF_SIGNALS and (wanted != 1 or name not in FUNCTIONS):
@@ -237,7 +241,7 @@ class _Parser:
                                   f"write {name}(" + ", ".join("xy"[:wanted]) + ")")
         return Call(start, self.at, name, tuple(args))
 
-    def quantity(self, start, head, depth):
+    def quantity(self, start: int, head: str, depth: int) -> QuantityRef:
         if head in FUNCTIONS:
             raise ExpressionError(self.at, 1, f"{head} takes its argument in round brackets", f"write {head}(…)")
         indices = []
@@ -250,7 +254,7 @@ class _Parser:
         component = self.component()
         return QuantityRef(start, self.at, self.text[start:self.at], head, tuple(indices), component, tuple(args))
 
-    def component(self):
+    def component(self) -> str:
         """The word after a dot, such as x of centre[rod].x, or nothing."""
         if self.text.startswith(".", self.at) and (word := _NAME.match(self.text, self.at + 1)):
             self.at = word.end()

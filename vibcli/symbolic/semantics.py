@@ -1,20 +1,25 @@
 """The meaning of a syntax tree: its dimension, checked part by part, and the expression it stands for."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base import units
 from vibcli.base.diagnostics import quoted
 from vibcli.symbolic.parser import FUNCTIONS
 from vibcli.symbolic.rationals import HALF, ONE
-from vibcli.symbolic.syntax import ExpressionError, Number, Sum, whole_literal
+from vibcli.symbolic.syntax import ExpressionError, Number, Sum, UnitPower, whole_literal
+
+if TYPE_CHECKING:
+    from vibcli.base.units import Unit
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
 ALL_NUMBERS = "all"
 ANY = None          # the dimension of what fits everywhere: 0, and bare numbers in a scene without units
 
 
-def literal_unit(chain):
+def literal_unit(chain: Sequence[UnitPower]) -> "Unit":
     return units.combine(tuple((name, power) for name, power, _, _ in chain))
 
 
@@ -33,7 +38,7 @@ class DimensionCheck(NamedTuple):
     def _same(self, one, other):
         return self.dimensions.equate(one, other) or self.free_numbers == ALL_NUMBERS
 
-    def dimension(self, tree):
+    def dimension(self, tree: Any) -> dict[str, Fraction | int] | None:
         return getattr(self, "_" + tree.kind)(tree)
 
     def _number(self, tree):
@@ -137,7 +142,7 @@ class DimensionCheck(NamedTuple):
         return self.dimensions.of(name + "()")
 
 
-def constant(tree):
+def constant(tree: Any):
     """The rational value of a tree made of plain numbers, else None."""
     if isinstance(tree, Number):
         return None if tree.units else tree.value
@@ -152,7 +157,7 @@ def constant(tree):
     return None
 
 
-def lower(tree, table, symbol):
+def lower(tree: Any, table: "Table", symbol: Callable) -> "Node":
     """The expression that a tree stands for; `symbol(name, primes, tree)` gives the node of a name or quantity."""
     if tree.kind == "number":
         return _literal(tree, table)

@@ -1,16 +1,22 @@
 """The two roots of a quadratic equation with letters for coefficients: rational ± factor·√D as one fraction."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, square_part
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 
 class Pair:
     """x = rational ± factor·√D of p₂x² + p₁x + p₀ = 0, D a polynomial without square factors, factor > 0 at the sample.
     `modulus`: [p₀, p₁, p₂] as elements of the field of `quotients`; `sample`: a value of each letter."""
 
-    def __init__(self, quotients, modulus, sample):
+    def __init__(self, quotients: Any, modulus: Sequence[Any], sample: Mapping[str, float]):
         c, b, a = quotients.cleared(modulus)[0]
         self.quotients, self.sample, field = quotients, sample, quotients.field
         self.parts = [field(part) for part in (a, b, c)]
@@ -38,12 +44,12 @@ class Pair:
         found = [self.quotients.node(part) for part in self.parts]
         return [-node for node in found] if self._negative(found[0]) else found
 
-    def both(self, surd):
+    def both(self, surd: Any):
         """The root with `surd` in place of √D."""
         front, rest = self.written(self.rational, self.factor, surd)
         return front * rest
 
-    def written(self, rational, factor, surd=None):
+    def written(self, rational: Any, factor: Any, surd: Any = None) -> "tuple[Node, Node]":
         """(front, rest): rational + factor·√D as front·rest, rest a sum that holds the root; `surd` stands for it."""
         quotients, table = self.quotients, self.quotients.table
         if not factor:

@@ -2,13 +2,13 @@
 
 from fractions import Fraction
 from operator import attrgetter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class ExpressionError(Exception):
     """Not an expression: offset and width of the place in the text, what is wrong, and what to write."""
 
-    def __init__(self, offset, width, message, hint=None):
+    def __init__(self, offset: int, width: int, message: str, hint: str | None = None):
         super().__init__(message)
         self.offset, self.width, self.message, self.hint = offset, max(width, 1), message, hint
 
@@ -123,7 +123,7 @@ class Parts(NamedTuple):
     whole: Number | None
 
 
-def parts_of(tree):
+def parts_of(tree: Any) -> Parts:
     """The Parts of a tree, in one walk."""
     names, numbers, calls, quantities, pending = [], [], [], [], [tree]
     while pending:
@@ -141,7 +141,7 @@ def parts_of(tree):
     return Parts(names, numbers, calls, quantities, whole_literal(tree))
 
 
-def whole_literal(tree):
+def whole_literal(tree: Any) -> Number | None:
     """The number tree of a field that is one literal, perhaps with a sign; else None."""
     if isinstance(tree, Sum) and len(tree.parts) == 1:
         tree = tree.parts[0][1]

@@ -1,5 +1,8 @@
 """The modes of one block in letters."""
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.analyses.closed_form.algebraic_extension import Extension
 from vibcli.analyses.closed_form.amplitude_ratios import OMEGA, of_omega
 from vibcli.analyses.closed_form.characteristic import Characteristic
@@ -9,8 +12,14 @@ from vibcli.analyses.closed_form.damping import proportions
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.rationals import HALF
 
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.decoupling import DecoupledBlock
+    from vibcli.symbolic.expression import Table
+    from vibcli.symbolic.node import Node
 
-def block_modes(table, n, part, damping, values):
+
+def block_modes(table: "Table", n: int, part: "DecoupledBlock", damping: "Mapping[tuple[int, int], Node]",
+                values: Sequence[dict[str, float]]) -> "tuple[list[ClosedMode], list[list[Node]]]":
     """(modes, unsolved polynomials) of a block of a system with n coordinates; `damping`: its C, `values`: samples."""
     M, G, K = part.matrices
     chi = Characteristic(table, len(part), (M, damping, G, K), values[0])

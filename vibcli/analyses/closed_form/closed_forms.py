@@ -29,7 +29,7 @@ class ClosedMode(NamedTuple):
     zeta_pattern: Any = None
 
     @property
-    def readable(self):
+    def readable(self) -> bool:
         return self.shape is not None and sum(map(letters, self.shape)) <= READABLE
 
 

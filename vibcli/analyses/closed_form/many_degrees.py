@@ -1,5 +1,8 @@
 """Several degrees of freedom in letters: block after block, the modes of each from its characteristic polynomial."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 from vibcli.analyses.closed_form.amplitude_ratios import with_ratio
 from vibcli.analyses.closed_form.block_modes import block_modes
 from vibcli.analyses.closed_form.characteristic import LARGEST
@@ -16,10 +19,17 @@ from vibcli.analyses.closed_form.numeric_verification import (
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.time_limit import within
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
+
 MOST, CALLS = 12, 16_000_000      # coordinates; for all blocks together
 
 
-def several(symbolic, modal, M, C, G, K):
+def several(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Mapping[tuple[int, int], Node]",
+            C: "Mapping[tuple[int, int], Node]", G: "Mapping[tuple[int, int], Node]",
+            K: "Mapping[tuple[int, int], Node]") -> ClosedForms | None:
     """The ClosedForms of a scene with several coordinates; None where they are too long or do not hold."""
     table, n = symbolic.scene.table, len(symbolic.scene.q)
     candidates = samples(symbolic, modal) if n <= MOST else []

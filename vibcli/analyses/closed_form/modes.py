@@ -1,7 +1,14 @@
 """Natural frequencies in letters, with mode shapes and damping: every form is checked in numbers before it is shown."""
 
+from typing import TYPE_CHECKING
 
-def closed_forms(symbolic, modal):
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedForms
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+
+
+def closed_forms(symbolic: "SymbolicSystem", modal: "ModalAnalysis") -> "ClosedForms | None":
     """The ClosedForms of a scene whose small oscillations are known in letters; None where there are none to read."""
     if not symbolic.linearisable:
         return None

@@ -3,15 +3,24 @@
 A set of values is admissible where the figure fits together and as many modes are unstable as at the first.
 """
 
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import Inertless, PhysicsError, SpecError
 from vibcli.language.parameter_samples import given_values
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.closed_forms import ClosedMode
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
 
 WANTED, ATTEMPTS, FAILURES = 4, 24, 6
 CLOSE, ROUNDING = 1e-7, 1e-10
 
 
-def samples(symbolic, modal, wanted=WANTED):
+def samples(symbolic: "SymbolicSystem", modal: "ModalAnalysis", wanted: int = WANTED) -> "list[ModalAnalysis]":
     """The modes at admissible values, the first at those by which the scene is drawn; of a scene without letters its
     own."""
     if not symbolic.numeric.has_free_symbols:
@@ -62,7 +71,7 @@ def _unstable(candidate):
     return sum(mode.growth_rate is not None for mode in candidate.modes)
 
 
-def squares(candidate):
+def squares(candidate: "ModalAnalysis") -> list[float]:
     """The numeric ω², ascending."""
     if len(candidate.scene.q) == 1:
         M, _, _, K = candidate.configuration.linear_system.matrices()
@@ -73,7 +82,8 @@ def squares(candidate):
                   for mode in candidate.modes)
 
 
-def confirmed(modes, polynomials, candidates):
+def confirmed(modes: "Sequence[ClosedMode]", polynomials: "Sequence[list[Node]]",
+              candidates: "Sequence[ModalAnalysis]") -> bool:
     """Do the ω² in letters, and the roots of unsolved polynomials, equal those in numbers at every sample, and is each
     ω the positive root of its square?"""
     return all(_agree(_found(modes, polynomials, candidate), squares(candidate)) and _are_roots(modes, candidate)
@@ -91,7 +101,7 @@ def _found(modes, polynomials, candidate):
                    *(x for polynomial in polynomials for x in roots_in_numbers(polynomial, candidate.numeric.floats))])
 
 
-def roots_in_numbers(polynomial, values):
+def roots_in_numbers(polynomial: "Sequence[Node]", values: Mapping[str, float]) -> list[float]:
     """The real parts of the roots of a polynomial with coefficients from the highest."""
     import numpy as np
 
@@ -104,7 +114,7 @@ def _agree(found, wanted):
         abs(a - b) <= CLOSE * max(abs(b), 1e-4 * largest) for a, b in zip(found, wanted, strict=True))
 
 
-def shape_confirmed(mode, amplitudes, candidates):
+def shape_confirmed(mode: "ClosedMode", amplitudes: "Sequence[Node]", candidates: "Sequence[ModalAnalysis]") -> bool:
     """Is (K − ω²M + iωG) x = 0 at every sample? Where the mode turns, x₂ is a quarter period ahead."""
     return all(_balanced(mode, amplitudes, candidate) for candidate in candidates)
 
@@ -126,7 +136,7 @@ def _balanced(mode, amplitudes, candidate):
     return True
 
 
-def damping_confirmed(modes, candidates):
+def damping_confirmed(modes: "Sequence[ClosedMode]", candidates: "Sequence[ModalAnalysis]") -> bool:
     """Do ω and ζ in letters equal those in numbers, where the modes are under-damped, at every sample?"""
     return all(_damping_agrees(modes, candidate) for candidate in candidates)
 

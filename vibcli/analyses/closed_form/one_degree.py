@@ -1,7 +1,9 @@
 """One degree of freedom in letters: ω² = K/M, ζ = C/(2√(K M)), and the damper that makes ζ = 1. Without SymPy."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd, lcm
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.closed_form.closed_forms import ClosedForms, ClosedMode
 from vibcli.analyses.closed_form.numeric_verification import confirmed, damping_confirmed, samples, squares
@@ -11,8 +13,15 @@ from vibcli.symbolic.nested_form import letters
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE, ZERO
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
-def one_degree(symbolic, modal, M, C, K):
+
+def one_degree(symbolic: "SymbolicSystem", modal: "ModalAnalysis", M: "Node", C: "Node",
+               K: "Node") -> ClosedForms | None:
     """The ClosedForms of a scene with one coordinate; None where they do not hold."""
     table, (M, C, K) = symbolic.scene.table, map(single, (M, C, K))
     candidates = [] if M.is_zero else samples(symbolic, modal)
@@ -32,7 +41,7 @@ def one_degree(symbolic, modal, M, C, K):
     return ClosedForms([damped], critical=critical(symbolic.scene, M, C, K, values))
 
 
-def damped_frequency(M, C, K, values):
+def damped_frequency(M: "Node", C: "Node", K: "Node", values: Sequence[dict[str, float]]) -> "Node":
     """√(K/M − C²/(4M²)), as one fraction or as √(4KM − C²)/(2M) with its parts as they are, whichever is shorter."""
     table, below = M.table, ((base, -e) for base, e in fraction(2 * M))
     flat = root(single(K / M - C * C / (4 * M * M)), values)
@@ -63,7 +72,8 @@ def _difference(table, a, b):
             table.sum((rest[0], x / scale), (rest[1], -y / scale)))
 
 
-def critical(scene, M, C, K, values):
+def critical(scene: "Scene", M: "Node", C: "Node", K: "Node",
+             values: Sequence[dict[str, float]]) -> "tuple[Node, Node] | None":
     """(c, 2√(K M)/(C/c)) where all dampers have the coefficient c, else None."""
     weights = {term.weight for term in scene.dampers}
     if len(weights) != 1:

@@ -5,7 +5,7 @@ A load A sin(Ωt + φ) + B cos(Ωt + φ) is the imaginary part of (A + iΩ·B/Ω
 scene it is the real part of (B − iΩ·A/Ω) e^{i(Ωt + φ)}, and y = X cos(Ωt + φ − θ).
 """
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.analyses.closed_form.frequency_response import from_parts, require_few
 from vibcli.base.errors import NotInLetters
@@ -15,6 +15,9 @@ from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import TooLong, expanded, is_zero, textbook
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
 
 WAVES = ("sin", "cos")
 
@@ -29,7 +32,7 @@ class Steady(NamedTuple):
     mean: Any = None
 
 
-def steady_state(symbolic, signal):
+def steady_state(symbolic: "SymbolicSystem", signal: Any) -> Steady:
     """The Steady of a coordinate or signal; NotInLetters where it is none of one harmonic."""
     require_few(symbolic.system)
     scene, n = symbolic.scene, len(symbolic.scene.q)

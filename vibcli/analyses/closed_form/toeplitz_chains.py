@@ -4,11 +4,17 @@
 numbers 2cos(2πj/N) to many digits: a rational map that takes the one set into the other exactly is unique.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.radicals import root
 from vibcli.symbolic.rationals import ONE
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
+    from vibcli.symbolic.rational_functions import Quotients
 
 LARGEST, DIGITS, HEIGHT = 60, 60, 59        # N; working digits; denominators of the map
 
@@ -18,7 +24,7 @@ class Cosine:
 
     pair = None
 
-    def __init__(self, quotients, shift, scale, j, N):
+    def __init__(self, quotients: "Quotients", shift: Any, scale: Any, j: int, N: int):
         self.quotients, self.shift, self.scale, self.j, self.N = quotients, shift, scale, j, N
         self.square = self._short() or self.value([quotients.field(0), quotients.field(1)])
 
@@ -30,7 +36,7 @@ class Cosine:
         angle = self.quotients.table.pi * (turns if self.shift == -2 * self.scale else abs(Fraction(1, 2) - turns))
         return self.quotients.node(self.shift * 2) * self.quotients.table.call("sin", angle) ** 2
 
-    def value(self, element):
+    def value(self, element: Sequence[Any]) -> "Node":
         """u₀ + u₁λ + u₂λ² + … as a sum of cosines of multiples of θ."""
         powers = [self.quotients.field(0)]
         for u in reversed(element):             # Horner, in λ = s + t·2cos θ
@@ -43,7 +49,7 @@ class Cosine:
         waves = [table.one, *(2 * table.call("cos", angle) for angle in angles[1:])]
         return table.sum(*((self.quotients.node(w) * wave, ONE) for w, wave in zip(powers, waves, strict=True) if w))
 
-    def omega(self, samples, sign=1):
+    def omega(self, samples: Sequence[dict[str, float]], sign: int = 1) -> "Node":
         """√(±λ)."""
         return root(sign * self.square, samples)
 
@@ -60,7 +66,7 @@ def _doubled(waves):
     return found
 
 
-def cosines(quotients, modulus):
+def cosines(quotients: "Quotients", modulus: Sequence[Any]) -> list[Cosine] | None:
     """The roots of p₀ + p₁λ + …, ascending, or None."""
     d = len(modulus) - 1
     numbers = _numeric(quotients, modulus)

@@ -3,6 +3,8 @@
 Few degrees of freedom, or few frequencies: LU of every matrix (direct.py); else a method of large_systems.py.
 """
 
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import direct
@@ -11,7 +13,7 @@ from vibcli.base.errors import PhysicsError
 WORK = 2e8      # elimination of so many frequencies by LU is not worth a search for a faster method
 
 
-def frf(system, Omega):
+def frf(system: Any, Omega: float | np.ndarray) -> np.ndarray:
     """H(iΩ) of a TransferFunction, complex; PhysicsError where a frequency is that of a pole."""
     values, resonant = sampled(system, Omega)
     if resonant.any():
@@ -21,13 +23,13 @@ def frf(system, Omega):
     return values
 
 
-def sampled(system, Omega):
+def sampled(system: Any, Omega: float | np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(H, whether there is a pole) at each frequency; H is 0 at poles."""
     values, _, resonant = _at(system, Omega, False)
     return values, resonant
 
 
-def sloped(system, Omega):
+def sloped(system: Any, Omega: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(H, dH/ds, whether there is a pole) at each frequency; both are 0 at poles."""
     return _at(system, Omega, True)
 
@@ -43,7 +45,8 @@ def _at(system, Omega, steep):
     return *parts, resonant.reshape(shape)
 
 
-def undifferentiated(system, s, steep=False):
+def undifferentiated(system: Any, s: np.ndarray,
+                     steep: bool = False) -> tuple[np.ndarray, np.ndarray | None, np.ndarray]:
     """(H, dH/ds or None, whether there is a pole) of the output itself at complex s; the method for many is found once
     and kept with the system."""
     if system.evaluated_by() is None and len(s) * system.n**3 <= WORK:

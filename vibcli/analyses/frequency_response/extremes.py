@@ -5,7 +5,7 @@ zero, an antiresonance without damping.
 """
 
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,7 +28,7 @@ class Extreme(NamedTuple):
     maximum: bool
 
 
-def extremes(system):
+def extremes(system: Any) -> list[Extreme]:
     """The Extremes of |H(iΩ)| for Ω > 0, ascending; none where the input does not reach the output."""
     if not sampled(system, pace(system) * ANYWHERE)[0].any():
         return []
@@ -64,14 +64,14 @@ def _nearest(places, Omega):
     return places[np.abs(Omega[:, None] - places).argmin(axis=1)] if len(Omega) else Omega
 
 
-def steepness(system, Omega):
+def steepness(system: Any, Omega: np.ndarray) -> np.ndarray:
     """d log|H|/dΩ; NaN where H is zero or unbounded."""
     values, slopes, _ = sloped(system, Omega)
     with np.errstate(all="ignore"):
         return np.where(values == 0, np.nan, (1j * slopes / np.where(values == 0, 1.0, values)).real)
 
 
-def places(system):
+def places(system: Any) -> np.ndarray:
     """Frequencies near poles and zeros, and between them, ascending and different."""
     marks = np.concatenate([poles(system), zeros(system)])
     marks = marks[(marks.imag > 0) & np.isfinite(marks)]

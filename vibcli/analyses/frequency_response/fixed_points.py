@@ -4,7 +4,7 @@ A damper c adds s c r rᵀ to K + sC + s²M, so that H = (A + c B)/(1 + c E) at 
 |H| is the same for all c exactly where it is the same for c = 0 and c → ∞: |A| = |B/E|.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,7 +24,7 @@ class FixedPoint(NamedTuple):
     value: float
 
 
-def fixed_points(without, with_one):
+def fixed_points(without: Any, with_one: Any) -> list[FixedPoint]:
     """The FixedPoints with Ω > 0, ascending, from the TransferFunctions with c = 0 and c = 1 (in any unit)."""
     typical = _typical(without, with_one)
     systems = [without, *(blended(without, with_one, typical * share) for share in (1.0, 2.0, STRONG))]
@@ -52,7 +52,7 @@ def fixed_points(without, with_one):
             if at > low and all(abs(other - height) <= SAME * height for other in others)]
 
 
-def limit(free, once, twice):
+def limit(free: np.ndarray, once: np.ndarray, twice: np.ndarray) -> np.ndarray:
     """H for c → ∞ from those for c = 0, c₁ and 2c₁."""
     with np.errstate(all="ignore"):
         one, two = once - free, (twice - free) / 2
@@ -60,7 +60,7 @@ def limit(free, once, twice):
         return (one + once * E) / E
 
 
-def blended(without, with_one, c):
+def blended(without: Any, with_one: Any, c: float):
     """The TransferFunction with a damper c, from those with c = 0 and c = 1."""
     def part(name):
         zero = getattr(without, name)

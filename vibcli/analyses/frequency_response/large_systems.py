@@ -1,6 +1,9 @@
 """H(iΩ) of many degrees of freedom at many frequencies: banded LU, real modes where damping does not couple them, else
 complex modes. Each method gives (H, dH/ds or None, whether there is a pole) at each s."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from vibcli.analyses.frequency_response.direct import SINGULAR, along, direct, probe, scales
@@ -13,7 +16,7 @@ NARROW, COUPLED = 16, 1e-14     # widest band on either side; coupling relative 
 DEPENDENT = 1e5                 # condition of complex modes from which on they lose too many digits
 
 
-def chosen(system):
+def chosen(system: Any) -> Callable:
     """The method for this system; None where none of them fits."""
     order, width = _ordered(system)
     if width <= NARROW:

@@ -6,15 +6,19 @@ out is one term: there the change of xᵀKx over the size of the figure, from it
 """
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 
 NEAR = 1e6
 LEAST, STEP = 6, 1e-2             # how many modes are looked at; the step of the differences
 EPSILON = 2.0**-52
 
 
-def stiffness_condition(modal):
+def stiffness_condition(modal: "ModalAnalysis") -> float:
     """The largest condition number over the modes of lowest frequency, rigid ones aside; 1 where nothing cancels, and
     where K is singular and its elements are known in floats alone (mechanics/degenerate.py); None where nothing has
     inertia."""
@@ -29,7 +33,7 @@ def stiffness_condition(modal):
     return max((_condition(modal.configuration, mode) for mode in modes), default=1.0)
 
 
-def bifurcation_warning(condition):
+def bifurcation_warning(condition: float) -> str | None:
     """A sentence where the condition number is large, else None."""
     if condition is None or not condition > NEAR:
         return None

@@ -7,11 +7,13 @@ nonsymmetric_large.py).
 """
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from vibcli.analyses.modal.damped_in_modal_coordinates import ModalDamping
-from vibcli.analyses.modal.damped_modes import collected
+from vibcli.analyses.modal.damped_modes import DampedMode, collected
 from vibcli.analyses.modal.massless_coordinates import MassiveSystem
 from vibcli.analyses.modal.method import (
     ENCLOSED,
@@ -27,7 +29,7 @@ from vibcli.analyses.modal.method import (
 )
 from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, in_units
 from vibcli.analyses.modal.rigid_body_modes import undamped_rigid
-from vibcli.analyses.modal.scaling import exponent
+from vibcli.analyses.modal.scaling import Scaling, exponent
 from vibcli.analyses.modal.undamped import DIGITS, ENOUGH, ESCALATE, EVALUATED, EXACT, decimal, prepared, within_floats
 from vibcli.analyses.modal.undamped_certified import enclosed, spread
 from vibcli.numerics import fixed_point as fx
@@ -39,7 +41,8 @@ TRIES = 4
 FARTHEST = 2000
 
 
-def damped(elements, precise=None, exact=None, digits=None):
+def damped(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
+           digits: int | None = None) -> list[DampedMode]:
     """The damped modes by ascending |λ|; None where nothing damps or turns (no C, no G) and K is symmetric.
 
     With neither C nor G the first of each ±λ alone is given.
@@ -75,7 +78,7 @@ def _damped(elements, precise, exact, digits):
     return collected(answer, NearestFloats, answer.shapes())
 
 
-def damped_digits(elements, precise, exact, digits):
+def damped_digits(elements: Any, precise: Callable | None, exact: Callable | None, digits: int) -> list[DampedMode]:
     """The damped modes to `digits` correct digits, in numbers of mpmath."""
     from vibcli.analyses.modal.damped_shapes_precise import shapes
 
@@ -98,7 +101,7 @@ def _exactly(exact, elements):
     return data.with_parts(K_size=None) if data is not None and elements.circulatory else data
 
 
-def depth(elements, scale):
+def depth(elements: Any, scale: Scaling) -> tuple[int, int]:
     """Bits that soft springs and strong damping, and that very weak damping need besides."""
     p, sizes = scale.coordinates, [0]
     for weight, row in elements.dampers:
@@ -119,9 +122,11 @@ class CertifiedEigenvalues:
     follower: nothing depends on velocities, and K is not symmetric.
     """
 
+    system: Any
+
     __slots__ = ("conservative", "decided", "follower", "found", "scale", "system", "undamped")
 
-    def __init__(self, elements, data, goal, wanted, unit):
+    def __init__(self, elements: Any, data: Any, goal: Any, wanted: int, unit: float):
         form, follows, held = form_of(elements), elements.circulatory, bool(dragged(elements))
         self.undamped = not damped_at_all(elements)
         self.conservative, self.follower = self.undamped and not follows, form == FOLLOWER
@@ -166,7 +171,7 @@ class CertifiedEigenvalues:
         still = undamped_rigid(elements, zeros, data)
         return ModalDamping(answer, data, self.scale, still, goal, deep)
 
-    def worst(self):
+    def worst(self) -> float:
         """log2 of the largest relative bound of an eigenvalue; under follower forces of each of its parts."""
         bits, moving = self.system.bits, [d for d in self.found if d.re or d.im]
         sizes = [fx.log2(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in moving]
@@ -174,11 +179,11 @@ class CertifiedEigenvalues:
             sizes = [fx.log2(min(part for part in (d.re, d.im) if part), bits) for d in moving]
         return max((d.radius - size for d, size in zip(moving, sizes, strict=True)), default=-math.inf)
 
-    def settled(self, goal):
+    def settled(self, goal: float) -> bool:
         """Whether every eigenvalue is known to 2^goal and every zero follows from the structure."""
         return self.decided and self.worst() <= goal
 
-    def shapes(self):
+    def shapes(self) -> np.ndarray:
         """The vectors in all coordinates, a column for each eigenvalue, their largest component real."""
         basis = in_units(fx.floats(self.system.basis, self.system.bits), self.scale)[1]
         out = basis @ np.array([d.x for d in self.found]).T

@@ -5,14 +5,22 @@ first-order form v' = −C v − Ω u, u' = Ω v with u = Ω q. A rigid mode has
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.components import clusters, components
-from vibcli.numerics.general_eigenvalues import eigenvalues
+from vibcli.numerics.general_eigenvalues import Root, eigenvalues
 from vibcli.numerics.symmetric_eigenvalues import spectrum
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.modal.scaling import Scaling
+    from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues
+    from vibcli.symbolic.interval_arithmetic import Interval
 
 
 class Eigenvalue(NamedTuple):
@@ -40,7 +48,8 @@ class ModalDamping:
 
     __slots__ = ("basis", "bits", "c", "coupled", "decided", "deep", "same", "values")
 
-    def __init__(self, answer, elements, scale, untouched, goal, deep):
+    def __init__(self, answer: "EnclosedEigenvalues", elements: Any, scale: "Scaling", untouched: int | None, goal: int,
+                 deep: int):
         self.bits, self.values, self.basis = answer.bits, answer.values.copy(), answer.shapes
         self.values[answer.zero] = 0
         self.same, self.coupled, self.deep = goal - 60, goal - 30, deep
@@ -76,13 +85,13 @@ class ModalDamping:
         self.c[rigid, :] = 0
         self.c[:, rigid] = 0
 
-    def groups(self):
+    def groups(self) -> list[list[int]]:
         """The modes coupled by damping, as lists of indices; a mode on its own is a list of one."""
         linked = ((self.c != 0) | (self.c.T != 0)).astype(bool)
         np.fill_diagonal(linked, False)
         return sorted(components(linked), key=lambda part: len(part) == 1)
 
-    def eigenvalues(self, wanted):
+    def eigenvalues(self, wanted: int) -> list[Eigenvalue]:
         """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""
         out = []
         for part in self.groups():
@@ -151,7 +160,7 @@ class Coupled:
 
     __slots__ = ("bits", "c", "elastic", "matrix", "omega", "pull", "rigid")
 
-    def __init__(self, modal, part):
+    def __init__(self, modal: ModalDamping, part: Sequence[int]):
         self.bits, self.c, values = modal.bits, modal.c[np.ix_(part, part)], modal.values[part]
         self.elastic, self.rigid = np.flatnonzero(values != 0), np.flatnonzero(values == 0)
         roots = [math.isqrt(abs(int(values[i])) << self.bits) for i in self.elastic]
@@ -166,7 +175,7 @@ class Coupled:
             self.matrix[at, self.elastic] = fx.floats(self.omega, self.bits)
             self.matrix[self.elastic, at] = -fx.floats(self.pull, self.bits)
 
-    def apply(self, y):
+    def apply(self, y: np.ndarray) -> np.ndarray:
         """The matrix times fixed-point columns."""
         k, bits = len(self.c), self.bits
         v, u = y[:k], y[k:]
@@ -174,21 +183,21 @@ class Coupled:
         out[self.elastic] -= self.pull[:, None] * u >> bits
         return out
 
-    def place(self, u):
+    def place(self, u: "Interval"):
         """q from u = Ω q, for a motion too slow for its velocities to count."""
         q = np.zeros(len(self.c), complex)
         q[self.elastic] = u / fx.floats(self.omega, self.bits)
         return q
 
 
-def known(root, bits, wanted, deep, floor):
+def known(root: Root, bits: int, wanted: int, deep: int, floor: float) -> bool:
     """Whether Re λ is known to `wanted` bits, or λ to `deep` bits, or both are below 2^floor."""
     size = fx.log2(root.re * root.re + root.im * root.im, 2 * bits) / 2
     radius = root.radius
     return radius <= max(fx.log2(root.re, bits) - wanted, size - deep) or max(size, radius) <= floor
 
 
-def vanishing(found, zeros, bits, top):
+def vanishing(found: Sequence[Root], zeros: int | None, bits: int, top: float) -> list[tuple[Root, bool]]:
     """(root, whether it is zero), twice for a zero found as a conjugate pair.
 
     zeros: how many vanish by structure; where that is None, those which nothing but the working precision keeps
@@ -206,7 +215,7 @@ def vanishing(found, zeros, bits, top):
     return out
 
 
-def turning(elements):
+def turning(elements: Any) -> "dict[tuple[int, int], float | Fraction]":
     """C + G as one dict."""
     out = dict(elements.C)
     for at, x in elements.G.items():

@@ -1,12 +1,20 @@
 """Damped mode shapes to many digits: a bordered solve for each eigenvalue, which is known to all of them."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import mpmath
 import numpy as np
 
 from vibcli.analyses.modal.mode_numbers import Digits
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, ModalDamping
+    from vibcli.analyses.modal.nonsymmetric import Follower
+    from vibcli.analyses.modal.scaling import Scaling
 
-def shapes(system, found, scale):
+
+def shapes(system: "ModalDamping | Follower", found: "Sequence[Eigenvalue]", scale: "Scaling") -> np.ndarray:
     """The vectors in all coordinates as mpmath numbers, a column for each eigenvalue."""
     out = np.empty((len(system.basis), len(found)), object)
     with mpmath.workprec(system.bits):

@@ -6,13 +6,16 @@ K and M are the sums of their parts, so the shares of a mode add up to one. A pa
 an inverted pendulum, has a negative share. Of gyroscopic and damped modes they are those of the mean over a period.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import mpmath
 
 from vibcli.analyses.modal.modes_precise import WORKING, coinciding
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import inner
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
 
 NONE = 1e-20    # a share, or of its scale a sum, that is rounding
 
@@ -28,7 +31,7 @@ class Shares(NamedTuple):
     coinciding: list
 
 
-def shares(modal, _):
+def shares(modal: "ModalAnalysis", _: Any) -> Shares:
     """The Shares of a system."""
     with mpmath.workdps(WORKING):
         owned, modes, dissipation = owned_forms(modal.configuration), modal.sharp_modes, None

@@ -7,7 +7,8 @@ Both hold where K is positive definite and nothing gyroscopic acts (Rayleigh 187
 coordinate that measures what the first one with inertia does, lengths or angles, and 0 in the others.
 """
 
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import mpmath
 
@@ -15,6 +16,10 @@ from vibcli.analyses.modal.modes_precise import WORKING
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.element_contributions import owned_forms
 from vibcli.mechanics.inner_products import along
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.language.document.nodes import Scalar
 
 
 class Estimates(NamedTuple):
@@ -27,7 +32,7 @@ class Estimates(NamedTuple):
     alone: dict
 
 
-def estimates(modal, _):
+def estimates(modal: "ModalAnalysis", _: Any) -> Estimates:
     """The Estimates of a system; PhysicsError where the bounds do not hold."""
     with mpmath.workdps(WORKING):
         _require_bounds(modal)
@@ -75,7 +80,7 @@ def _unit_displacement(system, elements):
     return [int(kind == kinds[heavy[0]]) for kind in kinds]
 
 
-def matrix_of(entries, n):
+def matrix_of(entries: "Mapping[str, tuple[Scalar, Scalar]] | None", n: int):
     """{(i, j): number} as a matrix of mpmath's."""
     found = mpmath.zeros(n)
     for pair, entry in entries.items():

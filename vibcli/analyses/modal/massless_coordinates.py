@@ -10,6 +10,7 @@ equations are taken along other columns than the coordinates.
 """
 
 import math
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -21,10 +22,13 @@ from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.general_eigenvalues import eigenvalues
 from vibcli.numerics.symmetric_eigenvalues import spectrum
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.scaling import Scaling
+
 LOOSE = 1e-13       # of the largest stiffness: what springs do not hold
 
 
-def only_damped(elements):
+def only_damped(elements: Any) -> bool:
     """Is there no system without the dampers: has nothing inertia, or do dampers alone hold what has none?"""
     if not dragged(elements):
         return False
@@ -45,7 +49,7 @@ class MassiveSystem:
 
     __slots__ = ("basis", "bits", "c", "coupled", "deep", "k", "left", "massive", "release", "symmetric", "zeros")
 
-    def __init__(self, elements, scale, zeros, goal, deep):
+    def __init__(self, elements: Any, scale: "Scaling", zeros: int | None, goal: int, deep: int):
         n, p = elements.n, scale.coordinates
         self.bits = bits = 2 * goal + spread(elements, scale)
         self.coupled, self.deep, self.zeros = goal - 30, deep, zeros
@@ -100,7 +104,7 @@ class MassiveSystem:
         self.left, self.basis, self.c, self.k, self.massive = left, basis, c, k, h
         self.release, _ = inverted(c[h:, h:], list(range(len(c) - h)), bits)
 
-    def eigenvalues(self, wanted):
+    def eigenvalues(self, wanted: int) -> list[Eigenvalue]:
         """Every eigenvalue, to `wanted` bits of its real part unless that is negligible."""
         bits, h = self.bits, self.massive
         a = self._matrix()

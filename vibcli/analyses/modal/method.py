@@ -12,7 +12,7 @@ damping. FIRST_ORDER: places and velocities of what has inertia, places of what 
 point; if sure: in floats as long as their bound is below ENOUGH, else certified.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 CERTIFIED, CERTIFIABLE, CERTIFIABLE_SQUARES = 40, 80, 120
 SQUARES, FOLLOWER, FIRST_ORDER, MODAL = "squares", "follower", "first order", "modal"
@@ -26,7 +26,7 @@ class Method(NamedTuple):
     arithmetic: str
 
 
-def choose(elements, digits=None):
+def choose(elements: Any, digits: int | None = None) -> Method:
     """The Method for the eigenvalues of a system; digits: how many are asked for, None: those of floats."""
     form = form_of(elements)
     certifiable = CERTIFIABLE_SQUARES if form == SQUARES else CERTIFIABLE
@@ -37,19 +37,19 @@ def choose(elements, digits=None):
     return Method(form, IN_FLOATS if elements.n > certifiable else IF_SURE)
 
 
-def form_of(elements):
+def form_of(elements: Any) -> str:
     """The form of the eigenvalue problem of a system."""
     if not damped_at_all(elements) and not any(elements.G.values()):
         return FOLLOWER if elements.circulatory else SQUARES
     return FIRST_ORDER if elements.circulatory or dragged(elements) else MODAL
 
 
-def damped_at_all(elements):
+def damped_at_all(elements: Any) -> bool:
     """Does anything depend on velocities but gyroscopic terms?"""
     return any(c for c, _ in elements.dampers) or any(elements.C.values())
 
 
-def dragged(elements):
+def dragged(elements: Any) -> list[int]:
     """The massless coordinates that a damper touches."""
     if not elements.massless:
         return []

@@ -6,14 +6,21 @@ while they oscillate. A rigid-body mode is one entry in both lists, though a mod
 zero twice.
 """
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.analyses.modal.method import SQUARES, damped_at_all, form_of
 from vibcli.analyses.modal.undamped import Mode, undamped
 from vibcli.mechanics.factored_system import summed
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
 
-def natural_modes(elements, precise=None, exact=None, digits=None):
+
+def natural_modes(elements: Any, precise: Callable | None = None, exact: Callable | None = None,
+                  digits: int | None = None) -> list[Mode]:
     """The modes of the system without its dampers: those that grow, the rigid ones, the others by ascending ω.
 
     What decays is left out where it only mirrors what grows: where there is no G, or K is symmetric.
@@ -33,7 +40,8 @@ def natural_modes(elements, precise=None, exact=None, digits=None):
     return [mode._replace(index=index) for index, mode in enumerate(modes, 1)]
 
 
-def damped_modes(elements, natural, precise=None, exact=None, digits=None):
+def damped_modes(elements: Any, natural: Callable, precise: Callable | None = None, exact: Callable | None = None,
+                 digits: int | None = None) -> "list[DampedMode] | None":
     """The damped modes, None where nothing damps; `natural()` gives the modes without dampers."""
     if not damped_at_all(elements) and not any(elements.drag.values()):
         return None

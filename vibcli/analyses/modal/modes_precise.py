@@ -4,10 +4,17 @@ A spring 10¹² times as stiff as another stretches by 10⁻¹² of the amplitud
 """
 
 import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.modes import damped_modes, natural_modes
 from vibcli.base.errors import PhysicsError
 from vibcli.numerics.precision import estimated_steps
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.undamped import Mode
+    from vibcli.mechanics.configuration import Configuration
 
 DIGITS, WORKING = 30, 60
 LARGEST = 80        # coordinates
@@ -15,14 +22,14 @@ MOST = 200          # steps of a million products
 SAME = 1e-24        # relative difference of repeated frequencies
 
 
-def sharp_modes(configuration):
+def sharp_modes(configuration: "Configuration") -> "list[Mode]":
     """The modes of the system without its dampers, in numbers of mpmath with 30 correct digits."""
     elements = configuration.linear_system
     _require_quick(configuration, any(elements.G.values()))
     return natural_modes(elements, configuration.precise_system, configuration.exact_system, digits=DIGITS)
 
 
-def sharp_damped(configuration, natural):
+def sharp_damped(configuration: "Configuration", natural: Callable) -> "list[DampedMode]":
     """The damped modes as precisely; `natural`: what gives those without dampers."""
     elements = configuration.linear_system
     if elements.drag or elements.circulatory:
@@ -44,12 +51,12 @@ def _require_quick(configuration, damped):
                            f"--patience {math.ceil(steps / MOST)} allows it")
 
 
-def coinciding(modes):
+def coinciding(modes: "Sequence[Mode]") -> list[list[int]]:
     """Lists of the indices of modes that have one frequency, of two modes or more."""
     return [[mode.index for mode in group] for group in by_frequency(modes) if group[1:]]
 
 
-def by_frequency(modes):
+def by_frequency(modes: "Sequence[Mode]") -> "list[list[Mode]]":
     """Lists of the modes of one frequency; those that do not oscillate are left out."""
     groups = []
     for mode in modes:

@@ -6,6 +6,8 @@ real axis lies on it, for μ̄ is an eigenvalue too: the real part of its λ is 
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +16,9 @@ from vibcli.analyses.modal.massless_coordinates import MassiveSystem
 from vibcli.analyses.modal.rounding import last_bit, magnitudes
 from vibcli.numerics import fixed_point as fx
 from vibcli.numerics.general_eigenvalues import block_diagonal
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.scaling import Scaling
 
 NEARLY_ONE = 0.9        # log2 |√a + √b|/|√a| for b next to a
 COARSE, ALIKE = 20, 1e-6
@@ -24,7 +29,7 @@ class Follower(MassiveSystem):
 
     __slots__ = ("form", "norms", "top")
 
-    def eigenvalues(self, wanted):
+    def eigenvalues(self, wanted: int) -> list[Eigenvalue]:
         """Every eigenvalue, the rate of a growth to `wanted` bits unless that is negligible."""
         bits, a = self.bits, self.k
         matrix = fx.floats(a, bits)
@@ -42,7 +47,7 @@ class Follower(MassiveSystem):
         self.form, self.norms = block_diagonal(lambda y: fx.product(a, y, bits), matrix, bits, enough, noise)
         return self._all(self.norms)
 
-    def rounded(self, data, scale, unit):
+    def rounded(self, data: Any, scale: "Scaling", unit: float) -> list[Eigenvalue]:
         """The eigenvalues with bounds that hold for every rounding of the data, which adds to V⁻¹ K V."""
         if self.form is None:
             return self.eigenvalues(0)
@@ -104,7 +109,7 @@ def _chained(matrix, shapes):
     return list((inner @ chain.T).T.astype(complex))
 
 
-def rested(found, bits):
+def rested(found: Sequence[Eigenvalue], bits: int) -> list[Eigenvalue]:
     """The eigenvalues, with those at zero that the rounding of the data alone keeps from it."""
     sizes = [fx.magnitude(math.isqrt(d.re * d.re + d.im * d.im), bits) for d in found]
     top, out = max(sizes), []

@@ -6,7 +6,9 @@ dependent where what is left of them by complete pivoting is below 1e-14 n.
 """
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +19,7 @@ PRIMES = (1 << 61) - 1, (1 << 59) - 55
 MANY = 200
 
 
-def undamped_rigid(elements, zeros, data):
+def undamped_rigid(elements: Any, zeros: int | None, data: Any) -> int | None:
     """How many of the `zeros` rigid motions no damper resists; None where the structure does not tell.
 
     data: the elements in the arithmetic that decides about rows which are not rational.
@@ -32,7 +34,7 @@ def undamped_rigid(elements, zeros, data):
     return elements.n - rank(elements.n, rows, rows if rational else None)
 
 
-def rank(n, rows, exact_rows=None):
+def rank(n: int, rows: Sequence[dict[int, float]], exact_rows: Sequence[dict[int, Fraction]] | None = None) -> int:
     """The rank of sparse rows {coordinate: component}; exact_rows: the same as Fractions where they are rational."""
     if exact_rows is not None:
         rows = exact_rows

@@ -6,7 +6,7 @@ Shapes constrain the motion, and constraints lower no frequency: ω̃ᵢ² ≥ �
 where M and K are symmetric and what has no inertia is held. One shape gives Rayleigh's quotient φᵀKφ/φᵀMφ.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.fields import Element, Field
@@ -50,7 +50,7 @@ class RitzMode(NamedTuple):
     exact: float | None
 
 
-def ritz(modal, asked):
+def ritz(modal: Any, asked: Any):
     """The RitzEstimates of a system; PhysicsError where its shapes or its matrices give no bounds."""
     import mpmath
 

@@ -4,14 +4,21 @@
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from vibcli.analyses.modal.damped_in_modal_coordinates import turning
+from vibcli.analyses.modal.damped_in_modal_coordinates import Eigenvalue, ModalDamping, turning
 from vibcli.numerics import fixed_point as fx
 
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.massless_coordinates import MassiveSystem
+    from vibcli.analyses.modal.scaling import Scaling
 
-def with_data_error(found, system, elements, scale, unit):
+
+def with_data_error(found: Sequence[Eigenvalue], system: "ModalDamping | MassiveSystem", elements: Any,
+                    scale: "Scaling", unit: float) -> list[Eigenvalue]:
     """The eigenvalues, every radius widened by the effect of a relative rounding 2^unit of every weight and component.
 
     K given with K_size carries 2⁻⁵³ of it even where the other data are exact.
@@ -30,12 +37,13 @@ def with_data_error(found, system, elements, scale, unit):
     return [widened(d) if d.re or d.im else d for d in found]
 
 
-def last_bit(unit):
+def last_bit(unit: float) -> float:
     """log2 of the rounding that numbers carry which are exact but for the sums in K."""
     return unit if math.isfinite(unit) else -53.0
 
 
-def magnitudes(system, elements, scale, unit):
+def magnitudes(system: "ModalDamping | MassiveSystem", elements: Any, scale: "Scaling",
+               unit: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What the roundings of M, C and K are proportional to, in the columns of the system."""
     right, p = np.abs(fx.floats(system.basis, system.bits)), scale.coordinates
     left = np.abs(fx.floats(system.left, system.bits)) if hasattr(system, "left") else right

@@ -7,7 +7,8 @@ eigenvector, u itself where there is no G (R. L. Fox & M. P. Kapoor, AIAA Journa
 coincide split: their derivatives, as p grows, are the eigenvalues of φᵀ(K′ − ω²M′)φ/2ω over all shapes φ of them.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import mpmath
 
@@ -16,6 +17,10 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.inner_products import conjugate, inner, only
 from vibcli.mechanics.parameter_derivatives import perturbed_system
 from vibcli.symbolic.dual_numbers import Dual, slope
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.undamped import Mode
 
 ROUNDING = 1e-25    # of a frequency
 SIMPLE = 1e-10      # relative distance from the next eigenvalue below which one does not count as simple
@@ -45,7 +50,7 @@ class DampedSensitivity(NamedTuple):
     zeta: dict
 
 
-def sensitivities(modal, _):
+def sensitivities(modal: "ModalAnalysis", _: Any) -> Sensitivities:
     """The Sensitivities of a system."""
     with mpmath.workdps(WORKING):
         modes, (damped, remark) = modal.sharp_modes, _damped_modes(modal)
@@ -74,14 +79,14 @@ def _rounded(rate, value, size):
 class _Group:
     """Modes of one frequency, and φᴴ(2ωM − iG)φ of the first."""
 
-    def __init__(self, modes, elements):
+    def __init__(self, modes: "Sequence[Mode]", elements: Any):
         self.modes, self.omega, self.turning = modes, modes[0].omega, any(elements.G.values())
         shape = modes[0].shape
         self.size = 2 * self.omega * inner(elements.inertias, elements.M, shape, shape)
         if self.turning:
             self.size -= 1j * inner((), elements.G, shape, shape)
 
-    def rates(self, change):
+    def rates(self, change: Any) -> list[mpmath.mpf]:
         """∂ω/∂p of the modes, ascending; None of gyroscopic modes that coincide."""
         shapes = [mode.shape for mode in self.modes]
         if not shapes[1:]:

@@ -4,9 +4,15 @@ Without gyroscopic terms a damper does not change the answer that K gives (Thoms
 them it may destroy a stability that gyroscopic terms alone give, and so may a damper that feeds energy in.
 """
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import Inertless, PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.modal.damped_modes import DampedMode
+    from vibcli.analyses.modal.modal_analysis import ModalAnalysis
+    from vibcli.analyses.modal.undamped import Mode
 
 STABLE, HELD, NEUTRAL, UNSTABLE, FALLING = "stable", "held", "neutral", "unstable", "falling"
 OPEN = "open"
@@ -23,12 +29,12 @@ class Stability(NamedTuple):
     growth_rate: float = None
 
     @property
-    def stable(self):
+    def stable(self) -> bool:
         """Neutral counts as stable; None where it is left open."""
         return None if self.kind == OPEN else self.kind not in (UNSTABLE, FALLING)
 
 
-def stability(modal):
+def stability(modal: Any) -> Stability:
     """The Stability of an equilibrium, by its modes."""
     if inertless(modal.configuration.linear_system):
         return _of_springs(modal.configuration)
@@ -45,7 +51,7 @@ def stability(modal):
     return Stability(HELD if kinds else STABLE)
 
 
-def inertless(elements):
+def inertless(elements: Any) -> bool:
     """Do springs, weights and loads alone act on it?"""
     return len(elements.massless) == elements.n and not elements.dampers and not any(
         any(part.values()) for part in (elements.C, elements.drag, elements.G))
@@ -78,7 +84,7 @@ def _of_first_order(damped):
     return Stability(NEUTRAL if any(not mode.omega for mode in damped) else STABLE)
 
 
-def judged(modal):
+def judged(modal: "ModalAnalysis") -> Stability:
     """The Stability, OPEN where there are no small oscillations that would tell."""
     try:
         return stability(modal)
@@ -86,7 +92,7 @@ def judged(modal):
         return Stability(OPEN)
 
 
-def growing(modes):
+def growing(modes: "Sequence[DampedMode | Mode]") -> list[float]:
     """The growth rates of the modes that grow."""
     return [mode.growth_rate for mode in modes if mode.kind in ("flutter", "divergence")]
 

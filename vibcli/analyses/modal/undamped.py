@@ -5,17 +5,23 @@ The eigenvalues are enclosed rigorously in fixed-point arithmetic (undamped_cert
 """
 
 import math
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from vibcli.analyses.modal.method import ENCLOSED, IN_DIGITS, IN_FLOATS, choose
 from vibcli.analyses.modal.mode_numbers import Digits, NearestFloats, beyond, in_units
 from vibcli.analyses.modal.rigid_body_modes import rank
-from vibcli.analyses.modal.scaling import mechanism, scaling
-from vibcli.analyses.modal.undamped_certified import enclosed
+from vibcli.analyses.modal.scaling import Scaling, mechanism, scaling
+from vibcli.analyses.modal.undamped_certified import EnclosedEigenvalues, enclosed
 from vibcli.base.errors import Inertless
 from vibcli.numerics.precision import working_bits
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.analyses.modal.undamped_large import Approximate
 
 ENOUGH = 5e-13
 EXACT = -math.inf
@@ -40,24 +46,24 @@ class Mode(NamedTuple):
     error: Any
 
     @property
-    def rigid(self):
+    def rigid(self) -> bool:
         """Does it move without a force?"""
         return not self.omega and self.growth_rate is None
 
     @property
-    def kind(self):
+    def kind(self) -> str:
         """rigid, oscillation, decay, flutter or divergence."""
         return kind(self.growth_rate, self.omega)
 
 
-def kind(growth, omega):
+def kind(growth: float | None, omega: float | None) -> str:
     """What a motion e^{(growth + i omega)t} is called; either number may be None for zero."""
     if growth and growth > 0:
         return "flutter" if omega else "divergence"
     return "oscillation" if omega else "decay" if growth else "rigid"
 
 
-def undamped(elements, precise=None, digits=None):
+def undamped(elements: Any, precise: Callable | None = None, digits: int | None = None) -> list[Mode]:
     """The modes by ascending ω²: unstable, then rigid, then the others, each with its relative error bound.
 
     `precise(dps)` evaluates the same elements to dps digits and is called where floats do not decide;
@@ -66,7 +72,7 @@ def undamped(elements, precise=None, digits=None):
     return within_floats(_undamped, elements, precise, digits)
 
 
-def within_floats(solve, *data):
+def within_floats(solve: Callable, *data: Any):
     """What solves for modes; the refusal of those that floats cannot hold."""
     try:
         with np.errstate(all="ignore"):
@@ -89,7 +95,7 @@ def _undamped(elements, precise, digits):
     return modes(certain(elements, scale, zeros, precise), scale, NearestFloats)
 
 
-def prepared(elements, dragged=False):
+def prepared(elements: Any, dragged: bool = False) -> tuple[Scaling, int | None]:
     """The powers of two that scale the data, and the number of rigid modes or None where K has to tell.
 
     `dragged`: massless coordinates may be held by dampers alone.
@@ -102,7 +108,7 @@ def prepared(elements, dragged=False):
     return scale, elements.n - rank(elements.n, *spring_rows(elements)) if factored(elements) else None
 
 
-def certain(elements, scale, zeros, precise):
+def certain(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None) -> EnclosedEigenvalues:
     """Enclosed eigenvalues of the floats, or of more digits where their rounding shows."""
     answer = enclosed(elements, scale, zeros)
     if precise is None:
@@ -117,7 +123,8 @@ def certain(elements, scale, zeros, precise):
     return answer
 
 
-def undamped_digits(elements, scale, zeros, precise, digits):
+def undamped_digits(elements: Any, scale: Scaling, zeros: int | None, precise: Callable | None,
+                    digits: int) -> list[Mode]:
     """The modes to `digits` correct digits, in numbers of mpmath."""
     goal = working_bits(digits)
     if precise is None:
@@ -131,24 +138,24 @@ def undamped_digits(elements, scale, zeros, precise, digits):
     return modes(answer, scale, Digits)
 
 
-def decimal(dps):
+def decimal(dps: int) -> float:
     """log2 of the rounding of numbers evaluated to dps digits."""
     return (2 - dps) * math.log2(10)
 
 
-def factored(elements):
+def factored(elements: Any) -> bool:
     """Whether all stiffness is Σ k ∇s ∇sᵀ with k >= 0."""
     return not any(elements.K.values()) and all(k >= 0 for k, _ in elements.springs)
 
 
-def spring_rows(elements):
+def spring_rows(elements: Any) -> "tuple[list[dict[int, float]], list[dict[int, Fraction]] | None]":
     """The rows of springs that have stiffness: as floats, and as Fractions or None."""
     kept = [i for i, (k, _) in enumerate(elements.springs) if k]
     exact = elements.rational_rows
     return [elements.springs[i][1] for i in kept], None if exact is None else [exact[i] for i in kept]
 
 
-def check_ties(elements):
+def check_ties(elements: Any) -> None:
     """Refuses a coordinate with neither inertia nor stiffness."""
     tied = {i for k, row in elements.springs if k for i, x in row.items() if x}
     tied.update(i for (i, j), x in elements.K.items() if x)
@@ -157,7 +164,7 @@ def check_ties(elements):
             raise mechanism(i)
 
 
-def modes(answer, scale, numbers):
+def modes(answer: EnclosedEigenvalues, scale: Scaling, numbers: type[Any]) -> list[Mode]:
     """Mode objects of enclosed eigenvalues, in floats or mpmath's numbers."""
     bits = answer.bits
     powers = bits - np.broadcast_to(np.array(scale.coordinates)[:, None], answer.shapes.shape)
@@ -177,7 +184,7 @@ def modes(answer, scale, numbers):
     return out
 
 
-def many_modes(answer, scale):
+def many_modes(answer: "Approximate", scale: Scaling) -> list[Mode]:
     """Mode objects of approximate eigenvalues in floats."""
     (direction, full), out = in_units(answer.shapes, scale), []
     for place, i in enumerate(np.argsort(answer.values, kind="stable").tolist(), 1):

@@ -1,13 +1,21 @@
 """Where a motion starts: what is given, and for the rest where the scene is at rest."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.initial_state import at_rest
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.scene.scene import Scene
 
-def start(configuration, initial):
+
+def start(configuration: "Configuration",
+          initial: Mapping[str, float] | None) -> tuple[dict[str, float], dict[str, float]]:
     """({coordinate: float} positions, {coordinate: float} velocities) of all coordinates, those that follow from the
     constraints included."""
     given = {name: float(value) for name, value in (initial or {}).items()}
@@ -44,7 +52,7 @@ def _with_dependent(numeric, q, v):
             {**v, **dict(zip(scene.dependent, speeds, strict=True))})
 
 
-def vectors(scene, places, speeds):
+def vectors(scene: "Scene", places: Mapping[str, float], speeds: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray]:
     """(q, q̇) in the order of the scene's coordinates."""
     return (np.array([places[name] for name in scene.coordinates]),
             np.array([speeds[name] for name in scene.coordinates]))

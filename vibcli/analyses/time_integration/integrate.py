@@ -1,6 +1,8 @@
 """The motion of a scene from its start up to an instant."""
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,13 +25,19 @@ from vibcli.mechanics.numeric_equations import NumericEquations
 from vibcli.mechanics.switching import Switching
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
+
 ACCURACY, BALANCED = 1e-12, 1e-8      # of a step relative to the motion; of the energies
 LONGEST = 1e12
 MOST_STEPS = 100_000
 MOST_AT_ONCE = 20       # events at one instant
 
 
-def known_motion(configuration, until, initial=None):
+def known_motion(configuration: "Configuration", until: float,
+                 initial: Mapping[str, float] | None = None) -> Trajectory:
     """The Trajectory that `simulate` gives, as far as a second solution shares it."""
     found = simulate(configuration, until, initial=initial)
     if not found.end > 0:
@@ -40,7 +48,8 @@ def known_motion(configuration, until, initial=None):
 
 
 @np.errstate(all="ignore")      # what is not finite is refused with its instant
-def simulate(configuration, until, rtol=ACCURACY, initial=None, second=False):
+def simulate(configuration: "Configuration", until: float, rtol: float = ACCURACY,
+             initial: Mapping[str, float] | None = None, second: bool = False) -> Trajectory:
     """The Trajectory of a system up to t = `until` [s].
 
     rtol: the error of each step relative to the motion. initial: {x: m or rad, x': m/s or rad/s}; what is not given
@@ -97,7 +106,7 @@ def _rounding(numeric, march, energies):
     return float(march.sizes.weight**2 * march.sizes.noise @ way) + each
 
 
-def units_of(numeric, names):
+def units_of(numeric: "NumericSystem", names: Sequence[str]) -> np.ndarray:
     """The size of the figure along each coordinate."""
     return np.array(list(map(numeric.size_along, names)))
 
@@ -112,7 +121,7 @@ def _unbalanced(energies):
                         "follow it for a shorter time, or let what acts change less abruptly")
 
 
-def equations_of(numeric):
+def equations_of(numeric: "NumericSystem") -> "Scene":
     """The scene whose equations are integrated: that with all its coordinates where loops are closed."""
     return numeric.scene if numeric.scene.loops is None else _loose(numeric)
 

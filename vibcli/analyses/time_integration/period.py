@@ -7,6 +7,8 @@ every power; E − V is found as an integral of −V′ from the nearer end, whe
 """
 
 import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.polynomial.legendre import leggauss
@@ -19,6 +21,11 @@ from vibcli.numerics.root_finding import last_place
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.numeric_code import SWITCHED, Compiled
 
+if TYPE_CHECKING:
+    import mpmath
+
+    from vibcli.scene.scene import Scene
+
 FIRST, MOST = 16, 1 << 15
 ACCURACY, ENOUGH, ROUNDING, EPS = 1e-14, 1e-9, 1e-14, 2.0**-52
 INNER, MOST_PARTS = 28, 64
@@ -28,7 +35,8 @@ STEPS, WIDEST = 400, 20.0     # of a twentieth of the way that a linear spring w
 FARTHER = 0.05                # of the way gone and of q, if more: near an unstable place a spring says little
 
 
-def exact_period(scene, values, q, v):
+def exact_period(scene: "Scene", values: "Mapping[str, float | mpmath.mpf]", q: "float | mpmath.mpf",
+                 v: "float | mpmath.mpf") -> tuple[float, float] | None:
     """(period [s], relative error) of the motion from (q, v); None where the scene has several coordinates, or is not
     conservative. Numbers may be floats or mpmath's.
 

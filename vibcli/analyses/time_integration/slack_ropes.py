@@ -4,6 +4,8 @@ A scene whose ropes are taut is integrated with the coordinates that they leave;
 its coordinates is the tension.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.analyses.time_integration.level_crossings import passages
@@ -12,10 +14,15 @@ from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.numeric_code import Compiled
 
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
+    from vibcli.mechanics.numeric_equations import NumericEquations
+    from vibcli.mechanics.numeric_system import NumericSystem
+
 NOTHING = 1e-10         # of the largest tension: no push
 
 
-def slack(numeric, loose, trajectory):
+def slack(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Trajectory") -> tuple[float, str] | None:
     """(instant, name of the rope) at which a rope first goes slack; None where none does. `loose`: the System with all
     coordinates of the scene."""
     ropes = [k for k, tie in enumerate(loose.scene.constraints) if tie.form == "rope" and tie.name in loose.parts.names]
@@ -36,7 +43,8 @@ def slack(numeric, loose, trajectory):
     return min(found, default=None)
 
 
-def tensions(numeric, loose, trajectory, times):
+def tensions(numeric: "NumericSystem", loose: "NumericEquations", trajectory: "Trajectory",
+             times: np.ndarray) -> np.ndarray:
     """The multipliers of all constraints at the times, of shape (constraints, times)."""
     q, v, _ = trajectory.at(times)
     scene = numeric.scene

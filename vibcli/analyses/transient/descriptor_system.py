@@ -1,17 +1,24 @@
 """M q̈ + C q̇ + K q = f of any number of digits as a system of first order, some coordinates being without inertia."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 from mpmath import mp, mpf
 
 from vibcli.analyses.transient.static_condensation import condensed
 from vibcli.base.errors import PhysicsError
 
+if TYPE_CHECKING:
+    import mpmath
+
 
 class Descriptor:
     """ẏ = A y + B f, q = Q y + F f with y = (a, z, ȧ): of the coordinates with inertia, of those without that a damper
     resists; others follow the forces at once (condensed.py)."""
 
-    def __init__(self, M, C, K):
+    def __init__(self, M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                 K: "Sequence[list[float | mpmath.mpf]]"):
         n = len(M)
         _require_held(M, C, K)
         M, C, K = (np.array([[real(x) for x in row] for row in matrix], object) for matrix in (M, C, K))
@@ -48,5 +55,5 @@ def _require_held(M, C, K):
                            "leave --digits out")
 
 
-def real(x):
+def real(x: float):
     return mpf(x.numerator) / x.denominator if hasattr(x, "numerator") and not isinstance(x, float) else mp.mpf(x)

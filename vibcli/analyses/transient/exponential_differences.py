@@ -9,6 +9,8 @@ where that distance times t is small a series replaces it, so nothing cancels (M
 """
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +18,7 @@ NEAR = 2.0
 TERMS, SINH = 40, 8
 
 
-def exponential(node, t):
+def exponential(node: complex, t: np.ndarray) -> np.ndarray:
     """e^{λt} for real times, of real type for a real λ."""
     decay = np.exp(node.real * t)
     if not node.imag:
@@ -27,7 +29,7 @@ def exponential(node, t):
     return out
 
 
-def real_wave(factor, node, t):
+def real_wave(factor: complex | np.ndarray, node: complex, t: np.ndarray) -> float | np.ndarray:
     """Re(factor e^{λt})."""
     decay = np.exp(node.real * t) if node.real else 1.0
     if not node.imag:
@@ -36,7 +38,7 @@ def real_wave(factor, node, t):
     return decay * (np.real(factor) * np.cos(angle) - np.imag(factor) * np.sin(angle))
 
 
-def differences(nodes, t):
+def differences(nodes: Sequence[complex], t: np.ndarray) -> np.ndarray:
     """E[nodes] at an array of times, exact to a few roundings of |node| t."""
     known = {}
 
@@ -64,7 +66,7 @@ def _difference(nodes, t, of):
     return out
 
 
-def farthest(nodes):
+def farthest(nodes: Sequence[complex]) -> tuple[int, int]:
     """The places i < j of the two nodes farthest apart."""
     pairs = ((i, j) for i in range(len(nodes)) for j in range(i + 1, len(nodes)))
     return max(pairs, key=lambda pair: abs(nodes[pair[0]] - nodes[pair[1]]))
@@ -105,7 +107,7 @@ def _pair(nodes, t):
     return t * exponential(nodes[1] + half, t) * total
 
 
-def bounds(nodes, early, late):
+def bounds(nodes: Any, early: Any, late: Any):
     """Upper bounds of |E[nodes](t)| on the intervals early <= t <= late."""
     m = len(nodes)
     fastest = np.exp(np.maximum(*(max(node.real for node in nodes) * t for t in (early, late))))
@@ -119,7 +121,8 @@ def bounds(nodes, early, late):
     return found
 
 
-def real_sum(terms, t):
+def real_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
+             t: np.ndarray) -> np.ndarray:
     """Σ Re(factor tᵏ E[nodes]) of terms (k, nodes, which of the times, factors there)."""
     total = np.zeros(len(t))
     for power, nodes, inside, factor in terms:
@@ -129,7 +132,8 @@ def real_sum(terms, t):
     return total
 
 
-def largest_sum(terms, early, late):
+def largest_sum(terms: Sequence[tuple[int, tuple[complex, ...], np.ndarray | slice, complex | np.ndarray]],
+                early: np.ndarray, late: np.ndarray) -> np.ndarray:
     """An upper bound of the magnitude of the same on the intervals early <= t <= late."""
     total = np.zeros(len(early))
     for power, nodes, inside, factor in terms:

@@ -2,7 +2,7 @@
 
 import math
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -11,6 +11,10 @@ from vibcli.analyses.transient.forced import fractions
 from vibcli.analyses.transient.markov_parameters import direct, markov
 from vibcli.analyses.transient.modal_block import paths
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import Pieces
 
 
 class ExponentialTerm(NamedTuple):
@@ -26,7 +30,7 @@ class ExponentialTerms:
     """The Terms of the order-th derivative of an output; split: driven parts into free ones and waves, where that loses
     nothing later on."""
 
-    def __init__(self, pieces, output, order, split):
+    def __init__(self, pieces: "Pieces", output: "LinearOutput", order: int, split: bool):
         self.free, self.linked, self.near, self.waves = [], [], [], {}
         for block, found, states in zip(pieces.motion.blocks, pieces.drives, pieces.states, strict=True):
             row = block.rows(output, order)
@@ -38,7 +42,7 @@ class ExponentialTerms:
         if output.a or output.channels or (order and output.v) or order > 1 or pieces.motion.system is not None:
             self._add_direct(pieces, output, order)
 
-    def all(self):
+    def all(self) -> list[ExponentialTerm]:
         """Those of free motion, then of driven parts, then waves."""
         return [*self.free, *self.linked, *self.near, *self.waves.values()]
 
@@ -76,17 +80,17 @@ class ExponentialSum:
     """The order-th derivative of an output, real parts of sums with coefficients by segment. since: before this τ the
     split of driven parts into free ones and waves cancels, and the unsplit sum is taken."""
 
-    def __init__(self, pieces, output, order, split=True):
+    def __init__(self, pieces: "Pieces", output: "LinearOutput", order: int, split: bool = True):
         self.terms, self.count = ExponentialTerms(pieces, output, order, split).all(), len(pieces.timeline.starts)
         self.since = max((drive.after for drives in pieces.drives for drive in drives if drive.after < math.inf),
                          default=0.0) if split else 0.0
         self._of = pieces, output, order
 
-    def nodes(self):
+    def nodes(self) -> list[tuple[complex, ...]]:
         """The nodes of each exponential in the sum."""
         return [term.nodes for term in self.terms]
 
-    def on(self, segment):
+    def on(self, segment: int) -> list[tuple[tuple[complex, ...], complex]]:
         """(nodes, factor) of all on one segment: the output is Re Σ factor · E[nodes](τ)."""
         found = []
         for power, nodes, at, row in self.terms:
@@ -96,11 +100,11 @@ class ExponentialSum:
         return found
 
     @cached_property
-    def unsplit(self):
+    def unsplit(self) -> "ExponentialSum":
         """The same sum with no driven part split."""
         return ExponentialSum(*self._of, split=False)
 
-    def at(self, segment, tau):
+    def at(self, segment: np.ndarray, tau: np.ndarray) -> np.ndarray:
         """The values at the times `tau` after the starts of the segments."""
         y = self._summed(real_sum, segment, tau)
         if not np.isfinite(y).all():
@@ -108,7 +112,7 @@ class ExponentialSum:
                                hint="ask for an earlier time: the system is unstable")
         return y
 
-    def bound(self, segment, early, late):
+    def bound(self, segment: np.ndarray, early: np.ndarray, late: np.ndarray) -> np.ndarray:
         """Upper bounds of the magnitude on the intervals early <= τ <= late of the segments."""
         return self._summed(largest_sum, segment, early, late)
 

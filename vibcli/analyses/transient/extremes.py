@@ -5,14 +5,21 @@ second derivative there, which sums of exponentials give. Stretches that cannot 
 out, the others divided: all at once, and where they are very many those with the highest bounds first.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, refused
 
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.base.work import Task, Work
+
 FINE = 1e-6
 
 
-def extreme(pieces, output, start, end, sense, work):
+def extreme(pieces: Any, output: "LinearOutput", start: float, end: float, sense: str,
+            work: "Work") -> tuple[float, float]:
     """(t, value) of the largest or smallest value of the output, also where it jumps or has a kink."""
     search = ExtremeSearch(BoundedOutput(pieces, output, start, end), sense)
     with work.task(f"the search for the {search.which} value until t = {end:.6g} s", MOST, search.refusal) as task:
@@ -24,12 +31,12 @@ class ExtremeSearch:
     how often they were divided, Cells)]; tops: [(values, times, whether these are peaks or ends of a segment)] of
     instants that may be those of the largest."""
 
-    def __init__(self, curve, sense):
+    def __init__(self, curve: BoundedOutput, sense: str):
         self.which, self.sign = ("smallest", -1.0) if sense == "min" else ("largest", 1.0)
         self.curve, self.value, self.time, self.scale = curve, -np.inf, curve.start, 0.0
         self.left, self.tops = [(np.inf, 0, curve.first_cells())], []
 
-    def run(self, task):
+    def run(self, task: "Task") -> tuple[float, float]:
         """(t, value), the earliest of equals."""
         while self.left:
             most, level, cells = max(self.left, key=lambda part: part[0])
@@ -56,7 +63,7 @@ class ExtremeSearch:
         return 2 * np.sqrt(8 * self.rounding / bend) if bend else 0.0
 
     @property
-    def rounding(self):
+    def rounding(self) -> float:
         return 4 * EPSILON * self.scale
 
     def _look(self, level, cells):
@@ -95,7 +102,7 @@ class ExtremeSearch:
         times = self.curve.times(segment[near], tau[near])
         self.tops.append((values[near], times, np.full(len(times), peak)))
 
-    def refusal(self, task):
+    def refusal(self, task: "Task"):
         """What is said of a search that was given up, and what is known by then."""
         more = max(0.0, *(most - self.value for most, *_ in self.left))
         known = f": so far {self.sign * self.value:.6g} at t = {self.time:.6g} s is the {self.which} (in SI units)"

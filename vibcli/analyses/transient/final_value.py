@@ -1,16 +1,22 @@
 """What a motion comes to rest at."""
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.excitation.forcing import oscillates
 from vibcli.analyses.transient.exponential_sum import ExponentialSum
 from vibcli.analyses.transient.textbook_form import expanded
 from vibcli.base.errors import PhysicsError
 
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.linear_response import LinearMotion
+
 NOTHING = 1e-13
 
 
-def final(motion, output):
+def final(motion: "LinearMotion", output: "LinearOutput") -> float:
     """The limit of the output as t → ∞; PhysicsError where it keeps vibrating, drifts or grows.
 
     E[nodes] = Σ over its different nodes λ of (polynomial in t) e^{λt}. Parts of the same λ are added up over all terms
@@ -58,7 +64,7 @@ def _add(found, factor, nodes, node):
         found[power] = total + part, size + abs(whole)
 
 
-def coefficients(nodes, node):
+def coefficients(nodes: Sequence[complex], node: complex) -> dict[int, complex]:
     """{k: c}: E[nodes](t) holds Σ c tᵏ e^{node t}; the Taylor series of 1/Π(p − λ) over the other nodes."""
     others = [other for other in nodes if other != node]
     return dict(enumerate(expanded(node, len(nodes) - len(others), others))) if node in nodes else {}

@@ -6,6 +6,8 @@ until two results agree.
 """
 
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from mpmath import mp
@@ -13,15 +15,31 @@ from mpmath import mp
 from vibcli.analyses.transient.descriptor_system import Descriptor, real
 from vibcli.numerics import fixed_point as fx
 
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    import mpmath
+
+    from vibcli.analyses.excitation.forcing import Forcing
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+
 GUARD, MORE, TRIES = 64, 96, 12
 
 
-def precise_value(M, C, K, forcing, q0, v0, output, time, digits, order=0):
+def precise_value(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                  K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+                  q0: "Sequence[float | mpmath.mpf] | np.ndarray", v0: "Sequence[float | mpmath.mpf] | np.ndarray",
+                  output: "LinearOutput", time: "float | Fraction | mpmath.mpf", digits: int,
+                  order: int = 0) -> "mpmath.mpf":
     """The order-th derivative of an output at a time as mpmath.mpf, see precise_values."""
     return precise_values(M, C, K, forcing, q0, v0, [output], time, digits, order)[0]
 
 
-def precise_values(M, C, K, forcing, q0, v0, outputs, time, digits, order=0):
+def precise_values(M: "Sequence[list[float | mpmath.mpf]]", C: "Sequence[list[float | mpmath.mpf]]",
+                   K: "Sequence[list[float | mpmath.mpf]]", forcing: "Forcing",
+                   q0: "Sequence[float | mpmath.mpf] | np.ndarray", v0: "Sequence[float | mpmath.mpf] | np.ndarray",
+                   outputs: "Sequence[LinearOutput]", time: "float | Fraction | mpmath.mpf", digits: int,
+                   order: int = 0) -> "list[mpmath.mpf]":
     """The order-th derivative of each output at a time, just after what jumps there, correct to `digits`.
 
     M, C, K: nested lists of numbers, as q0, v0 and those of the forcing and the outputs: float, Fraction, mpf or mpc.

@@ -5,6 +5,7 @@ curvature has no bound; at a jump the slope has none either.
 """
 
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -21,19 +22,19 @@ class Jet:
 
     __slots__ = ("curvature", "slope", "value")
 
-    def __init__(self, value, slope=None, curvature=None):
+    def __init__(self, value: Interval, slope: Interval | None = None, curvature: Interval | None = None):
         self.value, self.slope, self.curvature = value, slope or exact(0.0), curvature or exact(0.0)
 
-    def __add__(self, other):
+    def __add__(self, other: "Jet") -> "Jet":
         return Jet(_kept(self.value + other.value, self.value, other.value), self.slope + other.slope,
                    self.curvature + other.curvature)
 
-    def __mul__(self, other):
+    def __mul__(self, other: "Jet") -> "Jet":
         return Jet(_kept(self.value * other.value, self.value, other.value),
                    self.slope * other.value + self.value * other.slope,
                    self.curvature * other.value + TWO * self.slope * other.slope + self.value * other.curvature)
 
-    def through(self, value, first, second):
+    def through(self, value: Interval, first: Interval, second: Interval) -> "Jet":
         """f(u) with the bounds of f, f' and f'' on u."""
         return Jet(value, first * self.slope, second * self.slope * self.slope + first * self.curvature)
 
@@ -43,7 +44,7 @@ def _kept(found, one, other):
     return Interval(np.where((one.low >= 0) & (other.low >= 0), np.maximum(found.low, 0.0), found.low), found.high)
 
 
-def unbounded(where, found):
+def unbounded(where: np.ndarray, found: Interval) -> Interval:
     """The interval, any number where it has no bound."""
     return Interval(np.where(where, -np.inf, found.low), np.where(where, np.inf, found.high))
 
@@ -152,11 +153,11 @@ class Jets:
     power = staticmethod(_power)
 
     @staticmethod
-    def number(value):
+    def number(value: Fraction | int) -> Jet:
         return Jet(Intervals.number(value))
 
     @staticmethod
-    def record(name, samples):
+    def record(name: str, samples: Sequence[dict[str, float]]):
         raise KeyError(name)
 
     functions = {

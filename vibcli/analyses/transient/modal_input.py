@@ -7,6 +7,7 @@ equations are met by Newton's method in fixed point, the inverse in floats being
 ones.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -21,7 +22,7 @@ ENOUGH, STEPS = 1e-9, 5
 NOTHING = 1e-20
 
 
-def blocks(M, C, bases):
+def blocks(M: np.ndarray, C: np.ndarray, bases: Sequence[tuple[np.ndarray, np.ndarray, bool]]) -> list[ModalBlock]:
     """The Blocks of bases (X, B, half) in fixed point."""
     n = len(M)
     rounded = [(narrow(X), narrow(B)) for X, B, _ in bases]
@@ -68,13 +69,13 @@ def _real_parts(lead, bases, h):
     return np.concatenate([whole[:h], fx.product(fx.fixed(lead, BITS), whole[h:n + h], BITS)])
 
 
-def beside(a):
+def beside(a: np.ndarray) -> np.ndarray:
     """[Re | Im] of a matrix given as Re above Im."""
     middle = len(a) // 2
     return np.concatenate([a[:middle], a[middle:]], axis=1)
 
 
-def triangle(B):
+def triangle(B: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(Q, Qᴴ B Q) with an upper triangle: a Schur form in the digits that Newton's method gave."""
     if len(B) == 1:
         return np.eye(1), _clean(narrow(B))

@@ -6,7 +6,9 @@ Bᵢ Eᵢⱼ − Eᵢⱼ Bⱼ = −Sᵢⱼ, those inside are added to B. Only th
 the error.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +22,11 @@ LARGEST = 60
 MIXED = 0.3
 
 
-def sharpened(M, C, K, bases):
+def sharpened(
+        M: np.ndarray,
+        C: np.ndarray,
+        K: np.ndarray,
+        bases: Sequence[tuple[np.ndarray, np.ndarray, bool]]) -> tuple[list[tuple[np.ndarray, np.ndarray, bool]], Any]:
     """The bases (X, B, half) in fixed point; None and two places of `bases` where those two cannot be told apart."""
     h, lead = leading(M, C)
     data, inverse = fx.fixed(np.concatenate([M, C, K], axis=1), BITS), np.linalg.inv(lead)
@@ -48,7 +54,7 @@ def sharpened(M, C, K, bases):
     return list(zip(Xs, Bs, halves, strict=True)), None
 
 
-def inverse_of_all(blocks, h):
+def inverse_of_all(blocks: Sequence[tuple[np.ndarray, np.ndarray]], h: int) -> np.ndarray:
     """The inverse of [X; X B], the columns of all blocks, of X B the first h rows."""
     full = np.concatenate([X for X, _ in blocks], axis=1)
     rates = np.concatenate([X[:h] @ B for X, B in blocks], axis=1)
@@ -80,7 +86,7 @@ def _corrections(S, blocks, count):
     return E, D
 
 
-def sylvester(A, B, C):
+def sylvester(A: np.ndarray, B: np.ndarray, C: np.ndarray) -> np.ndarray:
     """X with A X − X B = C, for small blocks."""
     p, q = len(A), len(B)
     system = np.kron(A, np.eye(q)) - np.kron(np.eye(p), B.T)

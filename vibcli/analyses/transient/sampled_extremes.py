@@ -4,10 +4,15 @@ Stretches within which the signal strays from a straight line by more than a sma
 places that no period is in step with, until none does.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from vibcli.analyses.transient.isolating_intervals import refused
 from vibcli.numerics.bracketing import GOLDEN, maxima_between, zeros_between
+
+if TYPE_CHECKING:
+    from vibcli.base.work import Work
 
 SAMPLES, LIMIT = 4001, 3_000_000
 STRAIGHT = 2e-3                         # of the range, what a stretch may stray by
@@ -17,7 +22,7 @@ ROUNDING = 1e-14                        # of the range
 class SampledSearch:
     """times and values from `start` to `end`, `measure` giving the values at an array of times."""
 
-    def __init__(self, measure, start, end, work):
+    def __init__(self, measure: Any, start: float, end: float, work: "Work | None"):
         self.measure = measure
         with work.task(f"the sampling of this signal until t = {end:.6g} s", LIMIT, refused) as task:
             self._sample(np.linspace(start, end, SAMPLES), task)
@@ -45,7 +50,7 @@ class SampledSearch:
             rough = fresh[1:]       # a stretch that ends at a fresh place
         self.times, self.values = times, values
 
-    def extreme(self, sense):
+    def extreme(self, sense: Any):
         """(instant, value) of the largest (sense 1) or smallest (−1) value, the earliest of equals."""
         values, times = sense * self.values, self.times
         near = np.flatnonzero(values >= values.max() - 2 * STRAIGHT * self.range)

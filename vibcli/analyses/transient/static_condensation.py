@@ -7,11 +7,14 @@ follow statically, q = T (a, z) + F f with F = U (Uᵀ K U)⁻¹ Uᵀ over the d
 order in a and of first order in z: a start has places of a and z and velocities of a alone.
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.analyses.transient.modal_block import ModalBlock
 
 EPSILON = 2.0**-52
 NOTHING = 1e-13
@@ -30,7 +33,7 @@ class Condensed(NamedTuple):
     follow: np.ndarray
 
 
-def condensed(M, C, K):
+def condensed(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> Condensed | None:
     """The Condensed of a system; None where every coordinate has inertia."""
     bare = np.flatnonzero(M.diagonal() == 0)
     if not len(bare) or M[bare].any() or M[:, bare].any():
@@ -89,13 +92,13 @@ def _inverse(K):
     return unit[:, None] * np.linalg.inv(scaled) * unit
 
 
-def whole(block, system):
+def whole(block: "ModalBlock", system: Condensed) -> "ModalBlock":
     """A Block of (a, z) as one of all coordinates."""
     return block._replace(X=system.T @ block.X, P=block.P @ system.places, R=block.R @ system.places,
                           W=block.W @ system.left.T)
 
 
-def leading(M, C):
+def leading(M: np.ndarray, C: np.ndarray) -> tuple[int, np.ndarray]:
     """(h, L): the first h coordinates have inertia, and L (ż, ä) is what the forces leave for the highest rates."""
     h = int(np.count_nonzero(M.diagonal()))
     return h, np.concatenate([C[:, h:], M[:, :h]], axis=1)

@@ -4,14 +4,23 @@ Stretches that can hold no zero by the bounds of the output and its derivatives 
 one are narrowed down, the others divided.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.analyses.transient.isolating_intervals import EPSILON, LEVELS, MOST, BoundedOutput, Cells, refused, root
 
+if TYPE_CHECKING:
+    from vibcli.analyses.excitation.linear_output import LinearOutput
+    from vibcli.analyses.transient.composition import Composition
+    from vibcli.analyses.transient.linear_response import Pieces
+    from vibcli.base.work import Task, Work
+
 CLEAR, SOONER = 64, 2.0 ** np.arange(-60, 1)
 
 
-def zeros(pieces, output, start, end, work):
+def zeros(pieces: "Composition | Pieces", output: "LinearOutput | None", start: float, end: float,
+          work: "Work") -> np.ndarray:
     """All times where the output passes or touches zero, ascending; where it rests at zero, none."""
     search = PassageSearch(BoundedOutput(pieces, output, start, end))
     with work.task(f"the search for passages until t = {end:.6g} s", MOST, search.refusal) as task:
@@ -22,13 +31,13 @@ class PassageSearch:
     """found: arrays of times; closest: Cells in which the output turns at zero but for rounding; left: [(how often they
     were divided, Cells)], those of the earliest times last."""
 
-    def __init__(self, curve):
+    def __init__(self, curve: BoundedOutput):
         self.curve = curve
         cells = curve.first_cells()
         self.found, self.closest = [_jumps(curve, cells)], []
         self.left = [(0, cells)]
 
-    def run(self, task):
+    def run(self, task: "Task") -> np.ndarray:
         curve = self.curve
         while self.left:
             level, cells = self.left[-1]
@@ -72,7 +81,7 @@ class PassageSearch:
         else:
             self.left += [(level + 1, some) for _, some in reversed(curve.batches(cells))]
 
-    def refusal(self, task):
+    def refusal(self, task: "Task"):
         """What is said of a search that was given up, and what is known by then."""
         passed = (self._times() < self.reached).sum()
         return refused(task, f": before t = {self.reached:.6g} s it passes {passed} times")

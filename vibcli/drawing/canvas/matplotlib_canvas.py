@@ -1,6 +1,8 @@
 """Drawings by Matplotlib: PNG, SVG and PDF, the same bytes each time. Its object interface alone is used."""
 
 import io
+from collections.abc import Sequence
+from typing import Any
 
 from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 from vibcli.drawing.layout import lettering
@@ -12,7 +14,7 @@ SILENT = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None},
           "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None}}
 
 
-def figure(primitives, dpi):
+def figure(primitives: Sequence[Any], dpi: float):
     """A Matplotlib Figure of a drawing."""
     from matplotlib.figure import Figure
     from matplotlib.transforms import Affine2D
@@ -65,7 +67,7 @@ def _letters(part):
     return found
 
 
-def picture(primitives, kind):
+def picture(primitives: Any, kind: str) -> bytes:
     """The bytes of a png, svg or pdf, whatever settings of Matplotlib the user has."""
     matplotlib = library()
     left, bottom, right, top = extent(primitives)

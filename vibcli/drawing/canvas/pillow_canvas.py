@@ -1,7 +1,9 @@
 """Frames of a drawing as an animated GIF, by Pillow: bounded in pixels and in frames, the same bytes each time."""
 
 import io
+from collections.abc import Sequence
 from itertools import combinations
+from typing import Any
 
 from vibcli.drawing.canvas.primitives import COLOURS, Circle, LetterRuns, Polygon, extent
 
@@ -9,7 +11,7 @@ WIDEST, HIGHEST, MARGIN, FINER, MOST = 560, 420, 10.0, 2, 240
 SHADES, FOOT, NARROW, LARGEST = 256, 26.0, 230.0, 2_000_000      # the last: bytes
 
 
-def gif(frames, caption, milliseconds=40):
+def gif(frames: Sequence[list[Any]], caption: str, milliseconds: int = 40) -> bytes:
     """The bytes of a GIF that repeats the frames (lists of primitives)."""
     from PIL import Image
 

@@ -4,7 +4,8 @@ A role names what a line is: ink for what is there, blue for coordinates, red fo
 Layers are drawn in ascending order.
 """
 
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 from vibcli.drawing.layout import plane
 
@@ -27,7 +28,7 @@ class Polyline(NamedTuple):
     dashed: bool = False
     layer: int = ELEMENT
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         return [self.points]
 
 
@@ -41,7 +42,7 @@ class Polygon(NamedTuple):
     dashed: bool = False
     layer: int = BODY
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         return [(*self.points, self.points[0])]
 
 
@@ -57,10 +58,10 @@ class Circle(NamedTuple):
     layer: int = BODY
 
     @property
-    def points(self):
+    def points(self) -> list[tuple[float, float]]:
         return plane.circle(self.centre, self.radius)
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         points = self.points
         return [(*points, points[0])]
 
@@ -75,7 +76,7 @@ class Hatch(NamedTuple):
     dashed: bool = False
     layer: int = SURFACE
 
-    def strokes(self):
+    def strokes(self) -> list[tuple[tuple[float, float], ...]]:
         found, rest = [self.points], SPACING / 2
         for a, b in zip(self.points, self.points[1:], strict=False):
             length, at = plane.distance(a, b), plane.along(a, b)
@@ -104,18 +105,18 @@ class LetterRuns(NamedTuple):
     role: str = "ink"
     layer: int = ARROW
 
-    def strokes(self):
+    def strokes(self) -> list[Any]:
         return []
 
 
-def extent(primitives):
+def extent(primitives: Sequence[Any]) -> tuple[float, float, float, float] | None:
     """(left, bottom, right, top) of a drawing; None of an empty one."""
     points = [point for part in primitives for stroke in part.strokes() for point in stroke]
     points += [corner for part in primitives if isinstance(part, LetterRuns) for corner in (part.box[:2], part.box[2:])]
     return plane.bounds(points) if points else None
 
 
-def ghost(primitives):
+def ghost(primitives: Iterator) -> list[Any]:
     """The same in grey and without its texts: the position from which something moves."""
     found = []
     for part in primitives:

@@ -1,5 +1,8 @@
 """A scene as a drawing: everything that has a place, in one position."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import PhysicsError
 from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, extent
 from vibcli.drawing.layout import lumped, plane, rows
@@ -10,11 +13,14 @@ from vibcli.drawing.symbols import bodies, connection, joint, rope, support, tra
 from vibcli.drawing.symbols.appearance import looks
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
+
 BELOW, MOST = 40.0, 80      # points to the first row of lumped bodies; bodies
 FINE = 1e9                  # points per metre at which what has a size on paper alone has none
 
 
-def values_at(scene, position=None, time=0.0):
+def values_at(scene: "Scene", position: Mapping[str, float] | None = None, time: float = 0.0) -> dict[str, float]:
     """{symbol: number} with `position` ({coordinate: number}), the dependent coordinates included; None where the
     loops of the scene cannot follow."""
     values = scene.drawn_values
@@ -30,7 +36,7 @@ def values_at(scene, position=None, time=0.0):
 class Scenery:
     """What of a drawing does not depend on the position: its scale, the looks of its bodies, its ends and walls."""
 
-    def __init__(self, scene):
+    def __init__(self, scene: "Scene"):
         if len(scene.bodies) > MOST:
             raise PhysicsError(f"a drawing of {len(scene.bodies)} bodies is not legible", f"the limit is {MOST}")
         self.scene = scene
@@ -48,13 +54,14 @@ class Scenery:
         left, top = (box[0], box[1] - BELOW) if box else (0.0, 0.0)
         self.rows = lumped.layouts(rows.rows(scene), scene, left, top)
 
-    def at(self, position=None, time=0.0):
+    def at(self, position: Mapping[str, float] | None = None, time: float = 0.0) -> Sketch:
         """The Sketch in another position; None where its loops cannot follow."""
         values = values_at(self.scene, position, time)
         return None if values is None else self.sketch.at(values)
 
 
-def figure(stage, sketch, unit=1.0, room=None):
+def figure(stage: Scenery, sketch: Any, unit: Any = 1.0,
+           room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """Everything of a scene but its words and arrows, and where its elements are, as {name: (middle, normal)};
     lumped bodies are displaced by `unit` points for one metre; `room`: that in which bodies slide on the ground."""
     found, where = primitives(stage, sketch, room)
@@ -66,7 +73,8 @@ def figure(stage, sketch, unit=1.0, room=None):
     return found, where
 
 
-def primitives(stage, sketch, room=None):
+def primitives(stage: Scenery, sketch: Any,
+               room: Any = None) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """What has a place, without words and arrows."""
     looks, ties = stage.looks, stage.ties
     found = _surfaces(sketch, looks)

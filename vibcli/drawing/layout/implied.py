@@ -2,11 +2,14 @@
 of a body to which it must then be tied."""
 
 from math import hypot
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
 
 CLOSE = 1e-6
 
@@ -19,7 +22,7 @@ class Implied(NamedTuple):
     weight: str
 
 
-def ropes(sketch):
+def ropes(sketch: "Sketch") -> list[Any]:
     """The Implied ropes of weights that no element ties to a moving body."""
     tied, rates, found = _tied(sketch), None, []
     for name, body in sketch.scene.bodies.items():

@@ -1,14 +1,19 @@
 """Values of letters that make a good figure: those of the scene, unless bodies or fixed places then lie over others."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.errors import SpecError
 from vibcli.drawing.layout import plane
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+
 TRIES, ENOUGH, SAME = 8, 0.05, 1e-9
 
 
-def pleasing(problem, stage_of):
+def pleasing(problem: Any, stage_of: type[Any]) -> "Scenery":
     """The stage (`stage_of(scene)`) whose letters draw the scene best; only that of the problem where it has none."""
     stage = stage_of(problem.scene)
     if not problem.numeric.has_free_symbols or crowding(stage) <= ENOUGH:
@@ -46,7 +51,7 @@ def _rates(scene, sample):
     return evaluate(slopes, Floats, {**sample, **drawn, **rates, scene.time.name: 0.0})
 
 
-def crowding(stage):
+def crowding(stage: "Scenery") -> float:
     """How much bodies overlap that are not joined, and how many fixed places lie within bodies."""
     sketch, looks, total = stage.sketch, stage.looks, 0.0
     names = list(looks)

@@ -1,13 +1,18 @@
 """Rows of lumped bodies: boxes on a floor, discs on a shaft; springs and dampers between them and walls."""
 
+from collections.abc import Mapping, Sequence
 from math import sin
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
-from vibcli.drawing.layout.rows import carrier, motion
+from vibcli.drawing.layout.rows import LumpedRow, carrier, motion
 from vibcli.drawing.symbols import arrow, support
 from vibcli.drawing.symbols.connection import symbol
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.scene.scene import Scene
 
 BOX, DISC, GAP, LANE, STACK = 40.0, 13.0, 64.0, 22.0, 18.0
 HALF, RIM, ROOM = 18.0, 30.0, 46.0
@@ -33,7 +38,7 @@ class Layout(NamedTuple):
     top: float
 
 
-def layouts(found, scene, left, top):
+def layouts(found: Sequence[LumpedRow], scene: "Scene", left: float, top: float) -> list[Layout]:
     """The Layouts of rows below one another, from the upper left corner on."""
     made = []
     for row in found:
@@ -56,7 +61,8 @@ def layouts(found, scene, left, top):
     return made
 
 
-def draw(layout, moved):
+def draw(layout: Layout,
+         moved: Mapping[str, float]) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """The primitives of a row, and where its elements are; `moved`: {body: displacement in points, or angle}."""
     places = {name: place if place.turns else place._replace(middle=plane.plus(place.middle, (moved.get(name, 0.0), 0)))
               for name, place in layout.places.items()}
@@ -134,7 +140,8 @@ def _walls(layout):
     return [Hatch((*left, *right), -1)]
 
 
-def arrows(layout, scene, sketch):
+def arrows(layout: Layout, scene: "Scene",
+           sketch: "Sketch") -> list[tuple[list[Polygon | Polyline], tuple[Run, ...], list[tuple[Any, ...]], str]]:
     """[(primitives, runs, places for them, role)] of the coordinates and loads of a row."""
     found = []
     for name, place in layout.places.items():

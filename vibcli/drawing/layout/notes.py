@@ -1,13 +1,20 @@
 """What a drawing cannot show, in words below it: elements without a place, equations, given energies and matrices."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.layout import captions, lettering, rows
 from vibcli.drawing.symbols.connection import symbol
 from vibcli.notation.plain import GREEK
 
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import LetterRuns, Run
+    from vibcli.drawing.layout.compose import Scenery
+
 SIZE, LEADING, MOST = 9.5, 15.0, 8
 
 
-def lines(stage, box):
+def lines(stage: "Scenery", box: Sequence[float]) -> "list[LetterRuns]":
     """The Texts of the notes, below the box of the drawing."""
     left, bottom = (box[0], box[1] - 10.0) if box else (0.0, 0.0)
     found = []
@@ -17,7 +24,7 @@ def lines(stage, box):
     return found
 
 
-def of(stage):
+def of(stage: "Scenery") -> "list[tuple[Run, ...]]":
     """The runs of each note."""
     spec, scene = stage.scene.spec, stage.scene
     shown = {edge.record.name for edge in rows.edges(scene)}
@@ -51,7 +58,7 @@ def _note(head, scene, *parts):
     return tuple(runs)
 
 
-def shortened(runs, longest=lettering.LONGEST):
+def shortened(runs: "Sequence[Run]", longest: int = lettering.LONGEST) -> "tuple[Run, ...]":
     """The runs as far as there is room for them."""
     found, left = [], longest
     for run in runs:

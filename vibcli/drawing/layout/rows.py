@@ -1,9 +1,14 @@
 """Bodies without a place, laid out in rows along their axis: who stands where, and which element runs in which lane."""
 
 from itertools import permutations
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout.captions import raw
+
+if TYPE_CHECKING:
+    from vibcli.elements.body import Body
+    from vibcli.language.reader import Expression
+    from vibcli.scene.scene import Scene
 
 BRUTE = 6       # bodies of a row up to which every order is tried
 
@@ -25,7 +30,7 @@ class LumpedRow(NamedTuple):
     lanes: list
 
 
-def edges(scene):
+def edges(scene: "Scene") -> list[Edge]:
     """The Edges of a scene."""
     found = []
     for record in scene.spec.connections:
@@ -51,17 +56,17 @@ def _ends(record, scene):
     return (None, moving[0]) if len(moving) == 1 else (moving[0], moving[1])
 
 
-def motion(body):
+def motion(body: "Body") -> "Expression":
     """The field that moves a lumped body."""
     return body.record[body.lumped[0]]["by"]
 
 
-def carrier(body):
+def carrier(body: "Body"):
     """The name of the lumped body from which its motion is measured; None of the ground."""
     return getattr(body.record[body.lumped[0]].get("carrier"), "text", None)
 
 
-def rows(scene):
+def rows(scene: Any) -> list[LumpedRow]:
     """The Rows of a scene, in the order of the file."""
     every = edges(scene)
     names = [name for name in scene.spec.get("bodies") or {} if scene.bodies[name].lumped is not None]

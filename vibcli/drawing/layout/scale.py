@@ -1,6 +1,7 @@
 """How large a scene is drawn: all its places on one sheet, no spring too short to be seen."""
 
 from math import hypot
+from typing import Any
 
 from vibcli.base.units import LENGTH
 from vibcli.drawing.layout import plane
@@ -11,7 +12,7 @@ from vibcli.drawing.symbols.shape import outline
 WIDE, HIGH, SHORT, GROWTH, ALONE = 300.0, 210.0, 46.0, 1.8, 90.0
 
 
-def scale_of(sketch):
+def scale_of(sketch: Any) -> float:
     """How much smaller than a FINE sketch the drawing is to be."""
     found = _key_points(sketch)
     ties = Ties(sketch)

@@ -1,7 +1,12 @@
 """What the records of a scene say of a body beside its own: the radii on which ropes, belts and gears run, what it
 carries, and the places at which anything is joined."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.layout import implied, plane
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
 
 SIDES = ("over", "under", "left_of", "right_of")
 
@@ -12,7 +17,7 @@ class Ties:
     `slots`: {body: [(place, direction)]} of what slides along a body, `ends`: [(Attachment, Attachment)] of springs,
     dampers and links, `implied`: ropes that are not named."""
 
-    def __init__(self, sketch):
+    def __init__(self, sketch: "Sketch"):
         self.radii, self.carried, self.surfaces, self.slots = {}, {}, {}, {}
         self.toothed, self.rims, self.arms, self.pegs, self.ends = set(), set(), set(), [], []
         for record in (sketch.spec.get("points") or {}).values():
@@ -94,7 +99,7 @@ class Ties:
         else:
             self.pegs.append((sketch.attachment(on), radius or 0.0))
 
-    def nearest(self, place, sketch):
+    def nearest(self, place: tuple[float, float], sketch: "Sketch") -> float:
         """How far the nearest other place is at which something is joined, pinned or centred, if there is any."""
         places = [end.drawn for pair in self.ends for end in pair]
         places += [sketch.centre(name) for name in sketch.scene.bodies if name in sketch.frames]

@@ -1,5 +1,7 @@
 """Which look each placed body has: that of its shape, else of what it does."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.canvas.primitives import BODY, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import sliding
@@ -8,16 +10,21 @@ from vibcli.drawing.symbols.pinned import pinned
 from vibcli.drawing.symbols.posts import with_posts
 from vibcli.drawing.symbols.shape import BALL, outline
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.ties import Ties
+    from vibcli.elements.body import Body
+
 RIM = 8.0
 
 
-def looks(sketch, ties):
+def looks(sketch: "Sketch", ties: "Ties") -> dict[str, Look]:
     """{name: Look} of all bodies that have a place."""
     return {name: with_posts(look_of(body, sketch, ties), body, sketch, ties)
             for name, body in sketch.scene.bodies.items() if name in sketch.frames}
 
 
-def look_of(body, sketch, ties):
+def look_of(body: "Body", sketch: "Sketch", ties: "Ties") -> Look:
     record, name = body.record, body.name
     if "parts" in record or record.get("shape", "particle") != "particle":
         return _shaped(record, sketch, toothed=name in ties.toothed)

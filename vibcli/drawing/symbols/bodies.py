@@ -1,16 +1,22 @@
 """Bodies in a position: their outlines carried along, their pins and bearings, the floors that they slide on."""
 
+from collections.abc import Mapping, Sequence
 from math import pi
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import joint, support
 from vibcli.drawing.symbols.connection import snapped
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import DrawnFrame, Sketch
+    from vibcli.drawing.symbols.look import Look
+
 RAIL, WOUND = 17.0, 18.0
 
 
-def draw(sketch, looks, room):
+def draw(sketch: "Sketch", looks: "Mapping[str, Look]", room: Mapping[str, tuple[float, float]]) -> list[Any]:
     """All bodies with their pins and floors, large ones first; `room`: {body: (points back, points on) it slides}."""
     found = []
     for name, look in sorted(looks.items(), key=lambda item: -item[1].area()):
@@ -19,14 +25,14 @@ def draw(sketch, looks, room):
     return found + _pins(sketch, looks)
 
 
-def carried(part, frame):
+def carried(part: Circle | Polygon | Polyline, frame: "DrawnFrame") -> Circle | Polygon | Polyline:
     """A primitive as drawn, moved with a frame."""
     if isinstance(part, Circle):
         return part._replace(centre=frame.point(part.centre))
     return part._replace(points=tuple(frame.point(point) for point in part.points))
 
 
-def marks(sketch, looks):
+def marks(sketch: "Sketch", looks: "Mapping[str, Look]") -> list[Any]:
     """A radius on each round body, which shows how far it has turned."""
     found = []
     for name, look in looks.items():
@@ -59,7 +65,7 @@ def _rounded(place):
     return round(place[0], 3), round(place[1], 3)
 
 
-def down_of(place, points):
+def down_of(place: tuple[float, float], points: Sequence[tuple[float, float]]) -> tuple[float, float]:
     """The direction of the ground from a bearing: that in which its bodies reach least; below, if it can be."""
     def reach(direction):
         return max(plane.dot(plane.minus(point, place), direction) for point in points)
@@ -68,7 +74,7 @@ def down_of(place, points):
                key=lambda direction: round(reach(direction)) + 5 * abs(direction[0]) + (direction[1] > 0))
 
 
-def fixed_pivots(sketch):
+def fixed_pivots(sketch: "Sketch") -> set[tuple[float, float]]:
     """Rounded places of all bearings."""
     return {_rounded(pivot.drawn) for pivot in sketch.pivots().values() if sketch.is_fixed(pivot.carrier)}
 

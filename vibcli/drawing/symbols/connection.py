@@ -1,12 +1,19 @@
 """Springs and dampers between places: those with the same two ends stand side by side; walls where they end."""
 
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from vibcli.drawing.canvas.primitives import Polyline
+from vibcli.drawing.canvas.primitives import Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols import SYMBOLS, support
 from vibcli.language.named_elements import load
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.language.reader import Record
 
 APART, BRIDGE = 17.0, 8.0
 
@@ -19,14 +26,14 @@ class Bunch(NamedTuple):
     two: Attachment
 
 
-def symbol(record):
+def symbol(record: "Record") -> "ModuleType":
     """The module that draws what joins two ends: `between(record, start, end, drawn)` from one place to another,
     `drawn` being their distance as drawn, and `about(record, turn)` at the joint about which it turns; `NAMED_BY`: the
     keys whose quantity stands beside it."""
     return load(SYMBOLS[record.element.name][0], "drawing.symbols")
 
 
-def bunches(sketch, looks):
+def bunches(sketch: Sketch, looks: "Mapping[str, Look]") -> list[Bunch]:
     """The Bunches of all elements that run between two places."""
     found = {}
     for record in sketch.spec.connections:
@@ -69,7 +76,7 @@ def _edge(end, other, looks):
     return Attachment(end.carrier, edge, True) if near else end
 
 
-def draw(bunch, sketch):
+def draw(bunch: Bunch, sketch: Sketch) -> tuple[list[Any], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]:
     """The primitives of a Bunch, and where each member is: {name: (middle, normal)}."""
     a, b = sketch.now(bunch.one), sketch.now(bunch.two)
     length, at = plane.distance(a, b), plane.along(a, b)
@@ -93,7 +100,7 @@ def draw(bunch, sketch):
     return found, where
 
 
-def walls(places, sketch):
+def walls(places: Sequence[tuple[Attachment, tuple[float, float]]], sketch: Sketch) -> list[Hatch | Polygon]:
     """The ground at fixed ends: `places` [(Attachment, direction into the ground)], the same place once."""
     groups = {}
     for end, outward in places:
@@ -108,7 +115,7 @@ def walls(places, sketch):
     return found
 
 
-def snapped(direction):
+def snapped(direction: tuple[float, float]) -> tuple[float, float]:
     """A direction along the nearest axis where it is within some degrees of it."""
     x, y = direction
     if min(abs(x), abs(y)) < 0.12:

@@ -1,13 +1,19 @@
 """Arrows of the coordinates at what they move, and of what is driven as a function of time."""
 
+from collections.abc import Mapping
 from math import hypot, pi
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import captions, lettering, plane
-from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import Run
+    from vibcli.drawing.layout.space import Space
+    from vibcli.drawing.symbols.look import Look
 
 LENGTH, TICK, WIDE = 26.0, 5.0, 60.0
 LINES, ARCS = (5.0, 11.0, 18.0, 27.0, 38.0), (0.55, 0.7, 0.85, 0.4, 1.0)
@@ -22,7 +28,7 @@ class BodyMotion(NamedTuple):
     about: Attachment | None = None
 
 
-def motions(sketch):
+def motions(sketch: Sketch) -> list[BodyMotion]:
     """The Motions of all placed bodies, in the order of the file."""
     found = []
     for name in sketch.spec.get("bodies") or {}:
@@ -72,7 +78,7 @@ def _rolling(roll, name, sketch):
     return found
 
 
-def wanted(sketch):
+def wanted(sketch: Sketch) -> "list[tuple[tuple[Run, ...], str, BodyMotion]]":
     """[(runs, role, Motion)]: each coordinate at the first body that it moves, and every driven motion."""
     known, found = motions(sketch), []
     for name in sketch.spec.coordinates:
@@ -109,7 +115,8 @@ def _by_rates(name, sketch):
     return best and best[1]
 
 
-def draw(item, sketch, looks, space):
+def draw(item: "tuple[tuple[Run, ...], str, BodyMotion]", sketch: Sketch, looks: "Mapping[str, Look]",
+         space: "Space") -> tuple[list[Any], list[tuple[float, float]]]:
     """The primitives of an arrow where it fits best, and the places beside which its name may stand."""
     _, role, motion = item
     paths = _straight(motion, sketch, looks) if motion.direction else _round(motion, sketch, looks)

@@ -1,19 +1,27 @@
 """Inerters: a rack at one end that turns a flywheel at the other one."""
 
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
 from vibcli.drawing.canvas.primitives import ELEMENT, Circle, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols.damper import along_an_arc
+
+if TYPE_CHECKING:
+    from vibcli.drawing.symbols.joint import Turn
+    from vibcli.language.reader import Record
 
 NAMED_BY = "b", "torsion"
 WHEEL, RACK, TEETH, TOOTH = 5.0, 11.0, 7, 1.8   # radius of the flywheel; half the rack, its teeth, their height
 
 
-def between(_record, start, end, _drawn):
+def between(_record: "Mapping[Any, Any] | Record", start: tuple[float, float], end: tuple[float, float],
+            _drawn: float) -> list[Circle | Polyline]:
     """An inerter from one place to another."""
     return _inerter(plane.along(start, end), plane.distance(start, end))
 
 
-def about(_record, turn):
+def about(_record: "Mapping[Any, Any] | Record", turn: "Turn"):
     """The same along an arc about a joint; also where it is: (middle, normal)."""
     return along_an_arc(turn, _inerter)
 

@@ -1,11 +1,15 @@
 """Torsion springs, rotary dampers and their like, at the joint about which they turn."""
 
 from math import pi
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.layout import plane
-from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.symbols.connection import symbol
+
+if TYPE_CHECKING:
+    from vibcli.drawing.canvas.primitives import Hatch, Polyline
+    from vibcli.language.reader import Record
 
 
 class Turn(NamedTuple):
@@ -19,7 +23,7 @@ class Turn(NamedTuple):
     rank: int
 
 
-def elements(sketch):
+def elements(sketch: Sketch) -> "list[tuple[Record, Attachment, str, Any]]":
     """[(record, joint, body, other)] of what acts between placed bodies or on the ground."""
     found = []
     for record in sketch.spec.connections:
@@ -50,7 +54,8 @@ def _heading(body, joint, looks, sketch):
     return plane.heading(away) if plane.distance(away, (0, 0)) > 1.0 else pi / 2
 
 
-def draw(sketch, looks):
+def draw(sketch: Sketch,
+         looks: Any) -> "tuple[list[Hatch | Polyline], dict[str, tuple[tuple[Any, ...], tuple[Any, ...]]]]":
     """The primitives of all of them, and where each is: {name: (middle, normal)}."""
     found, where, ranks = [], {}, {}
     for record, at, body, other in elements(sketch):

@@ -1,18 +1,27 @@
 """Loads: arrows of forces at the points where they act, round ones of moments; unbalances."""
 
 from collections import defaultdict
+from collections.abc import Mapping
 from math import hypot, pi
+from typing import TYPE_CHECKING, Any
 
-from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline
+from vibcli.drawing.canvas.primitives import BODY, Circle, Polyline, Run
 from vibcli.drawing.layout import captions, lettering, plane
 from vibcli.drawing.symbols import arrow
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.syntax import Sum
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.space import Space
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.language.reader import Record
+
 LENGTH, INSTANTS = 32.0, (0.0, 0.37, 1.13, 2.71)
 
 
-def draw(record, sketch, looks, space):
+def draw(record: "Record", sketch: "Sketch", looks: "Mapping[str, Look]",
+         space: "Space") -> tuple[list[Any], tuple[Run, ...], list[tuple[float, float]]] | None:
     """(primitives, runs, places for them) of a load on what has a place; None of any other."""
     if "moment" in record and record["body"].text in sketch.frames:
         return _moment(record, sketch, looks, space)

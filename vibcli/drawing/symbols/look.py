@@ -1,5 +1,6 @@
 """What a placed body looks like: outlines as drawn, which its frame then carries along."""
 
+from collections.abc import Sequence
 from math import tau
 from typing import NamedTuple
 
@@ -15,29 +16,29 @@ class Look(NamedTuple):
 
     pieces: list
     kind: str
-    core: list | None = None
+    core: Sequence | None = None
     angle: float = 0.0
     width: float = 0.0
     height: float = 0.0
 
     @property
-    def outlines(self):
+    def outlines(self) -> list[Circle | Polygon]:
         return [part for part in self.pieces if not isinstance(part, Polyline)]
 
-    def area(self):
+    def area(self) -> float:
         return max((plane.area(list(part.points)) for part in self.outlines), default=0.0)
 
 
-def ball(centre, radius):
+def ball(centre: tuple[float, float], radius: float) -> Polygon:
     return Polygon(tuple(plane.circle(centre, radius)))
 
 
-def centre_mark(centre):
+def centre_mark(centre: tuple[float, float]) -> list[Circle]:
     """The mass centre of a body."""
     return [Circle(centre, 2.0, "ink", layer=JOINT)]
 
 
-def teeth(points):
+def teeth(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
     """The outline of a gear about its pitch circle."""
     left, bottom, right, top = plane.bounds(points)
     centre, radius = ((left + right) / 2, (bottom + top) / 2), (right - left) / 2

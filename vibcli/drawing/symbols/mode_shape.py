@@ -1,16 +1,22 @@
 """A mode shape on the scene: the position of equilibrium in grey, the displaced one over it."""
 
+from collections.abc import Mapping
 from math import pi
+from typing import TYPE_CHECKING, Any
 
 from vibcli.drawing.canvas.primitives import BODY, Polyline, extent, ghost
 from vibcli.drawing.layout import compose, lettering
 from vibcli.drawing.symbols import arrow, bodies
 from vibcli.drawing.vibration import Vibration, caption, mode
 
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.compose import Scenery
+    from vibcli.drawing.layout.sketch import Sketch
+
 QUIET = ("spring", "damper", "oil", "ground", "fixed", "rope", "belt")     # roles that stay out of the grey position
 
 
-def draw(problem, index, both=False, normalise="first"):
+def draw(problem: Any, index: int, both: bool = False, normalise: str = "first") -> list[Any]:
     """The primitives of a mode; `both`: also displaced the other way, dashed."""
     stage = compose.Scenery(problem.scene)
     vibration = Vibration(problem, index, stage, normalise)
@@ -26,7 +32,7 @@ def draw(problem, index, both=False, normalise="first"):
     return [*found, lettering.text(lettering.words(caption(mode(problem, index))), box[0], box[1] - 24)]
 
 
-def frame(stage, sketch, unit, room):
+def frame(stage: "Scenery", sketch: "Sketch", unit: float, room: Mapping[str, tuple[float, float]]) -> list[Any]:
     """One position, with a mark on what is round."""
     found, _ = compose.figure(stage, sketch, unit, room)
     return found + bodies.marks(sketch, stage.looks)

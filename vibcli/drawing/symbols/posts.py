@@ -1,12 +1,20 @@
 """Posts: thin rods from a body to the places that it carries and that are not on it."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.drawing.canvas.primitives import BEHIND, Polyline
 from vibcli.drawing.layout import plane
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.drawing.layout.ties import Ties
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.elements.body import Body
 
 SLACK = 2.5     # points
 
 
-def with_posts(look, body, sketch, ties):
+def with_posts(look: "Look", body: "Body", sketch: "Sketch", ties: "Ties") -> "Look":
     """The Look with a thin post to each carried place that is not on the body."""
     posts = []
     for place in ties.carried.get(body.name, ()):

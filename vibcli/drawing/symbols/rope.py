@@ -1,13 +1,19 @@
 """Ropes and belts: tangents between circles, arcs around them."""
 
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import sqrt, tau
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.drawing.canvas.primitives import Polyline
 from vibcli.drawing.layout import plane
-from vibcli.drawing.layout.sketch import Attachment
+from vibcli.drawing.layout.sketch import Attachment, Sketch
 from vibcli.drawing.layout.ties import SIDES
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.implied import Implied
+    from vibcli.drawing.symbols.look import Look
+    from vibcli.language.reader import Record
 
 NORMAL = dict(zip(SIDES, ((0, 1), (0, -1), (-1, 0), (1, 0)), strict=True))
 
@@ -20,9 +26,9 @@ class DrawnStop(NamedTuple):
     sense: int = 0
 
 
-def stops(record, sketch, looks):
+def stops(record: "Record", sketch: Sketch, looks: "Mapping[str, Look]") -> list[DrawnStop]:
     """The Stops of a rope as drawn."""
-    raw = []
+    raw: list = []
     for item in record["rope"]:
         if not hasattr(item, "values"):
             raw.append((sketch.attachment(item), 0.0, None))
@@ -69,7 +75,7 @@ def _tangent(a, one, b, two):
     return (plane.plus(a, (ey, -ex), one.sense * one.radius), plane.plus(b, (ey, -ex), two.sense * two.radius))
 
 
-def implied(found, sketch, looks):
+def implied(found: "Implied", sketch: Sketch, looks: "Mapping[str, Look]") -> list[DrawnStop]:
     """The Stops of a rope that the motions imply."""
     wheel, weight = sketch.rim(found.wheel), Attachment(found.weight, sketch.centre(found.weight))
     offset = plane.minus(weight.drawn, wheel.drawn)
@@ -82,7 +88,7 @@ def implied(found, sketch, looks):
     return [start, _edge(DrawnStop(weight), start._replace(sense=-sense), looks)]
 
 
-def draw(chain, sketch, role="rope", closed=False):
+def draw(chain: Sequence[DrawnStop], sketch: Sketch, role: str = "rope", closed: bool = False) -> list[Any]:
     """The primitives of a rope through Stops."""
     places = [sketch.now(stop.at) for stop in chain]
     found, ends = [], []
@@ -102,7 +108,7 @@ def draw(chain, sketch, role="rope", closed=False):
     return found
 
 
-def belt(record, sketch):
+def belt(record: "Record", sketch: Sketch) -> list[Any]:
     """A belt round two wheels that have a place."""
     ends = [sketch.rim(name) for name in record["belt"]]
     if None in ends:

@@ -1,8 +1,12 @@
 """Outlines of the shapes of bodies, as drawn."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.drawing.layout import plane
+
+if TYPE_CHECKING:
+    from vibcli.drawing.layout.sketch import Sketch
+    from vibcli.language.reader import Record
 
 ROD, BALL = 3.2, 5.0     # half the thickness of a rod, the radius of a particle
 
@@ -16,7 +20,7 @@ class Outline(NamedTuple):
     band: bool = False
 
 
-def outline(record, sketch):
+def outline(record: "Record", sketch: "Sketch") -> Outline:
     """The Outline of one shape: a body or a part of one."""
     shape, cut = record.get("shape", "particle"), record.get("cut", False)
     angle = sketch.number(record["angle"]) if "angle" in record else 0.0

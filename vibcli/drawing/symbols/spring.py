@@ -1,22 +1,29 @@
 """Springs: a zigzag between two ends, an elastic shaft, a spiral about a joint."""
 
 from math import pi, tau
+from typing import TYPE_CHECKING
 
-from vibcli.drawing.canvas.primitives import ELEMENT, Polygon, Polyline
+from vibcli.drawing.canvas.primitives import ELEMENT, Hatch, Polygon, Polyline
 from vibcli.drawing.layout import plane
 from vibcli.drawing.symbols import support
+
+if TYPE_CHECKING:
+    from vibcli.drawing.symbols.joint import Turn
+    from vibcli.language.reader import Record
 
 WIDTH, COIL, LEAD, MOST = 5.0, 6.5, 7.0, 16     # half the width of a zigzag, a coil, a straight end; coils
 NAMED_BY = "k", "torsion"
 SHAFT, SPIRAL = 2.4, 12.5      # half the thickness of a shaft, the radius of a spiral
 
 
-def between(record, start, end, drawn):
+def between(record: "Record", start: tuple[float, float], end: tuple[float, float],
+            drawn: float) -> list[Polygon | Polyline]:
     """A zigzag; an elastic shaft from the side where it is twisted."""
     return _shaft(start, end) if "torsion" in record else _zigzag(start, end, drawn)
 
 
-def about(_record, turn):
+def about(_record: "Record",
+          turn: "Turn") -> tuple[list[Hatch | Polyline], tuple[tuple[float, float], tuple[float, float]]]:
     """A spiral about a joint, to a wall where the ground holds it; also where it is: (middle, normal)."""
     radius = SPIRAL + 6.0 * turn.rank
     start, held = turn.held or (turn.heading + pi / 2 + 0.35 * pi * turn.rank, 0.0)

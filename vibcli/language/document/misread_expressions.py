@@ -14,7 +14,7 @@ _CLOSER = {"(": ")", "[": "]", "{": "}"}
 _LONGEST = 2000
 
 
-def comma(source, start, file):
+def comma(source: str, start: int, file: str) -> tuple[Diagnostic, str, int] | None:
     """(diagnostic, mended source, index) for an expression at `start` that a comma has cut, or None."""
     end = _expression_end(source, start)
     if end is None or "," not in source[start:end]:
@@ -22,7 +22,7 @@ def comma(source, start, file):
     return _mended(source, start, end, file, "the comma cuts {} in two")
 
 
-def bracket(source, start, file):
+def bracket(source: str, start: int, file: str) -> tuple[Diagnostic, str, int]:
     """(diagnostic, mended source, index) for a name at `start` with a [ right after it, or None."""
     end = _expression_end(source, start)
     return None if end is None else _mended(source, start, end, file, "the brackets of {} need quotes")

@@ -5,12 +5,16 @@ with a character of YAML's. Of all others the parser's own words are said.
 """
 
 import re
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base import decoding
 from vibcli.base.diagnostics import quoted
-from vibcli.base.errors import Diagnostic
+from vibcli.base.errors import Diagnostic, Where
 from vibcli.language.document import misread_expressions
 from vibcli.language.document.nodes import Sequence
+
+if TYPE_CHECKING:
+    from vibcli.language.document.tree_builder import Tree
 
 LOOK_ABOVE = "compare the indentation, quotes and brackets with the lines above"
 QUOTE_IT = "put the whole value in quotes"
@@ -26,7 +30,7 @@ class Halt:
     """The place where the parser stopped: `index`, `where`, and the `char` and `word` there; `start`, the index of what
     it could not finish, such as an opening quote."""
 
-    def __init__(self, error, tree):
+    def __init__(self, error: Exception, tree: "Tree"):
         mark, start = getattr(error, "problem_mark", None), getattr(error, "context_mark", None)
         self.problem, self.context = getattr(error, "problem", None) or str(error), getattr(error, "context", None)
         self.tree, self.file = tree, tree.file
@@ -37,23 +41,23 @@ class Halt:
         self.char = self.source[self.index : self.index + 1]
         self.word = _WORD.match(self.source, self.index)[0] if self.char else ""
 
-    def at(self, index, width=1):
+    def at(self, index: int, width: int = 1) -> Where:
         return decoding.place(self.source, index, self.file, width)
 
-    def here(self):
+    def here(self) -> Where:
         """The place of the word at which the parser stopped."""
         return self.where._replace(width=max(1, len(self.word)))
 
-    def before(self):
+    def before(self) -> str:
         """The text of the line up to where the parser stopped."""
         return self.source[self.index - self.where.column + 1 : self.index]
 
-    def line(self, where=None):
+    def line(self, where: Where | None = None) -> str:
         """The text of the line of a place."""
         return decoding.split(self.source)[(where or self.where).line - 1]
 
 
-def slip(error, tree):
+def slip(error: Exception, tree: "Tree"):
     """A bracket inside a flow collection that belongs to a name (see misread_expressions.py), or None."""
     mark, last = getattr(error, "problem_mark", None), tree.last
     if mark is None or last is None or last.style or "',' or " not in str(error):
@@ -63,7 +67,7 @@ def slip(error, tree):
     return misread_expressions.bracket(tree.source, last.start_mark.index, tree.file)
 
 
-def explained(error, tree):
+def explained(error: Exception, tree: "Tree") -> Diagnostic:
     """The diagnostic for an error of the YAML parser."""
     halt = Halt(error, tree)
     said = f"{halt.context} {halt.problem}"
@@ -72,7 +76,7 @@ def explained(error, tree):
     return Diagnostic(*((explain and explain(halt)) or (halt.here(), f"this is no YAML: {words}", LOOK_ABOVE)))
 
 
-def not_a_mapping(node, source):
+def not_a_mapping(node: Any, source: str) -> Diagnostic:
     """The diagnostic for a file whose top level is a list or a text."""
     expected = "expected keys such as 'bodies:' at the top level"
     if isinstance(node, Sequence):

@@ -1,6 +1,8 @@
 """YAML events to a tree of nodes, each with its place; whatever a scene file does not use is a diagnostic."""
 
 import re
+from collections.abc import Callable
+from typing import Any
 
 from yaml import events
 
@@ -35,10 +37,13 @@ _DROPPED = Scalar("", None)  # stands as the key of an entry that was refused: i
 class Tree:
     """The tree as it grows, the open collections on an explicit stack."""
 
+    key: Any
+    parent: Any
+
     __slots__ = ("count", "file", "flow", "hidden", "key", "last", "parent", "problems", "root", "source",
                  "stack", "started", "tries")
 
-    def __init__(self, source, file, hidden=None):
+    def __init__(self, source: str, file: str, hidden: Any = None):
         """`hidden` maps back the characters that stand for hidden commas and brackets (see slips.py)."""
         self.source, self.file, self.hidden = source, file, hidden
         self.stack, self.problems = [], []
@@ -47,7 +52,7 @@ class Tree:
         self.started = False
         self.count = self.flow = self.tries = 0
 
-    def grow(self, next_event):
+    def grow(self, next_event: Callable) -> None:
         """Take every event of the first document; stops at the top of a second one."""
         while True:
             event = next_event()
@@ -68,7 +73,7 @@ class Tree:
             elif kind is events.StreamEndEvent:
                 return
 
-    def report(self, where, message, hint=None):
+    def report(self, where: Where, message: str, hint: str | None = None):
         self.problems.append(Diagnostic(where, message, hint))
         if len(self.problems) >= MAX_PROBLEMS:
             message = "too many problems: reading stops here"

@@ -1,5 +1,7 @@
 """Generalised coordinates: their order, what each measures, and its value in the drawn position."""
 
+from typing import Any
+
 from vibcli.language.document.document import Mapping, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Kind, Quantity, Text
@@ -22,7 +24,7 @@ ABOUT = ELEMENT.about
 class Coordinates(Kind):
     wants = "a list of names, or a mapping from names to what they measure"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Sequence):
             entries = [(item, None) for item in node.items]
         elif isinstance(node, Mapping):

@@ -1,7 +1,9 @@
 """A starting place for the search of the equilibrium, where several exist."""
 
+from typing import Any
+
 from vibcli.language.document.document import Mapping
-from vibcli.language.kinds import Kind, NameOf, Quantity
+from vibcli.language.kinds import Kind, Many, NameOf, Quantity
 from vibcli.language.named_elements import Named
 
 
@@ -9,10 +11,10 @@ class ByCoordinate(Kind):
     """A mapping from coordinates of the scene to expressions that are measured as they are, or to lists of them.
     `scaled`: but for one factor, which is the same along all."""
 
-    def __init__(self, kind, wants, scaled=False):
+    def __init__(self, kind: Many | Quantity, wants: str, scaled: bool = False):
         self.wants, self.named, self.scaled = wants, Named(kind, wants), scaled
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         for key, _ in node.entries.values() if isinstance(node, Mapping) else ():
             NameOf("the name of a coordinate", "coordinates").read(key, reader)
         found = self.named.read(node, reader)

@@ -3,7 +3,7 @@ residual and met once, images of it a turn apart included."""
 
 import math
 from contextlib import suppress
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -18,6 +18,9 @@ from vibcli.mechanics.equilibrium.indices import compared
 from vibcli.mechanics.equilibrium.scaled_forces import Forces, TooMuch, idle, typical_length
 from vibcli.mechanics.nonsmooth import KINKED
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 MOST_WORK, MOST, LEAST, SAMPLES = 10**6, 60_000, 300, 24
 SINGULAR, DUST = 1e-4, 1e-13       # of the stiffness typical of the scene; of the size of the figure
@@ -48,12 +51,12 @@ class Equilibria(NamedTuple):
     indices: Any = None
 
     @property
-    def missed(self):
+    def missed(self) -> bool:
         """Is it proved that there are others?"""
         return self.indices is not None and not self.indices.agree
 
 
-def find_equilibria(configuration):
+def find_equilibria(configuration: "Configuration") -> Equilibria:
     """The Equilibria of a system in numbers; PhysicsError where the bounds are missing or wrong."""
     if configuration.numeric.has_free_symbols:
         asked = configuration.spec.get("find")

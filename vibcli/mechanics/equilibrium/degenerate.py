@@ -7,12 +7,19 @@ the scene, and what is below that as zero.
 
 from contextlib import suppress
 from math import sqrt
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent, Equilibrium, relative_residual
 from vibcli.mechanics.high_precision import GUARD, NOTHING, ROUNDED, Degenerate, equilibrium_to
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, multiprecision
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.equilibrium.all_equilibria import Item
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 BLUR, ALONG = 1e-6, 1e-9           # at a multiple zero; on a line of equilibria
 UNSETTLED, NEAR = 1e-9, 0.1        # of the figure: a step that is no rounding; how far a place may move
@@ -21,7 +28,7 @@ LIMIT = 1e-9                       # at a limit of stability, which is solved fo
 UNIT = 2.0**53                     # a stiffness counts as known to 2⁻⁵³ of its K_size
 
 
-def about(configuration, item, forces):
+def about(configuration: "Configuration", item: "Item", forces: "Forces") -> "Configuration":
     """The Configuration about the equilibrium of an Item of all those of some Forces."""
     found = configuration.about(item.equilibrium)
     if item.equilibrium.drawn or configuration.system.is_linear:
@@ -35,7 +42,7 @@ def about(configuration, item, forces):
     return found
 
 
-def settled_alone(numeric, found, position):
+def settled_alone(numeric: "NumericSystem", found: Equilibrium, position: Any) -> tuple[Equilibrium, Any]:
     """(Equilibrium, its linear system in floats) of one that is degenerate; `position`: a better one, or None."""
     if position is not None and numeric.scene.loops is None:
         found = found._replace(values={name: float(value) for name, value in position.items()})
@@ -45,7 +52,7 @@ def settled_alone(numeric, found, position):
     return found, blurred(numeric, found, forces, ALONG if freedom(found, forces) else BLUR)
 
 
-def sharpened(numeric, found):
+def sharpened(numeric: "NumericSystem", found: Equilibrium) -> Equilibrium:
     """The Equilibrium `found`, its place refined where Newton's method would still move it: near a multiple zero the
     forces are rounding long before the place is known. So is a displacement that is tiny beside the figure, the
     difference of lengths of which floats know few digits."""
@@ -77,7 +84,7 @@ def _to_more_digits(numeric, found):
             return degenerate.position, True
 
 
-def at_limit(configuration, position, felt):
+def at_limit(configuration: Any, position: Any, felt: Any):
     """The Configuration in an equilibrium ({coordinate: float}) whose K is singular but for rounding; felt: what counts
     as stiff along each coordinate."""
     numeric = configuration.numeric
@@ -96,7 +103,7 @@ def _blurred(configuration, forces, blur):
     return configuration.about(found, blurred(configuration.numeric, found, forces, blur), final=True)
 
 
-def blurred(numeric, found, forces, blur):
+def blurred(numeric: "NumericSystem", found: Equilibrium, forces: "Forces", blur: float):
     """The linear system in floats about an Equilibrium whose K is known to a part `blur` of what is typical."""
     exact = in_numbers(numeric.system.linearisation, Floats, {**numeric.floats, **found.values}).elements
     felt = dict(zip(forces.rows, forces.D, strict=True))

@@ -3,8 +3,9 @@
 These are the equations of motion at rest, the sign σₖ of each velocity that vanishes being whatever keeps it at zero.
 """
 
+from collections.abc import Sequence
 from math import inf, isfinite
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
@@ -12,6 +13,12 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.system import MechanicalSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 STEPS, ROUNDS, REACH = 400, 60, 4.0     # REACH: sizes of the figure, radians
 SWEEPS, BALANCED = 500, 1e-12           # of the descent; of the forces
@@ -43,7 +50,7 @@ class Sticking(NamedTuple):
     bounds: dict
 
 
-def sticking(system):
+def sticking(system: "MechanicalSystem"):
     """The Sticking of a scene without loops that are closed numerically; None where no friction holds it."""
     scene = system.scene
     equations = [equation_of(scene, i) for i in range(len(scene.q))]
@@ -65,7 +72,7 @@ def sticking(system):
                          for name, (b, held) in zip(scene.coordinates, parts, strict=True)), bounds)
 
 
-def signs_of_speeds(scene, nodes):
+def signs_of_speeds(scene: "Scene", nodes: "Sequence[Node]") -> "list[Node]":
     """The signs in some nodes that a velocity changes, in order."""
     return [part for part in reachable(nodes) if part.name == "sign" and any(part.mask & v.mask for v in scene.v)]
 
@@ -91,7 +98,7 @@ def _row(scene, name, b, held, parts, bounds):
     return HeldCondition(name, b, held, within)
 
 
-def holds(numeric, found, place):
+def holds(numeric: Any, found: Any, place: Any):
     """Does friction hold the scene at rest at a place {coordinate: value}: is b + A σ = 0 with |σ| ≤ σ₀? The sum of
     squares is descended along one σ after the other."""
     import numpy as np
@@ -118,7 +125,7 @@ def holds(numeric, found, place):
     return False
 
 
-def span(configuration, found):
+def span(configuration: "Configuration", found: Sticking) -> Span | None:
     """The Span of a scene of one coordinate in numbers: all places of rest of a linear condition, of others those about
     the drawn position or the equilibrium without friction; None where that is none, and of several coordinates."""
     row, *others = found.rows

@@ -4,15 +4,21 @@ From any place uphill along the k softest directions and downhill along the othe
 75, 2800): what Newton's method passes by, since there the forces grow on the way, is reached as well.
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from vibcli.mechanics.equilibrium.multistart import spread
 from vibcli.mechanics.equilibrium.newton import CLOSE, settled
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.distinct_roots import Found
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces
+
 STEPS, LONGEST, SOFTEST, ASIDE, STARTS = 80, 0.3, 1e-3, 0.2, 10
 
 
-def look_for(forces, found, index):
+def look_for(forces: "Forces", found: "Found", index: int) -> bool:
     """Adds places whose J has a determinant of this sign, from beside those that are known and from points between;
     True if one is new."""
     low, high = found.box

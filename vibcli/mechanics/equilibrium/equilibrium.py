@@ -8,13 +8,19 @@ follow by closing their loops. The end is polished by plain Newton steps until t
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.equilibrium.no_equilibrium import FAR, Undefined, unbounded, unfinished
 from vibcli.mechanics.linearisation import residual_terms
-from vibcli.mechanics.numeric_linearisation import in_numbers
+from vibcli.mechanics.numeric_linearisation import Numbers, in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 EPSILON = 2.0**-52
 KNOWN = 1e-7        # of the figure: places nearer than 1e-9 of this are one
@@ -34,22 +40,22 @@ class Equilibrium(NamedTuple):
     degenerate: bool = False
 
     @property
-    def from_start(self):
+    def from_start(self) -> dict[str, float] | None:
         """{coordinate: how far it lies from the start}, None where none is named."""
         return None if self.start is None else {name: self.values[name] - x for name, x in self.start.items()}
 
 
-def relative_residual(numbers):
+def relative_residual(numbers: Numbers) -> float:
     return max((abs(r) / size for r, size in zip(numbers.residual, numbers.residual_size, strict=True) if size),
                default=0.0)
 
 
-def is_balanced(numbers, terms=8):
+def is_balanced(numbers: Numbers, terms: int = 8) -> bool:
     """Does the residual vanish but for the rounding of its terms?"""
     return relative_residual(numbers) <= 4 * terms * EPSILON
 
 
-def find_equilibrium(numeric, start):
+def find_equilibrium(numeric: "NumericSystem", start: Mapping[str, float]) -> Equilibrium:
     """The Equilibrium reached from `start` ({coordinate: float}); PhysicsError where V falls without bound."""
     search = EnergyDescent(numeric, start)
     q = search.vector(start)
@@ -80,7 +86,7 @@ class EnergyDescent:
 
     first_drift = 0.1
 
-    def __init__(self, numeric, start):
+    def __init__(self, numeric: "NumericSystem", start: Mapping[str, float]):
         import numpy as np
 
         self.np, self.numeric, self.scene = np, numeric, numeric.scene
@@ -90,17 +96,17 @@ class EnergyDescent:
         self.met = [0.0] * len(self.names)
         self.here, self.blocked, self.undefined = dict(start), False, False
 
-    def forget(self):
+    def forget(self) -> None:
         """Begin a step: nothing has stood in its way."""
         self.blocked = self.undefined = False
 
-    def vector(self, values):
+    def vector(self, values: Mapping[str, float]) -> "np.ndarray":
         return self.np.array([values[name] for name in self.names], dtype=float)
 
-    def named_plainly(self, q):
+    def named_plainly(self, q: "np.ndarray") -> dict[str, float]:
         return {name: float(value) + 0.0 for name, value in zip(self.names, q, strict=True)}
 
-    def named(self, q):
+    def named(self, q: "np.ndarray") -> dict[str, float]:
         """The position as {coordinate: float}, the dependent ones closed from the last position; None where they
         cannot be."""
         target = self.named_plainly(q)
@@ -111,7 +117,7 @@ class EnergyDescent:
         self.blocked |= found is None
         return None if found is None else {name: found[name] for name in self.here}
 
-    def at(self, q):
+    def at(self, q: "np.ndarray") -> Numbers:
         """The Numbers of a position, which becomes the present one."""
         position = self.named(q)
         if position is None:
@@ -129,7 +135,7 @@ class EnergyDescent:
         self.met = list(map(max, self.met, numbers.residual_size))
         return numbers
 
-    def defined(self, q):
+    def defined(self, q: "np.ndarray") -> Numbers:
         """The Numbers of a position that is tried; None where they are not finite."""
         try:
             return self.at(q)
@@ -137,38 +143,38 @@ class EnergyDescent:
             self.undefined = True
             return None
 
-    def relative(self, numbers):
+    def relative(self, numbers: Numbers) -> float:
         """The residual relative to the largest terms met: at q = 0 the terms of a condition may all vanish."""
         return max((abs(r) / size for r, size in zip(numbers.residual, self.met, strict=True) if size), default=0.0)
 
-    def balanced(self, numbers):
+    def balanced(self, numbers: Numbers) -> bool:
         """Is nothing left of the forces but what rounding leaves?"""
         return self.relative(numbers) <= 1e-9 or _may_vanish(self.numeric, self.here)
 
-    def faded(self, numbers):
+    def faded(self, numbers: Numbers) -> bool:
         """Did the force along a coordinate fade away without anything that holds it, as of V = exp(−x)?"""
         held = self.np.abs(numbers.elements.stiffness_array()) @ self.scale
         return any(met and (not (size or k) or abs(r) > max(1e-9 * size, 1e-3 * k)) for met, size, k, r in
                    zip(self.met, numbers.residual_size, held, numbers.residual, strict=True))
 
-    def newton(self, numbers):
+    def newton(self, numbers: Numbers) -> "np.ndarray":
         """−K⁻¹ r in scaled coordinates; nothing along what is not held."""
         slope = -self.np.array(numbers.residual) * self.scale
         return self.np.linalg.lstsq(self.hessian(numbers), slope, rcond=1e-14)[0]
 
-    def energy(self, q):
+    def energy(self, q: "np.ndarray") -> float:
         position = self.named(q)
         return math.inf if position is None else evaluate([self.numeric.system.potential], Floats,
                                                           {**self.numeric.floats, **position})[0]
 
-    def flat(self, numbers):
+    def flat(self, numbers: Numbers) -> bool:
         return self.relative(numbers) <= 1e-13
 
-    def far(self, q):
+    def far(self, q: "np.ndarray") -> bool:
         limit = FAR if math.isfinite(self.first_radius) else FARTHEST
         return bool(self.np.any(self.np.abs(q) > limit * self.scale))
 
-    def hessian(self, numbers):
+    def hessian(self, numbers: Numbers) -> "np.ndarray":
         """K in scaled coordinates."""
         K = numbers.elements.stiffness_array()
         if not self.np.all(self.np.isfinite(K)):
@@ -176,7 +182,7 @@ class EnergyDescent:
                                "equilibrium passes", "draw the scene nearer to its equilibrium")
         return K * self.np.outer(self.scale, self.scale)
 
-    def step(self, q, numbers, radius):
+    def step(self, q: "np.ndarray", numbers: Numbers, radius: float) -> "tuple[np.ndarray, Numbers, float, bool]":
         """One accepted step: (q, numbers, radius, True), or False where no step lowers V any more."""
         np = self.np
         gradient = np.array(numbers.residual) * self.scale
@@ -205,7 +211,7 @@ class EnergyDescent:
             radius = 0.25 * min(radius, float(np.linalg.norm(p)))
         return q, numbers, radius, False
 
-    def drift(self, q, numbers, dt):
+    def drift(self, q: "np.ndarray", numbers: Numbers, dt: float):
         """One implicit Euler step of q̇ = −r in scaled coordinates, twice as long as the last where the force fades as
         it should, shorter where K pushes away (else it would turn back) or the force grows by much."""
         np = self.np
@@ -232,7 +238,7 @@ class EnergyDescent:
             dt *= 0.25
         return q, numbers, dt, False
 
-    def polished(self, q, numbers):
+    def polished(self, q: "np.ndarray", numbers: Numbers) -> "tuple[np.ndarray, Numbers]":
         """Newton steps as long as they lower the residual."""
         for _ in range(POLISH):
             trial, here = q + self.scale * self.newton(numbers), self.here

@@ -5,17 +5,23 @@ N starts that met w zeros leave less than half a zero to be expected elsewhere: 
 Rinnooy Kan 1987, Math. Programming 37, 59). Then deflated Newton from some of them until nothing new turns up.
 """
 
+from collections.abc import Iterator, Sequence
 from itertools import islice, product
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from vibcli.mechanics.equilibrium.newton import zero_from
 from vibcli.numerics.halton import halton
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.equilibrium.distinct_roots import Found
+    from vibcli.mechanics.equilibrium.scaled_forces import Forces
+
 LEAST, GRID, DEFLATED, AVOIDED, START = 50, 4, 8, 20, 20
 
 
-def search(forces, found, first):
+def search(forces: "Forces", found: "Found", first: Sequence[np.ndarray]) -> None:
     """Adds the zeros within the box of `found` to it; `first`: places to start from before all others."""
     starts = _starts(forces, found.box, first)
     tried = _plain(forces, found, starts)
@@ -61,6 +67,6 @@ def _starts(forces, box, first):
         yield low + np.array(fractions) * (high - low)
 
 
-def spread(n, most):
+def spread(n: int, most: int) -> Iterator:
     """So many points of Halton's sequence in the unit cube of n dimensions, its first few left out."""
     return map(np.array, islice(halton(n, START), most))

@@ -1,6 +1,13 @@
 """Why a search ends at no equilibrium, in words."""
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.equilibrium.equilibrium import EnergyDescent
 
 FAR = 1e6      # of the size of the figure
 JUMPS = ("abs", "sign", "min", "max", "step", "ramp")
@@ -10,7 +17,7 @@ class Undefined(PhysicsError):
     """Forces or stiffnesses are not finite at a place."""
 
 
-def unbounded(search, q):
+def unbounded(search: "EnergyDescent", q: "np.ndarray") -> PhysicsError:
     """Nothing holds the coordinate that went farthest, or the way ends there."""
     np = search.np
     start = search.vector(search.numeric.drawn_floats)
@@ -39,7 +46,7 @@ def _origin(search):
     return "place that `equilibrium:` names" if search.numeric.spec.get("equilibrium") else "drawn position"
 
 
-def unfinished(search, q, steps):
+def unfinished(search: "EnergyDescent", q: "np.ndarray", steps: float):
     """Steps are out, though nothing has run off."""
     place = ", ".join(f"{name} = {value:.6g}" for name, value in search.named_plainly(q).items())
     if search.blocked or search.np.any(search.np.abs(q) > FAR * search.scale):

@@ -4,7 +4,8 @@ Friction at zero speed enters the equations as Σ σₖ aₖ, the signs σₖ of
 G q̇ = 0 these are known but for the N of Σ aₖ Nₖ + Gᵀ λ = 0: two in parallel have aₑ = c a_d, and share a load anyhow.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotFixed
 from vibcli.mechanics.equilibrium.dry_friction import signs_of_speeds
@@ -12,6 +13,12 @@ from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import evaluate
 from vibcli.symbolic.normal_form import is_zero
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 STEP = 0.1
 TINY = 1e-9     # of the length of a column: it depends on others
@@ -33,7 +40,7 @@ class Held(NamedTuple):
 class Redundancy:
     """The signs of speeds in the equations of a scene, `slopes` being {(i, j): ∂Gᵢ/∂qⱼ} of its constraints."""
 
-    def __init__(self, scene, equations, slopes=None):
+    def __init__(self, scene: "Scene", equations: "Sequence[Node]", slopes: Mapping[Any, Any] | None = None):
         self.scene = scene
         self.ties = [[(slopes or {}).get((i, j), scene.table.zero) for j in range(len(scene.q))]
                      for i in sorted({i for i, _ in slopes or {}})]
@@ -41,18 +48,19 @@ class Redundancy:
         self.parts += _of_others(scene, equations, self.parts)
 
     @property
-    def possible(self):
+    def possible(self) -> bool:
         """Could any be redundant?"""
         return len(self.parts) > 1 and any(part.owner for part in self.parts)
 
-    def carried(self, values, count, held):
+    def carried(self, values: "Mapping[str, float | np.ndarray]", count: int, held: "np.ndarray") -> "np.ndarray":
         """At which of `count` instants, of which the `values` are known, the sign of each part is held, as its speed
         follows from those that are known to be: `held`, a row for each part."""
         W, drift, G = (self._array(nodes, values, count) for nodes in (
             [part.slopes for part in self.parts], [[part.drift] for part in self.parts], self.ties))
         return _each(_carried, W, drift[:, :, 0], G, held.T).T
 
-    def moves(self, values, count, held):
+    def moves(self, values: "Mapping[str, float | np.ndarray]", count: int,
+              held: "np.ndarray") -> "dict[str, np.ndarray]":
         """{owner: changes of its force} of shape (count,): one N, small beside the friction, where `held`, a row for
         each part, says that a sign is held."""
         A, sizes, G = (self._array(nodes, values, count) for nodes in (
@@ -70,13 +78,13 @@ class Redundancy:
         return np.array(found, dtype=float).reshape(len(rows), width, count).transpose(2, 0, 1)
 
 
-def shared(owner):
+def shared(owner: str) -> NotFixed:
     """The refusal of the force of an element."""
     return NotFixed(f"{owner}.force", "more friction holds the scene than it needs",
                     "take one of the elements that share the load out")
 
 
-def require_fixed_at_rest(configuration, owner):
+def require_fixed_at_rest(configuration: Any, owner: Any) -> None:
     """PhysicsError where the force of an element with dry friction is not fixed in equilibrium."""
     scene = configuration.scene
     if not any(signs_of_speeds(scene, [law.force(scene)]) for law in scene.terms_of(owner, "laws")):

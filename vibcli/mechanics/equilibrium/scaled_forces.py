@@ -5,6 +5,8 @@ typical of the scene. So the search does not depend on units.
 """
 
 import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,6 +14,9 @@ from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.linearisation import residual_terms
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.numeric_system import NumericSystem
 
 HUGE, MOST_CLOSED, JUMP = 1e140, 1000, 1.5
 BALANCED, QUIET = 1e-14, 1e-9      # of the terms that make r; of the forces elsewhere
@@ -23,15 +28,15 @@ class Place:
 
     __slots__ = ("F", "J", "size", "z")
 
-    def __init__(self, z, F, J, size):
+    def __init__(self, z: np.ndarray, F: np.ndarray, J: np.ndarray, size: np.ndarray):
         self.z, self.F, self.J, self.size = z, F, J, size
 
     @property
-    def residual(self):
+    def residual(self) -> float:
         """The largest |Fᵢ| relative to its terms: the forces, and what moving q by its own rounding makes of them."""
         return _largest(self.F, self.size)
 
-    def step(self, rank=1e-14):
+    def step(self, rank: float = 1e-14) -> np.ndarray:
         """The step of Newton's method, the shortest of all that do where J is singular to `rank`."""
         return np.linalg.lstsq(self.J, -self.F, rcond=rank)[0]
 
@@ -49,7 +54,7 @@ class Forces:
     """r(q) and K(q) of a scene along some of its coordinates, the others left as drawn. `periodic`: flags of the angles
     after a turn of which nothing has changed; `work`: what counts the places that are looked at."""
 
-    def __init__(self, numeric, names):
+    def __init__(self, numeric: "NumericSystem", names: Sequence[str]):
         self.numeric, self.names, self.work = numeric, list(names), numeric.work
         self.rows = [numeric.scene.coordinates.index(name) for name in self.names]
         self.angle = np.array([not numeric.system.dimension(name) for name in self.names], bool)
@@ -64,17 +69,17 @@ class Forces:
         self.closed, self.closed_at = [], np.zeros((MOST_CLOSED, len(self.names)))
         self.know(numeric.drawn_floats)
 
-    def know(self, position):
+    def know(self, position: Mapping[str, float]) -> None:
         """Keep a position ({coordinate: float}) whose loops are closed."""
         if len(self.closed) < MOST_CLOSED:
             self.closed_at[len(self.closed)] = self.vector(position)
             self.closed.append(position)
 
-    def vector(self, values):
+    def vector(self, values: Mapping[str, float]) -> np.ndarray:
         """z of {coordinate: number}."""
         return np.array([values[name] for name in self.names], dtype=float) / self.D
 
-    def position(self, z):
+    def position(self, z: np.ndarray):
         """{coordinate: float} of z, loops closed on the way there from the nearest position known to be closed."""
         moved = {name: float(value) + 0.0 for name, value in zip(self.names, z * self.D, strict=True)}
         drawn = self.numeric.drawn_floats
@@ -87,7 +92,7 @@ class Forces:
         self.know(found)
         return found
 
-    def at(self, z):
+    def at(self, z: np.ndarray) -> Place:
         """The Place at z, None where the forces are not defined."""
         self.work.step()
         try:
@@ -102,7 +107,7 @@ class Forces:
         size = np.array(numbers.residual_size, dtype=float)[self.rows] * self.D + np.abs(J) @ (1.0 + np.abs(z))
         return Place(z, F / self.E, J / self.E, size / self.E)
 
-    def balanced(self, place):
+    def balanced(self, place: Place) -> bool:
         """Is the residual that of rounding, and small beside the forces elsewhere (at a pole of F it is not)?
 
         Of its own terms; or of the forces elsewhere, where Newton's step tells a zero from a force that fades away: the
@@ -115,15 +120,15 @@ class Forces:
         faint = _largest(place.F, self.typical)
         return faint <= self.rounding and float(np.abs(place.step()).max()) <= (SHORT if faint <= FAINT else TINY)
 
-    def residual(self, place):
+    def residual(self, place: Place) -> float:
         """The largest |Fᵢ| relative to its terms there or at other places, whichever are larger."""
         return _largest(place.F, np.maximum(place.size, self.typical))
 
     @property
-    def rounding(self):
+    def rounding(self) -> float:
         return max(BALANCED, 4 * len(self.D) * 2.0**-52)
 
-    def learn_periods(self):
+    def learn_periods(self) -> None:
         """Set which angles are periodic, from two places near the drawn one; in a scene without units what has a period
         is taken for an angle."""
         places = [place for place in map(self.at, near_drawn(self, 2)) if place is not None]
@@ -137,7 +142,7 @@ class Forces:
         other = self.at(place.z + step)
         return other is not None and bool(np.all(np.abs(other.F - place.F) <= 1e-12 * place.size))
 
-    def learn_sizes(self, points):
+    def learn_sizes(self, points: Iterable) -> None:
         """Set E and the typical size of the terms of each row, from places at some points."""
         known = [place for place in map(self.at, points) if place is not None]
         largest = [float(max(np.abs(place.F).max(), np.abs(place.J).max())) for place in known]
@@ -145,20 +150,20 @@ class Forces:
             self.E = float(np.median(largest)) or max(largest)
             self.typical = np.median([place.size for place in known], axis=0) / self.E
 
-    def gap(self, one, other):
+    def gap(self, one: np.ndarray, other: np.ndarray) -> np.ndarray:
         """one − other, of periodic angles the shorter way round."""
         d = one - other
         return np.where(self.periodic, d - math.tau * np.round(d / math.tau), d)
 
 
-def near_drawn(forces, count):
+def near_drawn(forces: Forces, count: int) -> list[np.ndarray]:
     """Some points z near the drawn position, the same at every run."""
     generator = np.random.default_rng(3)
     z = forces.vector(forces.numeric.drawn_floats)
     return [z + generator.uniform(-0.9, 0.9, len(z)) for _ in range(count)]
 
 
-def idle(numeric):
+def idle(numeric: "NumericSystem") -> list[str]:
     """The coordinates on which no force depends and along which none acts: near the drawn position, and anywhere (a
     force with a clearance may begin farther off)."""
     forces = Forces(numeric, numeric.scene.coordinates)
@@ -179,7 +184,7 @@ def _is_felt(system, row):
         term.mask & system.scene.q[row].mask for row_terms in terms for term in row_terms)
 
 
-def typical_length(numeric):
+def typical_length(numeric: "NumericSystem") -> float:
     """The size of the figure in metres, or where nothing has a place the largest length given; 0 if there is none."""
     from vibcli.base.units import LENGTH
 

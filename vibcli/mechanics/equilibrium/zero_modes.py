@@ -4,15 +4,21 @@ Along a direction d in which K vanishes, V(q + t d) − V(q) at a few t tells a 
 rigid-body mode) from one that terms of third and higher order hold or drive away (V = x⁴, V = −x⁴, V = x³).
 """
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 from vibcli.mechanics.numeric_linearisation import in_numbers
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 STEPS = (-0.1, -0.02, 0.02, 0.1)
 ROUNDING = 1e-11
 FREE, HELD, FALLING = "free", "held", "falling"
 
 
-def zero_modes(configuration, rigid):
+def zero_modes(configuration: "Configuration", rigid: Sequence[Any]) -> dict[int, str]:
     """{index of a mode without frequency: FREE, HELD or FALLING}."""
     if not configuration.system.is_linear:
         from vibcli.mechanics.equilibrium.families import freedom, learnt

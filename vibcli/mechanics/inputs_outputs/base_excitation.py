@@ -5,8 +5,10 @@ Linearised like any other, its matrices hold beside those of the coordinates q t
     M q̈ + C q̇ + K q = −(M_u ü + C_u u̇ + K_u u) + excitation,        y = y₀ + y_q δ + y_v δ̇ + y_a δ̈ + the same of u.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.base.errors import PhysicsError
 from vibcli.mechanics.autonomous import INSTANTS, SAME, matrices_at, steady
@@ -18,12 +20,16 @@ from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.symbolic.node import Node
+
 
 class SystemWithInputs:
     """scene; n: how many of its coordinates are none of its inputs, which stand last; timed, form: its Linearisation
     with and without excitation."""
 
-    def __init__(self, configuration, releasing=False):
+    def __init__(self, configuration: "Configuration", releasing: bool = False):
         self.configuration = configuration
         scene = configuration.scene.with_released_supports() if releasing else configuration.scene
         self.scene = scene = take_over(scene.with_inputs(), configuration.system.preloads)
@@ -79,7 +85,7 @@ class SystemWithInputs:
                 and not abs(one.get(pair, 0.0) - two.get(pair, 0.0)) <= SAME * max(
                     abs(two.get(pair, 0.0)), size.get(pair, 0.0), 1e-6 * largest)}
 
-    def require_steady(self, weights):
+    def require_steady(self, weights: "Mapping[int, float | Node]"):
         """PhysicsError where what these inputs {number: weight} do depends on the time."""
         if self.turning & {*range(self.n), *(j for j, weight in weights.items() if weight)}:
             raise self._turns()
@@ -89,7 +95,7 @@ class SystemWithInputs:
                             "ask for a response to a coordinate, as in frf[…, "
                             f"{self.configuration.scene.coordinates[0]}]")
 
-    def carried(self, weights):
+    def carried(self, weights: Any):
         """{i: number} of b₀ of loads that turn with what is driven, `weights` {number of an input: node of the time}:
         the product of the two is what must not depend on it."""
         self.require_steady({})
@@ -116,7 +122,7 @@ class SystemWithInputs:
                         column[i] = column.get(i, 0.0) - x
         return found
 
-    def rows(self, nodes):
+    def rows(self, nodes: Any):
         """The LinearFunction of each node."""
         scene, kinds = self.scene, (self.scene.q, self.scene.v, self.scene.a)
         slopes = [[{i: slopes[x] for i, x in enumerate(kind) if x in slopes} for kind in kinds]

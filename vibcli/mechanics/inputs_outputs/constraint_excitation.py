@@ -9,8 +9,10 @@ to first order. Inertia must not carry it into M, C or K: of each s(q, u) with i
     w (sᵢⱼ sᵤ + sᵢ sⱼᵤ) ü qⱼ,      2 w sᵢ sⱼᵤ u̇ q̇ⱼ,      w (sᵢᵤ sⱼ + sᵢ sⱼᵤ) u q̈ⱼ        must vanish in sum.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
+from typing import TYPE_CHECKING, Any
 
 from vibcli.mechanics.linearisation import at_position
 from vibcli.mechanics.linearise import row_of, slopes_of
@@ -19,10 +21,14 @@ from vibcli.mechanics.symbolic_matrices import matrices_in_letters
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.symbolic_system import SymbolicSystem
+    from vibcli.symbolic.node import Node
+
 SAME = 1e-9
 
 
-def excitation_through(symbolic):
+def excitation_through(symbolic: "SymbolicSystem") -> "dict[int, Node]":
     """{i: Q(t)} of the displacements that are driven to and fro."""
     opened = symbolic.configuration.with_inputs
     table, found = opened.scene.table, {}
@@ -48,7 +54,7 @@ def _driven(opened):
             if opening.node is not None]
 
 
-def carried_into(opened, values):
+def carried_into(opened: Any, values: Mapping[str, float]) -> int | None:
     """The number of a coordinate whose inertia, damping or stiffness changes with what is driven; None if none does.
     `values`: {name: float} of all symbols in equilibrium."""
     inputs = [j for j, _ in _driven(opened)]

@@ -9,6 +9,7 @@ with δp = P δq + P_u δu. What q does follows from its own equations, so any l
 """
 
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import CONTACT
@@ -21,16 +22,19 @@ from vibcli.mechanics.signals import normal_of, reaction_of, require_fixed
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+
 
 class MovingReactions:
     """The linear functions of all multipliers and supports."""
 
-    def __init__(self, configuration):
+    def __init__(self, configuration: "Configuration"):
         self.configuration, self.opened = configuration, configuration.with_inputs
         self.released = SystemWithInputs(configuration, releasing=True)
 
     @cached_property
-    def rows(self):
+    def rows(self) -> dict[str, LinearFunction]:
         """{signal: LinearFunction, or None where the scene is supported by more than it needs}."""
         import numpy as np
 
@@ -95,7 +99,7 @@ class MovingReactions:
                 if i in residual and x and size:
                     _add(residual[i].q, float(size) * x, motions[j])
 
-    def row(self, text):
+    def row(self, text: str) -> LinearFunction:
         """The LinearFunction of a reaction, a force in a constraint, or a force of contact."""
         name, _, part = text.partition(".")
         kind = part.partition(".")[0]

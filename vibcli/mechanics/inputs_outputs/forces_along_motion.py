@@ -5,7 +5,9 @@ As in equilibrium (mechanics/reactions.py) the scene is released, with the inert
     E_q + Σ λ_k ∂G_k/∂q = 0        R_ρ = E_ρ + Σ λ_k ∂G_k/∂ρ,        ρ = 0 of supports and drives.
 """
 
+from collections.abc import Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 from vibcli.language.signals import CONTACT
 from vibcli.mechanics.energies import dissipation, kinetic, potential
@@ -16,15 +18,21 @@ from vibcli.symbolic.array_arithmetic import Arrays
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import evaluate
 
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.symbolic.node import Node
+
 
 class ForcesAlong:
     """The forces of a system at states {name: array} of all its coordinates, their rates and the time."""
 
-    def __init__(self, numeric):
+    def __init__(self, numeric: "NumericSystem"):
         self.numeric, self.released = numeric, Released(numeric)
 
     @cached_property
-    def nodes(self):
+    def nodes(self) -> "list[Node]":
         """E of every coordinate and every ∂G_k/∂q, what is released being held."""
         scene = self.released.scene
         T, V, Phi = kinetic(scene), potential(scene), dissipation(scene)
@@ -32,7 +40,7 @@ class ForcesAlong:
         n = len(self.released.real)
         return substitute(flat, dict.fromkeys((*scene.q[n:], *scene.v[n:], *scene.a[n:]), scene.table.zero))
 
-    def values(self, names, states):
+    def values(self, names: Sequence[str], states: Any) -> "dict[str, np.ndarray]":
         """{signal: array} of the forces of these names."""
         import numpy as np
 

@@ -5,14 +5,20 @@ in which it is written, a moment of 1 N·m, an unbalance of 1 kg·m turning at s
 its reference is cos Ωt), a driven displacement of 1 m or 1 rad, a generalised force 1 along a coordinate.
 """
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import isfinite
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.expression_graph import reachable
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction
+    from vibcli.symbolic.node import Node
 
 INSTANTS, SAME = (0.0, 0.173, 0.891, 2.317), 1e-12
 
@@ -26,7 +32,7 @@ class Input(NamedTuple):
     carried: dict = None
 
 
-def named_input(configuration, text):
+def named_input(configuration: "Configuration", text: str) -> Input:
     """The Input of this name: a load, a driven point or body (a component of it: drive.x), a coordinate."""
     opened = configuration.with_inputs
     found = dict(enumerate(opened.scene.inputs.values(), opened.n))
@@ -38,7 +44,7 @@ def named_input(configuration, text):
     raise PhysicsError(f"nothing named '{text}' drives this scene", "name one of " + ", ".join(names))
 
 
-def input_columns(configuration, chosen):
+def input_columns(configuration: "Configuration", chosen: Input):
     """b as [{i: number}] of the powers s⁰, s¹, s² of an Input; PhysicsError where it depends on the time."""
     if chosen.carried:
         return [configuration.with_inputs.carried(chosen.carried), {}, {}]
@@ -46,7 +52,8 @@ def input_columns(configuration, chosen):
     return in_powers(configuration.with_inputs.columns, chosen.weights, chosen.turns)
 
 
-def in_powers(columns, weights, turns):
+def in_powers(columns: Mapping[int, list[dict[int, Any]]], weights: Mapping[int, Any],
+              turns: int) -> "list[dict[int, float | Node]]":
     """Σ weight·column of the columns [{i: number or node}] of input coordinates, times (−s²)^turns."""
     parts = [{} for _ in range(3)]
     for j, weight in weights.items():
@@ -56,7 +63,7 @@ def in_powers(columns, weights, turns):
     return _turned(parts, turns, {})
 
 
-def direct_part(row, chosen):
+def direct_part(row: "LinearFunction", chosen: Input) -> list[float]:
     """d as [number] of the powers s⁰, s¹, s²: what an Input does to a LinearFunction at once."""
     if chosen.carried and any(part.get(j) for part in (row.q, row.v, row.a) for j in chosen.carried):
         raise PhysicsError("what this load does to the signal at once turns with what is driven",

@@ -1,8 +1,11 @@
 """Linear functions y = constant + q·δ + v·δ̇ + a·δ̈ + what depends on the time, of coordinates and inputs."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
+
+if TYPE_CHECKING:
+    from vibcli.scene.scene import Scene
 
 
 class LinearFunction(NamedTuple):
@@ -15,7 +18,7 @@ class LinearFunction(NamedTuple):
     a: dict
 
 
-def combined(pairs):
+def combined(pairs: Any) -> LinearFunction:
     """Σ factor·row of (factor, row) pairs."""
     constant, time, totals = 0.0, [], ({}, {}, {})
     for factor, row in pairs:
@@ -27,7 +30,7 @@ def combined(pairs):
     return LinearFunction(constant, time, *totals)
 
 
-def rate(row, scene):
+def rate(row: LinearFunction, scene: "Scene") -> LinearFunction:
     """ẏ; PhysicsError where it would need a third derivative."""
     if row.a:
         raise PhysicsError("the rate of a force of inertia is no function of places, velocities and accelerations",
@@ -35,7 +38,7 @@ def rate(row, scene):
     return LinearFunction(0.0, [(weight, scene.rate(node)) for weight, node in row.time], {}, row.q, row.v)
 
 
-def product(one, two):
+def product(one: LinearFunction, two: LinearFunction) -> LinearFunction:
     """one·two to first order."""
     if one.time and two.time:
         raise PhysicsError("a product of two driven quantities is not linear", "ask for each of them")

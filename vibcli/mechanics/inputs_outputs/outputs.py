@@ -5,21 +5,26 @@ displacement or a load does to a signal directly goes to a channel of its own. E
 of squares of linear outputs, E = Σ F²/(2k) of springs, P = Σ c ṡ² of dampers.
 """
 
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.language.signals import ENERGIES
 from vibcli.mechanics.inputs_outputs.displacements import displacement
-from vibcli.mechanics.inputs_outputs.linear_functions import combined, rate
+from vibcli.mechanics.inputs_outputs.linear_functions import LinearFunction, combined, rate
 from vibcli.mechanics.support_forces import on_the_ground, weighted_rates
 from vibcli.symbolic.evaluation import Floats, evaluate
+
+if TYPE_CHECKING:
+    from vibcli.mechanics.configuration import Configuration
 
 QUADRATIC = ("energy", "power")
 
 
-def is_quadratic(text):
+def is_quadratic(text: str) -> bool:
     return text.partition(".")[2] in QUADRATIC
 
 
-def linear_row(configuration, text):
+def linear_row(configuration: "Configuration", text: str) -> LinearFunction:
     """The LinearFunction of a signal over the coordinates and inputs of the opened scene."""
     bare = text.rstrip("'")
     row = _row(configuration, bare)
@@ -47,7 +52,7 @@ def _row(configuration, text):
     return configuration.moving_reactions.row(text) if force is None else opened.rows([force])[0]
 
 
-def squares(configuration, text):
+def squares(configuration: "Configuration", text: str) -> list[tuple[float, LinearFunction]]:
     """[(weight, LinearFunction)] of a signal that is a sum of squares."""
     opened = configuration.with_inputs
     name, _, part = text.partition(".")

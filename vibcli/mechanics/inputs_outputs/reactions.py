@@ -9,8 +9,9 @@ R is the force (moment) that the support exerts on the body, in the fixed axes, 
 centre, of what rolls about the centre of its circle; λ is a tension for ropes and links, positive in lengthening.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.mechanics.linearisation import residual_terms
@@ -18,6 +19,14 @@ from vibcli.mechanics.linearise import linearise
 from vibcli.symbolic.derivatives import gradient, substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import is_zero, textbook
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.mechanics.configuration import Configuration
+    from vibcli.mechanics.numeric_system import NumericSystem
+    from vibcli.scene.scene import Scene
+    from vibcli.symbolic.node import Node
 
 OPEN = 1e-9
 LENGTHENING = ("rope", "link", "gear", "belt", "equation")
@@ -34,7 +43,7 @@ class Reaction(NamedTuple):
 class Released:
     """The scene with all its coordinates and its supports released, and the numbers of its coordinates in `q`."""
 
-    def __init__(self, numeric):
+    def __init__(self, numeric: "NumericSystem"):
         self.scene = numeric.scene.with_released_supports()
         if self.scene.static_preloads and not numeric.has_free_symbols:
             tensions = {node: numeric.system.preloads[record.name] for node, record in self.scene.static_preloads}
@@ -45,12 +54,12 @@ class Released:
         self.held, self.real = self.scene.q[count:], self.scene.q[:count]
 
 
-def constraint_slopes(scene):
+def constraint_slopes(scene: "Scene"):
     """[∂G_k/∂q] of one constraint after the other, over all coordinates."""
     return [gradient(constraint.node).get(q, scene.table.zero) for constraint in scene.constraints for q in scene.q]
 
 
-def reactions(configuration):
+def reactions(configuration: "Configuration") -> list[Reaction]:
     """The Reactions in equilibrium: constraints first, then the supports of the bodies."""
     import numpy as np
 
@@ -88,7 +97,7 @@ def _at_rest(configuration, released):
             released.scene.time.name: 0.0}
 
 
-def solved(G, E):
+def solved(G: "np.ndarray", E: "np.ndarray") -> "tuple[np.ndarray, np.ndarray]":
     """λ of Gᵀλ = −E by least squares, and a basis of what Gᵀλ = 0 leaves open, as rows."""
     import numpy as np
 
@@ -102,7 +111,7 @@ def solved(G, E):
     return multipliers / scale, vt[rank:] / scale
 
 
-def along_the_motion(numeric):
+def along_the_motion(numeric: "NumericSystem") -> "dict[str, Node]":
     """{signal: expression} of the supports in coordinates, velocities and accelerations; multipliers of constraints
     stay in it as symbols lambda_NAME."""
     released = Released(numeric)
@@ -138,7 +147,7 @@ def _steady_slope(released, node):
     return scene.table.number(whole) if abs(whole) <= 1 and all(abs(v - whole) <= 1e-12 for v in values) else node
 
 
-def slack(reactions):
+def slack(reactions: Sequence[Reaction]) -> list[Any]:
     """[(rope's signal, tension)] of ropes that equilibrium would have to push."""
     forces = [reaction for reaction in reactions if reaction.form == "rope" and reaction.value is not None]
     largest = max((abs(reaction.value) for reaction in reactions if reaction.value is not None), default=0.0)

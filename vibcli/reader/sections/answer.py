@@ -1,6 +1,6 @@
 """Expected answers: a quantity and its value or expression, which `vibcli check` compares."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import nearest
@@ -42,7 +42,7 @@ class Answer(NamedTuple):
 class Answers(Kind):
     wants = "a mapping from quantities to expected values"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if not isinstance(node, Mapping):
             return reader.expected(node, self.wants)
         answers = []

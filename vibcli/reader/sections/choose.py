@@ -1,5 +1,7 @@
 """Inverse questions: parameters that conditions determine."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.base.diagnostics import quoted
 from vibcli.base.spelling import near, nearest
 from vibcli.language.document.document import Scalar, Sequence
@@ -11,6 +13,9 @@ from vibcli.quantities.quantity import ALL
 from vibcli.symbolic.parser import parse
 from vibcli.symbolic.syntax import ExpressionError
 
+if TYPE_CHECKING:
+    from vibcli.base.errors import Where
+
 BALANCE, LIMIT = "equilibrium", "stability limit"
 
 
@@ -20,16 +25,17 @@ class Condition:
 
     __slots__ = ("left", "right", "text", "where", "word")
 
-    def __init__(self, text, where, word=None, left=None, right=None):
+    def __init__(self, text: str, where: "Where", word: str | None = None, left: Expression | None = None,
+                 right: Expression | None = None):
         self.text, self.where, self.word, self.left, self.right = text, where, word, left, right
 
     @property
-    def is_balance(self):
+    def is_balance(self) -> bool:
         """Is it that the drawn position is one of equilibrium?"""
         return self.word == BALANCE
 
     @property
-    def sides(self):
+    def sides(self) -> tuple[Expression, ...]:
         return () if self.word else (self.left, self.right)
 
 
@@ -37,7 +43,7 @@ class _Condition(Kind):
     wants = "an equation, or one of equilibrium, stability limit"
     hint = "write for example zeta[1] = 1"
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Sequence):
             return reader.expected(node, self.wants, "one condition to a parameter: choose as many as there are")
         if not isinstance(node, Scalar) or not node.text.strip():

@@ -1,11 +1,16 @@
 """Questions of a scene: words, the search for all equilibria, and analyses with particulars."""
 
+from typing import TYPE_CHECKING, Any
+
 from vibcli.analyses import ANALYSES, FIND, OF_MODES
 from vibcli.language.document.document import Mapping, Scalar, Sequence
 from vibcli.language.fields import Element, Field
 from vibcli.language.kinds import Choice, Many, OneOf, Quantity
 from vibcli.language.named_elements import Lazy
 from vibcli.language.sections.equilibrium import ByCoordinate
+
+if TYPE_CHECKING:
+    from vibcli.language.reader import Expression, Record
 
 SEARCH, RESPONSE, FREQUENCY_RESPONSE = "equilibria", "response", "frequency_response"
 RESPONSES = (RESPONSE, FREQUENCY_RESPONSE)
@@ -45,13 +50,13 @@ ELEMENT = Element(
 class Questions(list):
     """The words asked, in order; `records`: {word: Record} of those that are asked at length."""
 
-    def __init__(self, items):
+    def __init__(self, items: Any):
         self.records = {key: item for item in items if not isinstance(item, str) for key in AT_LENGTH if key in item}
         super().__init__(item if isinstance(item, str) else next(key for key in AT_LENGTH if key in item)
                          for item in items)
 
     @property
-    def search(self):
+    def search(self) -> "Record | None":
         """The Record of the search for equilibria, or None."""
         return self.records.get(SEARCH)
 
@@ -60,18 +65,18 @@ class Questions(list):
         """{coordinate: [least, most]} as written."""
         return self.search.get("within", {}) if self.search else {}
 
-    def about(self, word):
+    def about(self, word: str) -> "Record | None":
         """The Record of what is asked of a response, or None."""
         record = self.records.get(word)
         return None if record is None else record[word]
 
     @property
-    def in_time(self):
+    def in_time(self) -> "Record | None":
         """The Record of what is asked of the motion in time, or None."""
         return self.about(RESPONSE)
 
     @property
-    def signals(self):
+    def signals(self) -> "tuple[list[Expression], list[Expression]]":
         """The expressions of all signals asked, and the inputs."""
         records = [record for record in map(self.about, (RESPONSE, FREQUENCY_RESPONSE)) if record is not None]
         return ([signal for record in records for signal in record.get("of", ())],
@@ -81,7 +86,7 @@ class Questions(list):
 class _Question(OneOf):
     """A word, or a question with particulars."""
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Scalar) and node.text in WRITTEN:
             return reader.expected(node, self.wants, f"write {WRITTEN[node.text]}")
         return super().read(node, reader)
@@ -90,7 +95,7 @@ class _Question(OneOf):
 class _Find(OneOf):
     """A list of questions; a mapping stands for the list of it alone."""
 
-    def read(self, node, reader):
+    def read(self, node: Any, reader: Any):
         if isinstance(node, Scalar):
             return reader.expected(node, self.wants, f"write [{node.text}]" if node.text in FIND else None)
         items = super().read(node, reader)

@@ -1,10 +1,21 @@
 """A report as AsciiDoc: mathematics in LaTeX as `stem`, tables between bars."""
 
 import re
+from collections.abc import Callable, Sequence
 
 from vibcli.base.decoding import on_one_line
 from vibcli.notation.latex import latex
-from vibcli.report.blocks import Definitions, Equations, Heading, Maths, Paragraph, Picture, Refusal, TableBlock
+from vibcli.report.blocks import (
+    Definitions,
+    Document,
+    Equations,
+    Heading,
+    Maths,
+    Paragraph,
+    Picture,
+    Refusal,
+    TableBlock,
+)
 from vibcli.report.formats.formula import formula, without_words
 from vibcli.report.formats.latex import aligned, is_signed
 
@@ -13,18 +24,18 @@ _SPECIAL = re.compile(r"[*_`#^~+{<>&|\\@]|(?<!\s)\[|\[(?=\[)|:(?=[:/])|\((?=\(|[
 _PLAIN = re.compile(r"(?:stem:|[^\W\d_]+[ ,;])")     # what may begin a line as it stands
 
 
-def escaped(text):
+def escaped(text: str) -> str:
     """Words that AsciiDoc shows as they are: what could be markup is a character by its number."""
     return _SPECIAL.sub(lambda found: f"&#{ord(found[0])};", on_one_line(text))
 
 
-def beginning(text):
+def beginning(text: str) -> str:
     """What begins a line, so that it begins no list, title, block or note."""
     text = text.strip()
     return text if _PLAIN.match(text) else "{empty}" + text
 
 
-def render(documents, place):
+def render(documents: Sequence[Document], place: Callable | None) -> str:
     """The AsciiDoc of all documents, those after the first as chapters of it; `place(picture)` is the name of the file
     that a picture is written to."""
     return "\n\n".join(part for i, document in enumerate(documents) for part in _document(document, place, i > 0))

@@ -1,18 +1,25 @@
 """Curves in the terminal, as pictures, and as files for other programs: CSV, NPZ or JSON by the suffix."""
 
+from collections.abc import Callable, Sequence
 from io import BytesIO, StringIO
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.plots.figure import Figure
 
 DATA = (".csv", ".npz", ".json")
 
 
-def in_terminal(figure, width):
+def in_terminal(figure: "Figure", width: int) -> str:
     """A Figure as text of so many columns."""
     from vibcli.plots.braille import braille
 
     return braille(figure, width=width)
 
 
-def curve_file(suffix, title, figure, columns):
+def curve_file(suffix: str, title: str, figure: Callable, columns: Callable | None) -> bytes:
     """The bytes of a file under a title: of what `columns()` gives, or of the Figure that `figure()` gives."""
     if suffix in DATA:
         return data(suffix, title, columns())
@@ -21,7 +28,7 @@ def curve_file(suffix, title, figure, columns):
     return picture(figure(), suffix[1:])
 
 
-def data(suffix, title, columns):
+def data(suffix: str, title: str, columns: "Sequence[tuple[str, str, np.ndarray]]") -> bytes:
     """The bytes of [(name, unit, array)], complex columns as real and imaginary part; the others are over the first."""
     apart = []
     for name, unit, values in columns:

@@ -1,14 +1,21 @@
 """The parameters that a scene chose: as a section of a report, and as data."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.notation.numbers import figure, quantity
 from vibcli.reader.sections.choose import BALANCE, LIMIT
-from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Section, Words, equations, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
 WORDS = {BALANCE: "the drawn position is an equilibrium", LIMIT: "the equilibrium is at its limit of stability"}
 
 
-def chosen(problem, _):
+def chosen(problem: "Problem", _: "Report") -> Iterator[Section]:
     """Conditions, solutions with closed form and number, and how well they hold."""
     found = problem.choice
     texts = dict.fromkeys(WORDS.get(text, text) for text in found.conditions.values())
@@ -60,7 +67,7 @@ FOLD = "   a limit point (fold): there the equilibrium meets an unstable one, an
 def _equation(problem, name, solution):
     """Parts of c = closed form = number."""
     form, value = solution.forms[name], solution.values[name]
-    parts = [Name(name)]
+    parts: list = [Name(name)]
     if form is not None and (value is None or _has_letters(form)):
         parts += [" = ", form]
     if value is not None:

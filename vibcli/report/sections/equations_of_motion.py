@@ -1,19 +1,27 @@
 """Energies and equations of motion, full and for small oscillations."""
 
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import Kinked
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.equation_sides import equation, sides
 from vibcli.report import blocks
-from vibcli.report.blocks import Heading, Name, line, maths, paragraph, section, separated
+from vibcli.report.blocks import Heading, Name, Paragraph, Section, line, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.equilibrium import held
 from vibcli.report.sections.too_long import brief
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
 
 ENERGIES = (("T", "T", "Kinetic energy"), ("V", "V", "Potential energy"), ("Phi", "Φ", "Dissipation function"))
 WRITTEN_OUT = 16        # coordinates of a scene whose equations are printed in numbers
 
 
-def energies(problem, report):
+def energies(problem: "Problem", report: "Report") -> Iterator[Section]:
     for key, symbol, title in ENERGIES:
         (shown,), lengths = abbreviated([problem.symbolic.energies[key]], report.roots)
         if not shown.is_zero:
@@ -21,12 +29,12 @@ def energies(problem, report):
                                *with_lengths(lengths))
 
 
-def with_lengths(lengths):
+def with_lengths(lengths: "Sequence[tuple[Node, Node]]") -> list[Paragraph]:
     """Paragraphs that tell what new symbols of lengths stand for."""
     return [paragraph("with ", maths(symbol, " = ", length), hang=4, aside=True) for symbol, length in lengths]
 
 
-def equations(problem, report):
+def equations(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The equations of motion; then those of small oscillations, in letters and in numbers."""
     if not problem.system.scene_with_multipliers.q:
         return
@@ -50,7 +58,7 @@ def equations(problem, report):
         blocks.equations(_in_numbers(problem, found)) if numbers else None, left_out(problem))
 
 
-def left_out(problem):
+def left_out(problem: "Problem"):
     """What of loads in time and of driven displacements the equations of small oscillations do not hold."""
     left_out, names = problem.symbolic.left_out, problem.scene.coordinates
     if not left_out:
@@ -116,7 +124,7 @@ ENERGY = Key("energies", "as expressions of the language of scenes, in solve and
     Key("Phi", "dissipation function; 0 where nothing damps")))
 
 
-def equation_rows(problem):
+def equation_rows(problem: "Problem") -> Iterator[dict[str, str | None]]:
     """What the keys below tell of each coordinate."""
     from vibcli.notation.latex import latex
     from vibcli.notation.scene_language import language

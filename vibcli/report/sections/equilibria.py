@@ -1,10 +1,17 @@
 """The list of all equilibria, as a section of a report and as data."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.analyses.modal.stability import FALLING, HELD, NEUTRAL, OPEN, STABLE, UNSTABLE, inertless, judged
 from vibcli.notation.numbers import figure, with_unit
-from vibcli.report.blocks import Name, TableBlock, Words, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Section, TableBlock, Words, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.parameters import unit
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
 KINDS = {STABLE: "stable", UNSTABLE: "unstable", NEUTRAL: "neutral", HELD: "stable by terms beyond the linear ones",
          FALLING: "unstable by terms beyond the linear ones", OPEN: "no small oscillations: a kink"}
@@ -19,7 +26,7 @@ MISSED = ("at least one more exists: the indices of these sum to {}, but the for
 CUT = "the search was cut short: there may be more; give narrower bounds under `within`"
 
 
-def equilibria(problem, _):
+def equilibria(problem: "Problem", _: "Report") -> Iterator[Section]:
     """A table of the equilibria, and where they were searched."""
     listed = _listed(problem)
     warned = [(number, _warning(about, found)) for number, (_, about, found) in enumerate(listed, 1)]

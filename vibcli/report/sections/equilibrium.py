@@ -1,6 +1,8 @@
 """The equilibrium that is reached from the drawn position."""
 
+from collections.abc import Mapping
 from math import inf, isfinite
+from typing import TYPE_CHECKING
 
 from vibcli.base.errors import Kinked, PhysicsError
 from vibcli.notation.numbers import figure, quantity
@@ -8,8 +10,12 @@ from vibcli.report.blocks import Name, Words, equations, line, maths, paragraph,
 from vibcli.report.keys import Key
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
-def equilibrium(problem, _):
+
+def equilibrium(problem: "Problem", _: "Report"):
     try:
         blocks = _in_letters(problem) if problem.numeric.has_free_symbols else _in_numbers(problem)
     except PhysicsError:
@@ -45,7 +51,7 @@ def _in_numbers(problem):
             paragraph(warning) if warning else None]
 
 
-def held(problem):
+def held(problem: "Problem"):
     """Where dry friction holds the scene."""
     from vibcli.mechanics.equilibrium.dry_friction import span
 
@@ -102,7 +108,7 @@ def _in_letters(problem):
             paragraph("the nearest to the start at sample values of the letters", hang=None) if searched else None]
 
 
-def measured(value, dimension):
+def measured(value: float, dimension: Mapping[str, int]) -> tuple[str, Words]:
     """Parts of a number with its unit."""
     number, unit = quantity(value, dimension)
     return number, Words(unit)

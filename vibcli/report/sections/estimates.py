@@ -1,13 +1,20 @@
 """Estimates of the lowest natural frequency, by Rayleigh and by Dunkerley."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import PhysicsError
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Name, TableBlock, maths, paragraph, section, separated
+from vibcli.report.blocks import Name, Section, TableBlock, maths, paragraph, section, separated
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import ROWS, off, require_numbers
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
-def estimates(problem, _):
+
+def estimates(problem: "Problem", _: "Report") -> Iterator[Section]:
     require_numbers(problem, "estimates")
     title = "Estimates of the lowest natural frequency"
     try:

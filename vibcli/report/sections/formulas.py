@@ -1,17 +1,23 @@
 """Motions of small oscillations as textbooks write them: the formula piece by piece, the regime, the steady state."""
 
 import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import Heading, Name, line, paragraph, section
+from vibcli.report.blocks import Heading, Name, Section, line, paragraph, section
 from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from vibcli.report.sections.requested_signals import RequestedSignal
+    from vibcli.results.problem import Problem
 
 MOST_PARTS, MOST_PIECES = 8, 4
 NO_ANGLE = 1e-12
 
 
-def formulas(asked):
+def formulas(asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
     """x = A e^{−δt} cos(ω_d t − φ) + … of each signal, on each piece of the forcing."""
     found = []
     for one in asked:
@@ -27,7 +33,8 @@ def formulas(asked):
 def _pieces(one, signal, starts):
     from vibcli.analyses.transient.textbook_form import formula
 
-    name, found = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text, []
+    found: list = []
+    name = Name(one.text) if isinstance(one.tree, NameRef) and "." not in one.text else one.text
     for number, start in enumerate(starts):
         parts = formula(signal.motion, signal.output, number)
         if len(parts) > MOST_PARTS:
@@ -67,7 +74,7 @@ def _signed(value):
     return figure(value).replace("-", "−")
 
 
-def free_vibration(problem, asked):
+def free_vibration(problem: "Problem", asked: "Sequence[RequestedSignal]") -> Iterator[Section]:
     """The regime of one degree of freedom; decrement and decay, beats, the share of each mode in the energy."""
     motion, rows = problem.response, []
     if motion.drive or not any(x for part in motion.deviations for x in part):

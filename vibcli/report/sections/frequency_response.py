@@ -1,19 +1,25 @@
 """Frequency responses: amplitude at rest, resonances and antiresonances; amplitudes in letters of few degrees."""
 
+from collections.abc import Iterator
 from math import isfinite, tau
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import TableBlock, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.requested_signals import curves_asked, symbol
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 LETTERS = 2     # most degrees of freedom whose amplitudes are written in letters
 
 
-def frequency_response(problem, report):
+def frequency_response(problem: "Problem", report: "Report") -> Iterator[Section]:
     """A section for each frequency response that is asked for."""
     for name, driver, unit in curves_asked(problem, report.wanted):
         title = f"Frequency response H of {symbol(name)} to {driver} [{unit}], lag θ = −arg H"
@@ -132,7 +138,8 @@ FREQUENCY_RESPONSE = Key(
         Key("antiresonances", "the Omega of zeros, or of minima where it is damped")))
 
 
-def frequency_response_data(problem, wanted):
+def frequency_response_data(problem: "Problem",
+                            wanted: "Wanted") -> list[dict[str, list[dict[Any, Any] | float] | str]]:
     """The frequency responses asked for, as data."""
     found = [(asked, problem.frequency_response(*asked[:2])) for asked in curves_asked(problem, wanted)]
     return [data(FREQUENCY_RESPONSE.each, FREQUENCY_RESPONSE.row(*asked, _peaks(curve), curve.antiresonances))

@@ -1,15 +1,20 @@
 """Tables of numbers by name and mode, which shares and sensitivities are told in."""
 
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.blocks import Paragraph, Section, TableBlock, paragraph, section
 from vibcli.report.sections import SECTIONS
+
+if TYPE_CHECKING:
+    from vibcli.results.problem import Problem
 
 COLUMNS, ROWS = 8, 40       # of a table; the rest is in the JSON
 NOTHING = 1e-9              # per cent
 
 
-def grid(title, columns, write, *told):
+def grid(title: str, columns: Any, write: Callable, *told: Paragraph) -> tuple[Section, ...]:
     """A table of [(head, {name: number})], a row to each name, and what is told under it."""
     names = list(dict.fromkeys(name for _, column in columns for name in column))
     shown = columns[:COLUMNS]
@@ -20,12 +25,12 @@ def grid(title, columns, write, *told):
                    paragraph(f"… {' and '.join(left)}: see --json", hang=None) if left else None, *told) if rows else ()
 
 
-def insight(words):
+def insight(words: Any):
     """The keys of the JSON of what is found about modes, each said in the file that writes the section of a word."""
     return tuple(import_module(f"vibcli.report.sections.{SECTIONS[word][0]}").KEY for word in words)
 
 
-def require_numbers(problem, word):
+def require_numbers(problem: "Problem", word: str) -> None:
     """Refuse a scene with symbols."""
     if problem.numeric.has_free_symbols:
         from vibcli.language.parameters import require_values
@@ -33,12 +38,12 @@ def require_numbers(problem, word):
         require_values(problem.scene.parameters, f"`{word}`")
 
 
-def numbered(indices):
+def numbered(indices: Mapping[int, Any] | Sequence[int]) -> str:
     """The numbers of modes one after the other."""
     return ", ".join(map(str, indices))
 
 
-def off(value, exact):
+def off(value: Any, exact: Any):
     """How far an estimate is off, in per cent."""
     found = 100 * (value / exact - 1)
     return "0 %" if abs(found) < NOTHING else f"{found:+.2g} %".replace("-", "−")

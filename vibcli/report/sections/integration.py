@@ -1,13 +1,19 @@
 """A motion that is integrated: the balance of its energies, its events, and how well it is known."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import TableBlock, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, paragraph, section
+
+if TYPE_CHECKING:
+    from vibcli.analyses.time_integration.trajectory import Trajectory
 
 MOST_EVENTS = 40
 LEAST = 2.0**-52
 
 
-def integration(trajectory):
+def integration(trajectory: "Trajectory") -> Iterator[Section]:
     """What happened on the way, and how well the energies balance."""
     balance = trajectory.balance
     rows = [("T + V at the start", figure(float(balance.energy[0]))), ("at the end", figure(float(balance.energy[-1])))]

@@ -1,16 +1,24 @@
 """Equations of small oscillations with numbers for their coefficients."""
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any
 
 from vibcli.symbolic.derivatives import substitute
 from vibcli.symbolic.evaluation import Floats, evaluate
 from vibcli.symbolic.normal_form import TooLong, expanded
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.mechanics.lagrange import EquationsOfMotion
+    from vibcli.notation.plain import Notation
+    from vibcli.results.problem import Problem
+    from vibcli.symbolic.node import Node
+
 ROUNDING = 1e-13        # of the terms that add up to a coefficient, which is zero then
 
 
-def linear_row(problem, equations, i):
+def linear_row(problem: "Problem", equations: "EquationsOfMotion", i: int):
     """The equation of small oscillations of coordinate i: (text, LaTeX), in letters or with numbers."""
     from vibcli.notation.latex import latex
     from vibcli.notation.scene_language import language
@@ -26,7 +34,7 @@ def linear_row(problem, equations, i):
                  for times, write in (("*", language), (r" \, ", latex)))
 
 
-def numeric_row(problem, matrices, i):
+def numeric_row(problem: "Problem", matrices: Any, i: int) -> "list[tuple[float, Node]]":
     """[(coefficient, symbol node)] of a linear equation in numbers, of the matrices M, C, G, K."""
     scene, (M, C, G, K) = problem.scene, matrices
     row = []
@@ -39,7 +47,7 @@ def numeric_row(problem, matrices, i):
     return row
 
 
-def numeric_drive(problem, equations, i):
+def numeric_drive(problem: "Problem", equations: "EquationsOfMotion", i: int) -> "list[tuple[float, Node]]":
     """[(coefficient, function of the time)] of what drives coordinate i; the time function is 1 where it is a load
     without letters."""
     node = equations.drive.get(i)
@@ -75,7 +83,7 @@ def _beside(node, time):
             yield from _beside(part, time)
 
 
-def joined(row, times, write, minus="-"):
+def joined(row: "Sequence[tuple[float, Node]]", times: str, write: "Notation", minus: str = "-") -> str:
     """Σ coefficient·symbol as text."""
     parts = []
     for value, symbol in row:

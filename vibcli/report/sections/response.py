@@ -1,25 +1,34 @@
 """The motion in time: where it starts, what drives it, its free part as a formula, its steady state, its extremes; and
 as data."""
 
+from collections.abc import Iterator
 from math import inf
+from typing import TYPE_CHECKING, Any
 
-from vibcli.base.errors import NotInLetters, PhysicsError
+from vibcli.base.errors import NotInLetters, PhysicsError, Unknown
 from vibcli.base.units import TIME, times
 from vibcli.language.sections.initial import let_go
 from vibcli.notation.numbers import figure, supported, with_unit
 from vibcli.reader.sections.find import RESPONSE
 from vibcli.report import blocks
-from vibcli.report.blocks import Name, TableBlock, line, maths, paragraph, section
+from vibcli.report.blocks import Name, Section, TableBlock, line, maths, paragraph, section
 from vibcli.report.keys import Key, data
-from vibcli.report.sections.requested_signals import extremes, if_fixed, names_asked, signals_asked
+from vibcli.report.sections.requested_signals import RequestedSignal, extremes, if_fixed, names_asked, signals_asked
 from vibcli.report.sections.steady_state import harmonics_of, phase_in, steady_state
 from vibcli.symbolic.syntax import NameRef
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from vibcli.report.document import Report
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 MOST_LINES = 16         # of what drives a motion
 NOT_FIXED = "not fixed by statics"
 
 
-def response(problem, report):
+def response(problem: "Problem", report: "Report") -> Iterator[Section]:
     """The sections of a motion in time."""
     if problem.numeric.has_free_symbols:
         from vibcli.report.sections.symbolic_response import response_in_letters
@@ -60,12 +69,12 @@ def response(problem, report):
         raise missing
 
 
-def at_instants_alone(motion, wanted):
+def at_instants_alone(motion: Any, wanted: "Wanted"):
     """Is it a motion without an end, that is prescribed, of which instants are asked for?"""
     return motion.KIND == "prescribed" and wanted.at and not motion.ends
 
 
-def known_until(motion, wanted):
+def known_until(motion: Any, wanted: "Wanted") -> float:
     """Up to when a motion is known, of what is asked for [s]: any other than one that is integrated at all times."""
     if motion.KIND != "full":
         return inf
@@ -73,7 +82,7 @@ def known_until(motion, wanted):
     return min(latest, motion.trajectory(latest).end)
 
 
-def unknown(problem, wanted):
+def unknown(problem: "Problem", wanted: "Wanted") -> Unknown | None:
     """The refusal of the part of a motion that is asked for and not known, else None."""
     motion, known = problem.response, known_until(problem.response, wanted)
     late = known < inf and known < _latest(motion, wanted)
@@ -95,7 +104,7 @@ def _at_instants(problem, asked, wanted, known):
         yield from section("Values", TableBlock(("signal", *(f"t = {text}" for text, _ in wanted.at)), rows))
 
 
-def value_at(problem, one, t, digits=None):
+def value_at(problem: "Problem", one: RequestedSignal, t: "Fraction", digits: int | None = None) -> str:
     """A signal at an instant, as text."""
     if digits is None:
         import numpy as np
@@ -148,7 +157,7 @@ def _extremes(asked, until):
                        TableBlock(("signal", "largest", "at t [s]", "smallest", "at t [s]"), tuple(rows)))
 
 
-def response_data(problem, wanted):
+def response_data(problem: "Problem", wanted: "Wanted") -> dict[str, Any]:
     """A motion in time as data, as far as it is known."""
     motion, asked = problem.response, signals_asked(problem, wanted.signals)
     places, speeds = motion.start

@@ -1,6 +1,7 @@
 """Estimates of the lowest natural frequencies by assumed shapes."""
 
 from math import tau
+from typing import TYPE_CHECKING
 
 from vibcli.analyses.modal.normalisation import WORDS, normalised, weights
 from vibcli.notation.numbers import figure
@@ -9,10 +10,14 @@ from vibcli.report.keys import Key
 from vibcli.report.sections.insight import grid, off, require_numbers
 from vibcli.report.sections.mode_tables import shapes
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+
 HEAD = ("", "estimate [rad/s]", "f [Hz]", "T [s]", "exact ω [rad/s]", "error")
 
 
-def ritz(problem, report):
+def ritz(problem: "Problem", report: "Report"):
     require_numbers(problem, "ritz")
     found = problem.modal.result("ritz")
     one = len(found.modes) == 1

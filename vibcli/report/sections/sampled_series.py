@@ -1,9 +1,17 @@
 """Responses sampled for pictures and files."""
 
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.base.errors import PhysicsError
 from vibcli.report.sections.requested_signals import curves_asked, signals_asked, symbol
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from vibcli.plots.figure import Figure
+    from vibcli.report.wanted import Wanted
+    from vibcli.results.problem import Problem
 
 
 class SampledSignal(NamedTuple):
@@ -30,7 +38,7 @@ class SampledCurve(NamedTuple):
     antiresonances: list
 
 
-def sampled(problem, wanted):
+def sampled(problem: "Problem", wanted: "Wanted") -> list[SampledSignal]:
     """The Series of the signals asked for."""
     import numpy as np
 
@@ -58,7 +66,7 @@ def _bounds(problem, signal, times):
     return middle + size, middle - size
 
 
-def response_figure(problem, series):
+def response_figure(problem: "Problem", series: Sequence[SampledSignal]) -> "Figure":
     """The motion in time as a Figure."""
     from vibcli.plots.response import of_response
 
@@ -74,7 +82,7 @@ def response_figure(problem, series):
     return of_response(series[0].times, lines, steady, bounds, title=problem.response.title)
 
 
-def columns(series):
+def columns(series: Sequence[SampledSignal]) -> "list[tuple[str, str, np.ndarray]]":
     """[(name, unit, array)] of a motion in time."""
     found = [("t", "s", series[0].times)]
     for one in series:
@@ -83,7 +91,7 @@ def columns(series):
     return found
 
 
-def sampled_curves(problem, wanted):
+def sampled_curves(problem: "Problem", wanted: "Wanted") -> list[SampledCurve]:
     """The SampledCurves asked for, over one range."""
     asked = [(name, driver, unit, problem.frequency_response(name, driver))
              for name, driver, unit in curves_asked(problem, wanted)]
@@ -109,7 +117,7 @@ def _asked_end(problem, key):
     return number_of(problem, record[key].tree) if record is not None and key in record else None
 
 
-def frequency_figure(problem, curves, nyquist=False):
+def frequency_figure(problem: "Problem", curves: Sequence[SampledCurve], nyquist: bool = False) -> "Figure":
     """The frequency responses as a Figure: magnitude and phase, or in the complex plane."""
     from vibcli.plots import frequency
 
@@ -131,12 +139,12 @@ def _unit(curves):
     return units.pop() if len(units) == 1 else ""
 
 
-def frequency_columns(curves):
+def frequency_columns(curves: Sequence[SampledCurve]) -> "list[tuple[str, str, np.ndarray]]":
     """[(name, unit, array)] of frequency responses."""
     return [("Omega", "rad/s", curves[0].Omega), *((curve.name, curve.unit, curve.values) for curve in curves)]
 
 
-def eigenvalue_figure(problem):
+def eigenvalue_figure(problem: "Problem") -> "Figure":
     """The eigenvalues in the complex plane, those of the undamped system where nothing damps."""
     from vibcli.plots.eigenvalues import argand
 

@@ -1,13 +1,20 @@
 """Derivatives of frequencies and damping by the parameters."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.base import units
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import Name, Words, maths, paragraph, section
+from vibcli.report.blocks import Name, Section, Words, maths, paragraph, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import grid, numbered, require_numbers
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
-def sensitivities(problem, _):
+
+def sensitivities(problem: "Problem", _: "Report") -> Iterator[Section]:
     require_numbers(problem, "sensitivities")
     found = problem.modal.result("sensitivities")
     heads = [(f"mode {mode.index}", mode) for mode in problem.modal.modes if mode.omega]
@@ -30,7 +37,7 @@ def sensitivities(problem, _):
     yield from tables
 
 
-def logarithmic(value, rate, omega):
+def logarithmic(value: float, rate: float, omega: float) -> float:
     """(p/ω) ∂ω/∂p; None where there is no derivative."""
     return None if rate is None else value * rate / omega
 

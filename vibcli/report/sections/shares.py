@@ -1,12 +1,19 @@
 """Shares of the elements in the energy of the modes."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.notation.numbers import figure
-from vibcli.report.blocks import paragraph
+from vibcli.report.blocks import Section, paragraph
 from vibcli.report.keys import Key
 from vibcli.report.sections.insight import NOTHING, grid, numbered, require_numbers
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
-def shares(problem, _):
+
+def shares(problem: "Problem", _: "Report") -> Iterator[Section]:
     require_numbers(problem, "shares")
     found = problem.modal.result("shares")
     potential = [(f"mode {i}", column) for i, column in found.potential.items() if column]

@@ -1,19 +1,25 @@
 """Natural frequencies, damping and mode shapes."""
 
+from collections.abc import Iterator
 from math import tau
+from typing import TYPE_CHECKING, Any
 
 from vibcli.analyses.modal.normalisation import WORDS
 from vibcli.base.errors import Inertless
-from vibcli.report.blocks import TableBlock, equations, line, paragraph, section
+from vibcli.report.blocks import Section, TableBlock, equations, line, paragraph, section
 from vibcli.report.keys import Key, data
 from vibcli.report.sections.equilibrium import EQUILIBRIUM
 from vibcli.report.sections.mode_tables import damped_row, mode_row, polar, repeated, shapes
+
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
 
 WITHOUT_DAMPERS = "without its dampers nothing would hold what has no inertia in this scene"
 DAMPED = "Damped modes (eigenvalue λ: ω = |λ|, ζ = −Re λ/|λ|, decay = −Re λ = ζω, log. decrement = 2πζ/√(1−ζ²))"
 
 
-def frequencies(problem, _):
+def frequencies(problem: "Problem", _: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols:
         yield from _frequencies_in_letters(problem)
         return
@@ -52,14 +58,14 @@ def _frequencies_in_letters(problem):
     yield from section("Damping", *damping_blocks(forms))
 
 
-def damping(problem, _):
+def damping(problem: "Problem", _: "Report") -> Iterator[Section]:
     if problem.numeric.has_free_symbols or problem.modal.damped is None:
         return
     head = ("mode", "ω [rad/s]", "ζ", "ω_d [rad/s]", "T_d [s]", "decay [1/s]", "error ≤", "")
     yield from section(DAMPED, TableBlock(head, tuple(map(damped_row, problem.modal.damped))))
 
 
-def modes(problem, report):
+def modes(problem: "Problem", report: "Report") -> Iterator[Section]:
     names = problem.scene.coordinates
     if len(names) < 2:
         return
@@ -111,7 +117,8 @@ DAMPED_MODES = Key(
 POLYNOMIAL = Key("characteristic_polynomial", "in letters only: factors in λ = omega² that have no readable roots")
 
 
-def frequencies_data(problem, normalise="first", digits=None):
+def frequencies_data(problem: "Problem", normalise: str = "first",
+                     digits: int | None = None) -> dict[str, Any]:
     """What `vibcli frequencies --json` prints."""
     from vibcli.report.sections.equations_of_motion import MATRICES
     from vibcli.report.sections.statics import REACTIONS

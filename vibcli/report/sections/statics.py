@@ -1,18 +1,25 @@
 """How constraints tie coordinates, the virtual work of what acts, and the reactions."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
 from vibcli.notation.abbreviations import abbreviated
 from vibcli.notation.numbers import figure
 from vibcli.report import blocks
-from vibcli.report.blocks import TableBlock, Words, line, section
+from vibcli.report.blocks import Section, TableBlock, Words, line, section
 from vibcli.report.keys import Key
 from vibcli.report.sections.equations_of_motion import with_lengths
 from vibcli.report.sections.too_long import brief
 
+if TYPE_CHECKING:
+    from vibcli.report.document import Report
+    from vibcli.results.problem import Problem
+
 WRITTEN_OUT = 16        # coordinates whose generalised forces are printed
 
 
-def virtual_work(problem, report):
+def virtual_work(problem: "Problem", report: "Report") -> Iterator[Section]:
     """δA = Σ Q δq, where there are loads or it is asked for."""
     scene = problem.system.scene_with_multipliers
     if not (scene.forces or "virtual_work" in problem.spec.get("find", ())) or not 0 < len(scene.q) <= WRITTEN_OUT:
@@ -55,7 +62,7 @@ def _unit(problem, signal):
     return "N" if signal_dimension(problem.spec, signal) in (None, FORCE) else "N·m"
 
 
-def reactions(problem, _):
+def reactions(problem: "Problem", _: "Report") -> Iterator[Section]:
     """The reactions in equilibrium, of a scene in numbers, and those along a motion."""
     from vibcli.mechanics.inputs_outputs.reactions import along_the_motion
 

@@ -1,7 +1,10 @@
 """The motion in time in letters: the steady state of one harmonic, and of one degree of freedom all of it."""
 
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
 from vibcli.base.errors import NotInLetters, PhysicsError
-from vibcli.report.blocks import Name, SumOfTerms, Words, equations, line, maths, paragraph, section
+from vibcli.report.blocks import Name, Paragraph, Section, SumOfTerms, Words, equations, line, maths, paragraph, section
 from vibcli.report.sections.requested_signals import symbol
 from vibcli.report.sections.symbolic_modes import equilibrium_parts
 from vibcli.symbolic.derivatives import substitute
@@ -10,13 +13,17 @@ from vibcli.symbolic.expression import Table
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.transfer_between_tables import copied
 
+if TYPE_CHECKING:
+    from vibcli.analyses.closed_form.frequency_response import Formula
+    from vibcli.results.problem import Problem
+
 LETTERS = {"X": ("X", "Z", "A"), "theta": ("theta", "psi", "beta"), "omega": ("omega", "omega_0"),
            "omega_d": ("omega_d", "omega_1"), "beta": ("beta", "nu"), "A": ("A", "P"), "B": ("B", "Q")}
 AHEAD = {"sin": ("", "cos"), "cos": ("−", "sin")}       # a quarter period ahead
 CONDITIONS = {"under-damped": " < ", "critically damped": " = ", "over-damped": " > "}
 
 
-def response_in_letters(problem, names):
+def response_in_letters(problem: "Problem", names: Iterable) -> Iterator[Section]:
     """Sections of the steady state of signals, {text}, and of the motion of one coordinate from its start."""
     if problem.spec.get("motion") == "full":
         raise NotInLetters("motions of the full equations are found in numbers",
@@ -38,7 +45,7 @@ def response_in_letters(problem, names):
         raise NotInLetters("free motions in letters are found for one degree of freedom", "give numbers with --set")
 
 
-def letter(problem, name):
+def letter(problem: "Problem", name: str) -> str:
     """A letter that the scene leaves free."""
     taken = {*problem.scene.parameters.nodes, *problem.spec.coordinates}
     return next((one for one in LETTERS[name] if one not in taken), LETTERS[name][-1])
@@ -58,7 +65,7 @@ def _steady_section(problem, name, steady, number):
     yield from section(f"Steady state of {symbol(name)}", equations(lines), *told)
 
 
-def conditions(formula):
+def conditions(formula: "Formula") -> Iterator[Paragraph]:
     """Where an undamped response has no bound and where it vanishes; where a damped one has its peak."""
     for words, place in (("resonance", formula.poles), ("antiresonance", formula.zeros)):
         if place is not None:

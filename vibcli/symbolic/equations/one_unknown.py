@@ -4,8 +4,9 @@ equations in its sine and cosine. SymPy factors the condition; each factor is so
 Solutions are candidates: a root is squared away, and branches are all offered, so that they have to be checked.
 """
 
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from vibcli.symbolic.angle_addition import opened
 from vibcli.symbolic.common_denominator import single
@@ -16,6 +17,9 @@ from vibcli.symbolic.rational_functions import Quotients
 from vibcli.symbolic.rationals import HALF
 from vibcli.symbolic.surds import Pair
 from vibcli.symbolic.time_limit import within
+
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
 CALLS = 8_000_000
 
@@ -28,7 +32,7 @@ class SymbolicSolution(NamedTuple):
     cosine: Any = None
 
 
-def solutions(node, unknown, samples):
+def solutions(node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
     """The Solutions of node = 0; none where its form is not known. `samples`: admissible values of the letters."""
     node, = opened([node], unknown)
     node = textbook(node)
@@ -38,7 +42,7 @@ def solutions(node, unknown, samples):
 class _Condition:
     """A condition as polynomials in the letters and x, sin x, cos x and roots that hold these."""
 
-    def __init__(self, node, unknown, samples):
+    def __init__(self, node: "Node", unknown: "Node", samples: Sequence[dict[str, float]]):
         table = self.table = node.table
         self.x, self.samples = unknown, samples
         self.sine, self.cosine = table.call("sin", unknown), table.call("cos", unknown)

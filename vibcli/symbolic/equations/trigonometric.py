@@ -1,12 +1,18 @@
 """Angles in letters: A sin x + B cos x + C = 0, each from −π to 2π at least."""
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
 from vibcli.symbolic.common_denominator import single
 from vibcli.symbolic.expression_graph import reachable
 from vibcli.symbolic.normal_form import textbook
 from vibcli.symbolic.rationals import ONE
 
+if TYPE_CHECKING:
+    from vibcli.symbolic.node import Node
 
-def angles(terms, x, sample_zero):
+
+def angles(terms: Any, x: "Node", sample_zero: Callable) -> "list[Node] | None":
     """The x of Σ terms = 0, {monomial: coefficient}, linear in sin x and cos x up to a common factor of these; None of
     other equations. `sample_zero(node)`: does a coefficient vanish?"""
     table = x.table
