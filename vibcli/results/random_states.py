@@ -50,8 +50,7 @@ def states(problem: Any) -> "tuple[dict[str, np.ndarray], list[slice]]":
         for primes, (centre, spread) in enumerate(((problem.numeric.drawn_floats[name], 1), (0.0, 3), (0.0, 9))):
             found[name + "'" * primes] = centre + spread * scale * np.array([
                 group[primes] * (name in group[3]) * generator.uniform(-1, 1) for group in groups for _ in range(each)])
-    if scene.timed:
-        found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
+    found[scene.time.name] = np.array([generator.uniform(0, 3) for _ in range(len(groups) * each)])
     return _closed(problem, found), [slice(i * each, (i + 1) * each) for i in range(len(groups))]
 
 

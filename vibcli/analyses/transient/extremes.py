@@ -47,7 +47,7 @@ class ExtremeSearch:
         whole = self.curve.whole
         self._keep(np.concatenate([whole.segment, whole.segment]), np.concatenate([whole.early, whole.late]), True)
         values, times, peaks = (np.concatenate(parts) for parts in zip(*self.tops, strict=True))
-        near = values >= max(self.value, values.max()) - self.rounding
+        near = values >= max(self.value, values.max(initial=-np.inf)) - self.rounding
         if not near.any():
             return float(self.time), float(self.sign * self.value)
         values, times, peaks = values[near], times[near], peaks[near]
