@@ -66,7 +66,7 @@ def numbers(data):
 
 def well_formed(data, command):
     optional = {"cases", "characteristic_polynomial", "chosen", "closed_forms", "equilibria", "frequency_response",
-                "remark", "response", "search"}
+                "insight", "remark", "response", "search"}
     assert set(data) - optional == KEYS[command]
     n = len(data["coordinates"])
     assert all(list(entry) == EQUATIONS for entry in data.get("equations", ()))

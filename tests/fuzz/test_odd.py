@@ -10,6 +10,8 @@ from fuzz.odd.sweep import Sweep
 
 SCENES, FIRST, MOST_REFUSED = 100, 80, 0.15
 RARE = {"prescribed move", "prescribed roll", "full *.drive"}       # drawn, but few such scenes have frequencies
+APART = {"scene.inerters", "inerter.b", "inerter.between", "inerter.stretch", "inerter.torsion", "roll.between",
+         "roll.flat", "turn.carrier", "turn.by", "ritz.shapes"}      # not drawn: tests of their own compare them
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +29,7 @@ def test_every_number_agrees(sweep):
 def test_few_are_refused_and_all_is_drawn(sweep):
     assert sweep.refused < MOST_REFUSED, sweep.refusals
     assert sweep.drawn <= SCENES
-    assert sweep.never <= RARE
+    assert sweep.never <= RARE | APART
 
 
 def test_no_code_is_shared():

@@ -23,7 +23,7 @@ ROOT = Path(__file__).parents[2]
 FILES = sorted([*ROOT.glob("problems/*/*.yaml"), *ROOT.glob("vibcli/examples/*.yaml"),
                 *ROOT.glob("vibcli/templates/*.yaml"), *ROOT.glob("tests/trials/*.yaml")])
 MOST = 6                # coordinates
-FEWEST, COMPARED = 200, []
+FEWEST, LOOKED, COMPARED = 0.8, [], []
 
 
 def numeric_problems(path):
@@ -71,8 +71,9 @@ def compare(one):
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_matrices_are_the_slopes_of_the_full_equations(path):
     for one in numeric_problems(path):
+        LOOKED.append(one)
         compare(one)
 
 
 def test_most_scenes_were_compared():
-    assert len(COMPARED) >= FEWEST or len(COMPARED) == 0, len(COMPARED)
+    assert len(COMPARED) >= FEWEST * len(LOOKED), (len(COMPARED), len(LOOKED))

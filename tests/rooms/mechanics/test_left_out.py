@@ -14,7 +14,7 @@ from vibcli.language.document.document import read
 from vibcli.mechanics.lagrange import equation_of
 from vibcli.reader.read import read_spec
 from vibcli.results.problem import Problem
-from vibcli.scene.displacements import Displacements
+from vibcli.scene.displacements import Displacements, stays_bounded
 from vibcli.symbolic.derivatives import gradient
 from vibcli.symbolic.evaluation import Floats, evaluate
 
@@ -180,7 +180,8 @@ def parts_of(found, monkeypatch):
     scenes = []
     for factor in (SMALL, -SMALL):
         def scaled(self, node, name, drive=None, factor=factor):
-            return whole(self, node * self.table.number(Fraction(factor)) if self.waves(node) else node, name, drive)
+            small = stays_bounded(node, self.time, self.expressions.sample)
+            return whole(self, node * self.table.number(Fraction(factor)) if small else node, name, drive)
 
         with monkeypatch.context() as patched:
             patched.setattr(Displacements, "driven_by", scaled)

@@ -111,7 +111,7 @@ def test_reports_are_read_back(path):
         for name in SHOWN:
             report.add(name)
         lines = printed.of_documents([report.document()])
-        assert all(printed.compared(parts, values) for parts in lines if len(parts) > 1)
+        assert all(printed.compared(parts, values) for parts in lines if len(parts) > 1 and parts[1] != ":  ")
         for entry in equation_rows(found) if found.system.scene_with_multipliers.q else ():
             printed.compared_texts(entry["text"], entry["latex"], values)
             printed.compared_texts(entry["linear_text"], entry["linear_latex"], values)

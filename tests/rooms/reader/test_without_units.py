@@ -60,9 +60,10 @@ def stripped(node, key=None):
 def scene(path, close=False):
     """The Problem of a scene without its units; `close`: with answers that agree to half a percent."""
     found = stripped(yaml.load(path.read_text(encoding="utf-8"), Loader=yaml.BaseLoader))
-    for asked, value in found.get("answers", {}).items() if close else ():
-        if isinstance(value, str) and "=" not in value and value not in ("true", "false"):
-            found["answers"][asked] = {"value": value, "rtol": "0.005"} if value.strip("-0.") else value
+    for part in (found, *found.get("cases", {}).values()) if close else ():
+        for asked, value in part.get("answers", {}).items():
+            if isinstance(value, str) and "=" not in value and value not in ("true", "false"):
+                part["answers"][asked] = {"value": value, "rtol": "0.005"} if value.strip("-0.") else value
     node, diagnostics = read(json.dumps(found, indent=1).replace(': ""', ": ").encode(), str(path))
     return Problem(read_spec(node, str(path), diagnostics))
 

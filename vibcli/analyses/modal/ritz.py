@@ -68,10 +68,10 @@ def ritz(modal: Any, asked: Any):
         shapes = [_shape(modal, shape) for shape in asked["shapes"]]
         basis = _orthonormal(shapes, M, [_place(shape, asked) for shape in asked["shapes"]])
         squares, mixed = mpmath.eigsy(mpmath.matrix([[_form(K, a, b) for b in basis] for a in basis]))
-        modes = []
+        modes, least = [], mpmath.mpf(10) ** (5 - WORKING) * max(map(abs, squares))     # that eigsy tells from zero
         for i, (square, exact) in enumerate(zip(squares, natural, strict=False)):
             shape = _combined(basis, mixed[:, i])
-            if abs(square) <= NOTHING * _form(K, shape, shape, abs):
+            if abs(square) <= max(least, NOTHING * _form(K, shape, shape, abs)):
                 square = mpmath.mpf(0)
             modes.append(RitzMode(i + 1, float(square), float(mpmath.sqrt(square)) if square >= 0 else None,
                                   _floats(shape), None if exact.omega is None else float(exact.omega)))
