@@ -53,7 +53,7 @@ class SampledResponse(Mapping):
     def unknown(self) -> str | None:
         """Why the motion is not known up to the end asked for; None where it is."""
         refusal = unknown(self._problem, Wanted())
-        return refusal and refusal.message
+        return refusal.message if refusal else None
 
 
 def response(problem: "Problem", until: float | str | None = None, points: int = 1001) -> SampledResponse:

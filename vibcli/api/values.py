@@ -36,7 +36,7 @@ class QuantityValue(NamedTuple):
     def __float__(self) -> float:
         if self.value is None:
             raise TypeError(f"'{self.text}' is an expression: {self.expression}")
-        return float(self.value)
+        return float(self.value)  # type: ignore[arg-type]
 
 
 def quantity_value(problem: "Problem", text: str) -> QuantityValue:

@@ -51,7 +51,7 @@ def _in_words(condition):
     return "equilibrium as drawn" if condition.is_balance else "a limit of stability"
 
 
-def none_found(system: ConditionSystem, scan: "Scan | None", proven: bool = False) -> PhysicsError:
+def none_found(system: ConditionSystem, scan: "Scan | None", proven: bool = False) -> PhysicsError | SpecError:
     """No solution: what the quantity does at the values that were tried, or why it is never defined. `proven`: do
     letters tell that there is none? Else none was found where it was looked for."""
     where, condition = _where(system.problem), system.conditions[0]

@@ -116,7 +116,7 @@ def _followed_to(system, scan):
     """The limits of an equilibrium that moves with the parameter, followed from value to value."""
     if _in_place(system.problem):
         return []
-    limits, ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])
+    limits, ends = followed(system, [x for x in grid(system.ranges[0]) if x in scan.points])  # type: ignore[misc]
     system.know(limits, ends)
     return [[limit.value] for limit in limits if system.admits([limit.value])]
 

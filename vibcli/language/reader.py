@@ -108,7 +108,7 @@ class Record(dict):
     whose value could not be read. Two records are never equal."""
 
     __slots__ = ("element", "name", "places", "where")
-    __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__
+    __eq__, __ne__, __hash__ = object.__eq__, object.__ne__, object.__hash__  # type: ignore[assignment]
 
     def __init__(self, element: "Element | None", name: str | None, where: Where, values: Any, places: Any):
         super().__init__(values)

@@ -71,5 +71,5 @@ def residual_terms(form: Linearisation) -> "list[list[Node]]":
 def nodes_of(form: Linearisation) -> "list[Node]":
     """Every expression of a Linearisation."""
     nodes = []
-    each(form, lambda node: nodes.append(node) or node)
+    each(form, lambda node: nodes.append(node) or node)  # type: ignore[func-returns-value]
     return nodes

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 LARGEST = 48        # denominators up to here are written as fractions
 
 
-def split(value: Fraction | int, factors: "Sequence[tuple[Node, Fraction | int]]") -> tuple[Any, ...]:
+def split(value: Fraction | int, factors: "Sequence[tuple[Node, Any]]") -> tuple[Any, ...]:
     """(value, above, below, under the root above, under it below) of value·Π base^e: lists of (node, exponent > 0)."""
     above, below, root_above, root_below, inside, powers = [], [], [], [], Fraction(1), []
     for base, exponent in factors:

@@ -80,4 +80,4 @@ def mass_factor(rows: np.ndarray) -> np.ndarray:
     """Lower triangular L with L Lᵀ = rowsᵀ rows, from a QR of the sorted rows, never from the product."""
     order = np.argsort(-np.abs(rows).max(axis=1), kind="stable")
     r = np.linalg.qr(rows[order], mode="r")
-    return (r * np.copysign(1.0, r.diagonal())[:, None]).T
+    return (r * np.copysign(1.0, r.diagonal())[:, None]).T  # type: ignore[attr-defined]

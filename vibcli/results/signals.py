@@ -134,7 +134,7 @@ class ComposedSignal(Signal):
 
     KIND = "a signal composed of others"
 
-    def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, float], time: "Node",
+    def __init__(self, node: "Node", signals: Mapping[str, LinearSignal], floats: Mapping[str, Any], time: "Node",
                  closing: Any = None, work: Work | None = None):
         self.node, self.signals, self.floats, self.time, self.closing = node, signals, floats, time, closing
         self.work = work or Work()

@@ -65,7 +65,7 @@ class Contents(NamedTuple):
     def empty(cls, table: "Table") -> "Contents":
         """Contents to which elements may add."""
         energies = {"T": table.zero, "V": table.zero, "Phi": table.zero}
-        return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})
+        return cls(None, {}, {}, *([] for _ in TERMS), energies, {}, [], {})  # type: ignore[arg-type]
 
     @property
     def nodes(self) -> "list[Node]":
@@ -83,7 +83,7 @@ class Contents(NamedTuple):
     def over(self, new: Any) -> "Contents":
         """Itself with its expressions replaced, {node: node}."""
         return self._replace(
-            **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},
+            **{kind: [term.over(new) for term in getattr(self, kind)] for kind in TERMS},  # type: ignore[arg-type]
             shaken={kind: [term.over(new) for term in terms] for kind, terms in self.shaken.items()},
             bodies={name: body.over(new) for name, body in self.bodies.items()},
             points={name: (drawn, tuple(new[node] for node in place)) for name, (drawn, place) in self.points.items()},

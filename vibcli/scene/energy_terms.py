@@ -31,7 +31,7 @@ class Term(NamedTuple):
 
     def over(self, new: "Mapping[Node, Node]") -> "Term":
         """Itself with its expressions replaced, {node: node}."""
-        return self.__class__(*(node if node is None else new[node] for node in self[:3]), self.owner)
+        return self.__class__(*(node if node is None else new[node] for node in self[:3]), owner=self.owner)
 
     def energy(self, _scene: "Scene"):
         """None: it stores nothing."""

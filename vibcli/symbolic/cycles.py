@@ -29,7 +29,7 @@ def count_of(unit: "Unit") -> dict[str, int]:
     return {key: power for key, power in ((CYCLE, unit.cycles), (RADIAN, unit.radians)) if power}
 
 
-def left_over(count: "Mapping[str, Fraction | int]") -> "Fraction | int":
+def left_over(count: "Mapping[str, Fraction | int]"):
     """The number of cycles that no factor π clears."""
     return count.get(CYCLE, 0) - count.get(PERIOD, 0)
 

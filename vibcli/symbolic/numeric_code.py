@@ -200,7 +200,7 @@ class Compiled:
         self._evaluate = function("t,q,v,g,c", head + late.lines, _tuple(result))
 
     def __call__(self, t: "np.ndarray", q: Any, v: "np.ndarray", g: "Sequence[float | np.ndarray] | np.ndarray" = (),
-                 c: "Sequence[np.ndarray] | None" = None) -> "tuple[float | np.ndarray, ...]":
+                 c: Any = None) -> "tuple[float | np.ndarray, ...]":
         """The values as a tuple of arrays; those of constants are floats. g: the senses of the switches."""
         return self._evaluate(t, q, v, g, self.prepared(t) if c is None else c)
 

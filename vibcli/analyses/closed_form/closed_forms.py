@@ -20,7 +20,7 @@ class ClosedMode(NamedTuple):
     shape: list = None
     unstable: bool = False
     pair: Any = None
-    index: int = 1
+    index: int = 1  # type: ignore[assignment]
     pattern: list = None
     turns: bool = False
     solves: Any = None

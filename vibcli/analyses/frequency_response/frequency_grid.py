@@ -27,7 +27,7 @@ def adaptive(system: Any, low: float, high: float, log: Any = True,
     Omega = _clear(Omega[np.append(True, np.diff(Omega) > NARROW * Omega[1:])], endless)
     values = sampled(system, Omega)[0]
     for _ in range(ROUNDS):
-        gaps = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
+        gaps: Any = np.flatnonzero(_bent(Omega, values, log)) if len(Omega) <= MOST else []
         if not len(gaps):
             break
         middle = np.sqrt(Omega[gaps] * Omega[gaps + 1]) if log else (Omega[gaps] + Omega[gaps + 1]) / 2

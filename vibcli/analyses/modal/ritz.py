@@ -43,7 +43,7 @@ class RitzMode(NamedTuple):
     """square: ω̃²; omega: ω̃ [rad/s], None where ω̃² < 0; shape: Φc with cᵀM̂c = 1; exact: the ω that it is a bound of,
     None of an unstable mode."""
 
-    index: int
+    index: int  # type: ignore[assignment]
     square: float
     omega: float | None
     shape: list

@@ -38,7 +38,7 @@ class Mode(NamedTuple):
     independent of units.
     """
 
-    index: int
+    index: int  # type: ignore[assignment]
     omega: Any
     growth_rate: Any
     shape: Any

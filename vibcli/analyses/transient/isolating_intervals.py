@@ -82,7 +82,7 @@ class BoundedOutput:
         """Cells that grow with time, the first a part of the fastest wave's period."""
         return self.whole.doubling(1 / self.fastest) if self.fastest else self.whole
 
-    def times(self, segment: int | np.ndarray, tau: Any) -> float | np.ndarray:
+    def times(self, segment: int | np.ndarray, tau: Any):
         return self.timeline.starts[segment] + tau
 
     def ends(self, cells: Cells, slope: bool = False) -> list[np.ndarray]:

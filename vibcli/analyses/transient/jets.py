@@ -5,7 +5,7 @@ curvature has no bound; at a jump the slope has none either.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -160,7 +160,7 @@ class Jets:
     def record(name: str, samples: Sequence[dict[str, float]]):
         raise KeyError(name)
 
-    functions = {
+    functions: dict[str, Callable] = {
         "sin": _smooth(lambda u: (SIN(u), COS(u), exact(-1.0) * SIN(u))),
         "cos": _smooth(lambda u: (COS(u), exact(-1.0) * SIN(u), exact(-1.0) * COS(u))),
         "tan": _smooth(_tan), "asin": _smooth(_asin), "acos": _smooth(_acos), "atan": _smooth(_atan),

@@ -57,5 +57,5 @@ def _followed(forces, z, box, uphill):
             return None
         sizes[:uphill] *= -1
         step = -directions @ (directions.T @ place.F / sizes)
-        z = z + step * min(1.0, LONGEST / max(np.linalg.norm(step), 1e-300))
+        z = z + step * min(1.0, LONGEST / max(np.linalg.norm(step), 1e-300))  # type: ignore[operator]
     return None

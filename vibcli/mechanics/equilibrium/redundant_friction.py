@@ -96,7 +96,7 @@ def require_fixed_at_rest(configuration: Any, owner: Any) -> None:
     parts = dynamics(scene)
     found = Redundancy(scene, parts.h, parts.slopes)
     everything = np.ones((len(found.parts), 1), dtype=bool)
-    if found.possible and found.moves({**configuration.at_rest, scene.time.name: 0.0}, 1, everything).get(owner, 0.0):
+    if found.possible and found.moves({**configuration.at_rest, scene.time.name: 0.0}, 1, everything).get(owner):
         raise shared(owner)
 
 
