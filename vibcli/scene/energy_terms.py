@@ -31,7 +31,8 @@ class Term(NamedTuple):
 
     def over(self, new: "Mapping[Node, Node]") -> "Term":
         """Itself with its expressions replaced, {node: node}."""
-        return self.__class__(*(node if node is None else new[node] for node in self[:3]), owner=self.owner)
+        weight, s, offset = (node if node is None else new[node] for node in self[:3])
+        return self.__class__(weight, s, offset, self.owner)
 
     def energy(self, _scene: "Scene"):
         """None: it stores nothing."""

@@ -159,7 +159,7 @@ class March:
         with np.errstate(all="ignore"):
             done = solve(self.force(self.t + H * self.rule.c), self.rule, H, self.q, self.v, guess,
                          (part * self.rtol * scale if self.fast is None else 1e-2 * self._allowed(H, scale))
-                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)
+                         + 0.5 * EPSILON * np.abs(self.q)[:, None], known)  # type: ignore[arg-type]
         self.factored = (H, self.g, self.slides), done.inverse
         if done.A is None:
             return None, np.inf, 1.0

@@ -64,7 +64,8 @@ def _direction(nodes, sketch):
     """The direction of a force as drawn, or at the first instant and rate at which it acts."""
     for instant in INSTANTS:
         rate = float(bool(instant))         # of every coordinate
-        values = defaultdict(lambda rate=rate: rate, {**sketch.values, sketch.scene.time.name: instant})
+        values = defaultdict(lambda rate=rate: rate,  # type: ignore[misc]
+                             {**sketch.values, sketch.scene.time.name: instant})
         x, y = evaluate(nodes, Floats, values)
         size = hypot(x, y)
         if 1e-12 < size < float("inf"):

@@ -81,7 +81,7 @@ def extremes(asked: Any, until: Any) -> Any:
                             [(None, None)] * 2)) for one in asked]
 
 
-def if_fixed(found: Callable, otherwise: Any = None) -> float | list[tuple[float | None, float | None]] | str | None:
+def if_fixed(found: Callable, otherwise: Any = None):
     """What a function finds, else where statics alone does not fix it."""
     try:
         return found()
