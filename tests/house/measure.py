@@ -5,7 +5,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))       # run as a script it finds what lies beside it
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))       # run as a script it finds the tree that it is in
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from house.uses import Uses
 
@@ -242,5 +243,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(PACKAGE.parent))
     main()
